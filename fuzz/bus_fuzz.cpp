@@ -1,6 +1,6 @@
-// All four devices on one bus, as nodes 3 to 6: what a master or one of them sends reaches all the others; inputs, time
-// and power cuts are each device's own. Records as in support/device_world.hpp; bits 4 and 5 of the first byte say
-// whose.
+// Fuzzes all four devices on one bus, as nodes 3 to 6. Frames of a master or of one device reach all other devices.
+// Inputs, time and power cuts apply to one device. The records are those of support/device_world.hpp; bits 4 and 5 of
+// the first byte select the device.
 #include <tuple>
 
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"
@@ -77,7 +77,7 @@ class FourOnABus {
         visit(ax188001_);
         visit(ax060805_);
     }
-    /// Frames that answer one another at once come to an end.
+    /// Delivers frames until the devices have stopped answering one another. Fails when they do not stop.
     void exchange() {
         unsigned frames = 0;
         for (bool quiet = false; !quiet;) {
@@ -91,7 +91,7 @@ class FourOnABus {
             });
         }
     }
-    /// To all others that work at the same bit rate.
+    /// Delivers the frame to all other devices that work at the same bit rate.
     void deliver(const Frame& frame, const void* sender, std::uint32_t rate) {
         for_each([&](auto& world) {
             if (&world != sender && world.device().bit_rate() == rate) {

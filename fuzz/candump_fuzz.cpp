@@ -1,4 +1,4 @@
-// Logs of any bytes: read or refused with a place; what was read is written so that it reads the same.
+// Reads logs of any bytes. A log is either refused with a place, or it is written and read back unchanged.
 #include <sstream>
 
 #include "firmware/base/time.hpp"

@@ -1,5 +1,6 @@
-// EDS files of any bytes: refused with lines and mends, or a device that switches on, runs and is written and read back
-// the same. The check finds lines that are there, and its safe fixes end and keep the device.
+// Reads EDS files of any bytes. A file is either refused with lines and fixes, or it gives a device that switches on,
+// runs, and is written and read back unchanged. The check names existing lines; its safe fixes terminate and keep the
+// device.
 #include <algorithm>
 
 #include "firmware/base/time.hpp"
@@ -76,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     run(read.part);
     check({data, data + size}, read.part);
     require(!host::write_dbc(read.part, 5).empty());
-    // The first writing settles what a data sheet cannot say in two ways.
+    // The first writing fixes the form of everything that a data sheet can express in two ways.
     const host::EdsResult again = host::read_eds(host::write_eds({}, read.part), "fuzz.eds");
     require(again.faults.empty());
     const std::string written = host::write_eds({}, again.part);

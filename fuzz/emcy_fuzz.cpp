@@ -1,6 +1,6 @@
-// Errors that come and go in any order, with commands, bus-off, inhibit times and writes between them: the messages,
-// the error register and the list of the last four are those of a naive model. Input: records of two bytes, an event
-// and its number.
+// Lets errors start and end in any order, with commands, bus-off, inhibit times and writes between them. Compares the
+// messages, the error register and the list of the last four errors with a naive model. Input: records of two bytes, an
+// event and its number.
 #include <algorithm>
 
 #include "fuzz/support/claims.hpp"
@@ -26,7 +26,7 @@ constexpr std::size_t most_records = 200;
 
 class Both {
   public:
-    /// Both as new.
+    /// Restarts the slave and the model.
     void restart() {
         now_ = start_ = fuzz::begin_input();
         device_.node().set_can_state(CanState::error_active, now_);
@@ -98,7 +98,7 @@ CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_008)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // to make a slave takes longer than an input
+    static Both both;  // made once: making a slave takes longer than an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i, data += record_size) {

@@ -1,6 +1,6 @@
-// NMT commands, heartbeat, its consumer and node guarding in any order and at any times: what the node says on 705h,
-// when it says it and in which state it is are those of a naive model. Input: records of four bytes, an event with its
-// numbers; the highest bit of the first adds a frame of any length in between.
+// Mixes NMT commands, heartbeat, heartbeat consumer and node guarding in any order and at any times. Compares the
+// frames on 705h, their times and the NMT state with a naive model. Input: records of four bytes, an event with its
+// numbers; the highest bit of the first byte adds a frame of any length.
 #include <algorithm>
 
 #include "fuzz/support/claims.hpp"
@@ -26,7 +26,7 @@ constexpr std::size_t most_records = 200;
 
 class Both {
   public:
-    /// Both as new.
+    /// Restarts the slave and the model.
     void restart() {
         now_ = start_ = fuzz::begin_input();
         said_.clear();
@@ -55,7 +55,7 @@ class Both {
     }
 
   private:
-    /// Commands, heartbeats and guarding of the wrong length or format are none.
+    /// Sends a command, heartbeat or guarding frame of wrong length or format, which has no effect.
     void meaningless(const naive::Event& event) {
         Frame frame = data_frame(event.kind % 2U == 0 ? 0U : 0x701U, static_cast<std::uint8_t>(event.b % 9U));
         frame.data = {static_cast<std::uint8_t>(naive::command_of(event)), naive::node_id};
@@ -66,7 +66,8 @@ class Both {
     void pass(std::uint64_t ms) {
         fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
-    /// The state may change with an event: emergency messages are silent in stopped alone (CiA 301, 7.3.2.2.5).
+    /// Checks the frames that were sent. The state may change with an event; EMCY is not sent in stopped only (CiA 301,
+    /// 7.3.2.2.5).
     void drain() {
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();
@@ -105,7 +106,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_
                      req::CO_GUARD_001, req::CO_GUARD_002)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // to make a slave takes longer than an input
+    static Both both;  // made once: making a slave takes longer than an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {

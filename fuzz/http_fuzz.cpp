@@ -1,6 +1,6 @@
-// A client of the panel that says anything, in pieces of any size: what is held stays bounded, the pieces make no
-// difference, and what is passed on holds nothing that HTTP forbids. Input: a byte that gives the size of a piece, then
-// so many bytes.
+// Feeds the HTTP reader of the panel with any bytes, in pieces of any size. Memory stays bounded, the pieces do not
+// change the result, and accepted requests contain nothing that HTTP forbids. Input: a byte with the size of a piece,
+// then as many bytes.
 #include <algorithm>
 #include <string>
 

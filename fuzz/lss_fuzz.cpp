@@ -1,5 +1,5 @@
-// Frames of an LSS master, of any bytes and lengths, with time passing between them, to a node without a node-ID and
-// then with whatever it was given. Input: records of ten bytes: what happens, length or time, and eight bytes of data.
+// Sends frames of an LSS master, of any bytes and lengths and at any times, to a node without a node-ID, and later with
+// the node-ID that it was given. Input: records of ten bytes: the event, a length or time, and eight bytes of data.
 #include <algorithm>
 #include <memory>
 
@@ -24,7 +24,7 @@ constexpr std::uint32_t request_id = 0x7E5;
 constexpr std::uint32_t response_id = 0x7E4;
 constexpr std::array<std::uint32_t, 4> address{0x00000055, 0xAA020301, 0x00010002, 0x20261121};
 
-/// Nothing but an LSS address.
+/// Returns a register part with an LSS address and nothing else.
 const host::Part& part() {
     static const host::LoadResult loaded = [] {
         host::SpecFiles files;
@@ -70,7 +70,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// What the frames alone tell about the slave. Where they leave it open, LSS configuration is taken to be possible.
+/// Follows the state of the slave as far as the frames alone show it. Where they leave it open, LSS configuration
+/// counts as possible.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {
@@ -83,13 +84,15 @@ class Watch {
         } else if (specifier == 0x04 && frame.length >= 2 && frame.data[1] == 1) {
             may_configure_ = true;
         } else if (specifier == 0x04 && frame.length >= 2 && frame.data[1] == 0) {
-            may_configure_ = may_configure_ && now < quiet_until_;  // not heard while the bit rate is switched
+            may_configure_ =
+                may_configure_ && now < quiet_until_;  // no frame is received while the bit rate is switched
         } else if (specifier == 0x43 && answered) {
             may_configure_ = true;
         }
     }
     void booted() { may_configure_ = false; }
-    /// By switch state, or because all four numbers were confirmed since the scan began.
+    /// Returns whether the slave may be in LSS configuration: by switch state, or because all four numbers were
+    /// confirmed since the scan began.
     bool may_configure() const { return may_configure_; }
 
   private:
@@ -128,7 +131,7 @@ bool needs_configuration(std::uint8_t specifier) {
     return specifier == 0x11 || specifier == 0x13 || specifier == 0x17 || (specifier >= 0x5A && specifier <= 0x5E);
 }
 
-/// At most one answer, which belongs to its request; besides only boot-up.
+/// Checks that there is at most one answer, which belongs to its request, and otherwise only boot-up messages.
 void check_answers(TransmitQueue& queue, const Frame& request, Watch& watch, Instant now) {
     bool answered = false;
     bool booted = false;

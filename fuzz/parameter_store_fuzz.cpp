@@ -1,6 +1,7 @@
-// Stored parameters on a memory of any bytes, with saves, restores and power cuts at any of them: what the conformance
-// slave wakes up with is what a naive reader finds in the memory, the old set or the new after a cut, and never
-// anything from a bank that is not sound. Input: records of ten bytes: what happens, with what, and eight bytes for it.
+// Stores parameters on a memory of any bytes, with saves, restores and power cuts at any byte. After each start the
+// conformance slave has the values that a naive reader finds in the memory: the old set or the new set after a power
+// cut, and never a value of an invalid bank. Input: records of ten bytes: the event, its argument, and eight bytes of
+// data.
 #include <algorithm>
 
 #include "firmware/canopen/lss_store.hpp"
@@ -29,7 +30,7 @@ constexpr std::uint8_t node_id = 5;
 
 class World {
   public:
-    /// A new memory.
+    /// Replaces the memory by an erased one.
     void restart() {
         edit([](fuzz::Image& image) { image.assign(memory_size, 0xFF); });
     }
@@ -64,7 +65,7 @@ class World {
     }
 
   private:
-    /// The memory changes while the device is off.
+    /// Changes the memory while the device is off.
     template <typename Edit>
     void edit(const Edit& change) {
         fuzz::Image image = memory_.image();
@@ -90,7 +91,7 @@ class World {
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
             const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
-            // 1020h is forgotten by a start, when what it vouched for was not saved with it.
+            // A start clears 1020h verify configuration when the configuration it belongs to was not saved with it.
             require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
         }
         drain();
@@ -121,7 +122,7 @@ class World {
         return all_values(format, device);
     }
 
-    /// The answer to a request; 0 when there is none.
+    /// Returns the answer to a request; 0 when there is none.
     std::uint32_t ask(const Frame& request) {
         fuzz::deliver(device_, request, Instant{});
         std::uint32_t answer = 0;
@@ -155,8 +156,8 @@ class World {
         }
     }
 
-    /// CiA 301, 7.5.2.13: a save keeps its groups as they are now and the others as they were kept; a restore keeps the
-    /// others alone. Power may fail at `place`.
+    /// Saves or restores with a power cut at `place`. A save stores its groups as they are now and keeps the others as
+    /// stored; a restore keeps the others (CiA 301, 7.5.2.13).
     void execute(std::uint16_t index, unsigned sub, const char* signature, std::uint16_t place) {
         const fuzz::Image before = memory_.image();
         Values expected = format_.read(before, node_id);
@@ -176,7 +177,7 @@ class World {
         std::copy_n(signature, word.size(), word.begin());
         const std::uint32_t answer = ask(download(index, static_cast<std::uint8_t>(sub), word.data(), word.size()));
         if (answer == 0) {
-            return;  // no SDO in this state
+            return;  // SDO is not served in this state
         }
         require(answer == 0x60, "saved", answer);
         require(format_.read(memory_.image(), node_id) == expected, "what is saved");
@@ -194,7 +195,8 @@ class World {
         return tampering_.is_foreign(pair[0]) || tampering_.is_foreign(pair[1]);
     }
 
-    /// The other store of a memory, at its end. A node-ID that is none of 1 to 127 and 255 counts as not stored.
+    /// Stores by LSS, which has its own store at the end of the memory. A node-ID other than 1 to 127 and 255 counts as
+    /// not stored.
     void store_lss(const LssConfiguration& given, std::uint16_t place) {
         constexpr LssConfiguration shipped{127, 125000};
         const bool counts = given.node_id == 255 || (given.node_id >= 1 && given.node_id <= 127);
@@ -235,7 +237,7 @@ class World {
     const Values& defaults_{defaults()};
     fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
     TransmitQueue queue_;
-    host::GenericDevice device_{test::slave_part(), memory_, queue_};  ///< one for all: to make it takes long
+    host::GenericDevice device_{test::slave_part(), memory_, queue_};  ///< one for all inputs: making it takes long
     fuzz::Tampering tampering_;
     const std::array<std::size_t, 2> banks_{tampering_.add_part(0, format_.bank_size()),
                                             tampering_.add_part(format_.bank_size(), format_.bank_size())};

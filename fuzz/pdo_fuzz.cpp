@@ -1,6 +1,7 @@
-// Everything that touches PDOs, in any order: SDO writes to their parameters, RPDOs and other frames, remote frames,
-// SYNCs, NMT commands, values that change in the device, and time. The slave is that of the conformance suite, node 5.
-// Input: records of ten bytes: what happens, how (length, number or milliseconds), and eight bytes of data.
+// Mixes everything that affects PDOs, in any order: SDO writes to their parameters, RPDOs and other frames, remote
+// frames, SYNCs, NMT commands, values that change in the device, and time. The slave is that of the conformance suite,
+// node 5. Input: records of ten bytes: the event, its argument (length, number or milliseconds), and eight bytes of
+// data.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +27,7 @@ using naive_pdo::Bytes;
 
 constexpr std::size_t record_size = 10;
 
-/// 2200h takes -100 … 100, 2202h numbers from -10 to 10, a BOOLEAN 0 and 1.
+/// Returns whether a value is within its limits: 2200h from -100 to 100, 2202h from -10 to 10, a BOOLEAN 0 or 1.
 bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
     if (line.index == 0x2200) {
         const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
@@ -39,13 +40,13 @@ bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
     return true;
 }
 
-/// CiA 301, 7.3.5.
+/// Returns whether an identifier is restricted (CiA 301, 7.3.5).
 bool is_kept_for_others(std::uint32_t id) {
     return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) ||
            (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
 }
 
-/// Whether a valid TPDO before `number` has that identifier.
+/// Returns whether a valid TPDO before `number` has that identifier.
 bool is_transmitted(const Slave& slave, std::uint32_t id, unsigned before) {
     for (unsigned number = 0; number < before; ++number) {
         if (slave.tpdo(number).is_valid() && slave.tpdo(number).id() == id) {
@@ -76,13 +77,14 @@ void check_parameters(Slave& slave) {
     }
 }
 
-/// What the node may send by its dictionary. Frames of a step belong to what it was before that or to what it is after.
+/// What the node may send according to its dictionary. Frames of a step may follow the settings before the step or
+/// after it.
 struct Settings {
     std::array<Pdo, pdo_count> tpdos;
     bool operational{false};
     std::uint32_t sync_id{0};
 
-    /// Keeps its memory from one execution to the next.
+    /// Reads the settings. The memory is reused from one execution to the next.
     void read(Slave& slave) {
         operational = slave.is_operational();
         sync_id = static_cast<std::uint32_t>(slave.value(0x1005, 0)) & 0x7FF;
@@ -100,7 +102,8 @@ struct Settings {
     }
 };
 
-/// SDO, EMCY, error control, SYNC; besides, only the valid TPDOs of an operational node.
+/// Checks the frames that were sent: SDO, EMCY, error control and SYNC; otherwise only valid TPDOs of an operational
+/// node.
 void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     const bool operational = before.operational || after.operational;
     for (const Frame& frame : slave.drain()) {
@@ -111,7 +114,8 @@ void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     }
 }
 
-/// RPDOs of types 254 and 255 set what the naive model says; the others set nothing before a SYNC.
+/// Returns the values expected after a frame: RPDOs of types 254 and 255 set them as in the naive model, the others set
+/// nothing before a SYNC.
 Values expected_after(Slave& slave, const Frame& frame) {
     Values values = slave.values();
     const Bytes data(frame.data.begin(), frame.data.begin() + frame.length);
@@ -136,7 +140,7 @@ void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std
     require(found == expected);
 }
 
-/// Types 253 to 255 without an inhibit time answer with the present values.
+/// Requests a TPDO. Types 253 to 255 without an inhibit time answer with the present values.
 void request_tpdo(Slave& slave, unsigned number) {
     const Pdo& pdo = slave.tpdo(number);
     Frame frame = data_frame(pdo.id(), 0);

@@ -1,5 +1,6 @@
-// Files of the register of any bytes: told as faults with line and mend, or a dictionary that runs and can be written
-// as a data sheet. Input: a digit that says which of the three files it is, then the text.
+// Loads register files of any bytes. A file is either refused with faults, each with a line and a fix, or it gives a
+// dictionary that runs and is written as a data sheet. Input: a digit that selects one of the three files, then the
+// text.
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "fuzz/support/claims.hpp"

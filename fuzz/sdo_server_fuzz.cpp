@@ -1,7 +1,7 @@
-// SDO requests of any bytes, in any order, with time passing between them: expedited, segmented and block transfer on
-// numbers, strings and DOMAINs. Every answer is compared with that of a naive server.
-// Input: records of nine bytes. The first is a time step of 16 ms each unit before a request, the other eight; from E0h
-// up the request is what an obedient client sends next, several times: see Obedient.
+// Sends SDO requests of any bytes, in any order and at any times: expedited, segmented and block transfer of numbers,
+// strings and DOMAINs. Compares every answer with that of a naive server. Input: records of nine bytes. The first byte
+// is a time step before the request, in units of 16 ms; the other eight are the request. From E0h on the request is the
+// next one of an obedient client, several times: see Obedient.
 #include <cstdlib>
 #include <iostream>
 
@@ -19,9 +19,9 @@ using namespace canproof;
 
 constexpr std::size_t record_size = 9;
 constexpr std::uint8_t first_obedient = 0xE0;
-constexpr unsigned most_obedient = 700;  ///< requests an input; two transfers of the whole DOMAIN are 580
+constexpr unsigned most_obedient = 700;  ///< requests per input; two transfers of the whole DOMAIN take 580
 
-/// Lets an input get through transfers that are longer than itself.
+/// Requests of an obedient client: an input can run transfers that are longer than itself.
 struct Obedient {
     unsigned count;   ///< requests
     bool ends;        ///< the last of them is marked as the last segment
@@ -43,10 +43,10 @@ void require(bool holds, const naive::Message& request, int line = __builtin_LIN
     }
 }
 
-/// Both servers, side by side.
+/// The server under test and the naive server, side by side.
 class Both {
   public:
-    /// Both as new.
+    /// Restarts both servers.
     void restart() {
         ours_.restart(fuzz::begin_input());
         naive_.restart();
@@ -63,7 +63,8 @@ class Both {
         ours_.answers(answers_);
         const auto& expected = naive_.ask(request, now_ms_);
         if (naive_.doing() == naive::Server::Doing::block_upload) {
-            ours_.pass(0, answers_);  // segments leave by themselves; whatever else does comes out in the next step
+            ours_.pass(0,
+                       answers_);  // segments are sent without a request; any other difference appears in the next step
         }
         require(answers_ == expected, request);
     }
@@ -73,7 +74,7 @@ class Both {
         ours_.pass(ms, answers_);
         require(answers_ == naive_.pass(now_ms_), naive::Message{});
     }
-    /// Until the transfer is over; when none is under way, one is begun.
+    /// Sends requests until the transfer is over; starts a transfer when none is running.
     void obey(const Obedient& wish) {
         bool goes_on = true;
         for (unsigned i = 1; goes_on && i <= wish.count && obedient_ < most_obedient; ++i, ++obedient_) {
@@ -84,7 +85,7 @@ class Both {
             goes_on = naive_.doing() != naive::Server::Doing::nothing;
         }
     }
-    /// What the transfers left behind.
+    /// Compares the values after the transfers.
     void compare_values() {
         static const naive::Bytes nothing;
         const auto& domain = naive_.objects().at(naive::pair_domain).at(0).value;
@@ -107,7 +108,7 @@ class Both {
 
     naive::Ours ours_;
     naive::Server naive_{naive::pair_model()};
-    std::vector<naive::Message> answers_;  ///< of ours; kept for its memory
+    std::vector<naive::Message> answers_;  ///< answers of the server under test; kept to reuse the memory
     unsigned obedient_{0};
     std::uint64_t now_ms_{0};
     std::uint8_t next_data_{1};

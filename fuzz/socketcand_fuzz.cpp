@@ -1,6 +1,6 @@
-// A socketcand client that says anything, in pieces of any size: what goes onto the bus are CAN frames, what is held
-// stays bounded. The same bytes as a server's, to the client. Input: a byte that gives the size of a piece, then so
-// many bytes.
+// Feeds the socketcand server with any bytes of a client, in pieces of any size. Only CAN frames go onto the bus and
+// memory stays bounded. The client gets the same bytes as from a server. Input: a byte with the size of a piece, then
+// as many bytes.
 #include <algorithm>
 #include <string_view>
 
@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(client.held() <= host::SocketcandClient::longest_command + 1);
         client.sent(client.output().size());
         require(session.output().size() <= host::SocketcandSession::output_limit);
-        // A frame leaves for every second piece: the door is full at times.
+        // One frame leaves for every second piece, so that the gateway is full at times.
         if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {
             require(frame->length <= max_frame_length && frame->id <= (frame->extended ? 0x1FFFFFFFU : 0x7FFU));
             session.gateway().take_frame();

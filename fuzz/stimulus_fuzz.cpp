@@ -1,5 +1,5 @@
-// Stimuli of any bytes: refused with a place, or changes in order of time whose values are numbers; those that the
-// devices take are in the ranges of their inputs.
+// Reads stimuli of any bytes. They are either refused with a place, or changes in time order with finite values;
+// accepted values are within the ranges of the inputs of a device.
 #include <cmath>
 #include <sstream>
 
@@ -34,7 +34,7 @@ const std::vector<const host::Part*>& devices() {
     return all;
 }
 
-/// Looks through all signals for one that takes what was accepted.
+/// Returns whether any device has an input that takes this stimulus.
 bool is_taken(const host::Stimulus& one) {
     for (const host::Part* device : devices()) {
         for (const host::Signal& signal : device->signals) {

@@ -1,6 +1,6 @@
 # Sourced by scripts: the fuzz targets of a build, from the list that its configure step writes (fuzz/CMakeLists.txt).
 
-# target_names BUILD: all of them, a line each.
+# target_names BUILD: prints the names of all targets, one per line.
 target_names() {
   cut -f 1 "$1/fuzz_targets.txt"
 }

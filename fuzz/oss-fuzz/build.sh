@@ -1,12 +1,12 @@
 #!/bin/bash
-# Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite ask for it: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, into
-# $OUT, each with its seeds, dictionary and options. $WORK takes the build. TARGETS="sdo_server pdo" narrows the targets.
+# Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite require: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, into $OUT, each with
+# its seeds, dictionary and options. The build is in $WORK. TARGETS="sdo_server pdo" selects targets.
 set -eu
 cd "$(dirname "$(readlink -f "$0")")"
-cd -P "${SRC:-/nowhere}/canproof" 2>/dev/null || cd ../..  # physical: CMake does not like a way through a link
+cd -P "${SRC:-/nowhere}/canproof" 2>/dev/null || cd ../..  # physical path: CMake does not accept a path through a link
 source fuzz/targets.sh
 
-# The libraries come from the distribution, which builds them with libstdc++: libc++ would not fit them.
+# The libraries come from the distribution, which builds them with libstdc++: they are not compatible with libc++.
 flags=${CXXFLAGS//-stdlib=libc++/}
 build=${WORK:-build}/oss-fuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$flags" -DCANPROOF_FUZZER=ON \
@@ -22,7 +22,7 @@ mkdir -p "$OUT/lib"
 for name in "${targets[@]}"; do
   find_target "$build" "$name"
   cp "$build/${name}_fuzz" "$OUT/"
-  # The machine that fuzzes has none of the libraries.
+  # The fuzzing machine has none of the libraries.
   ldd "$build/${name}_fuzz" | awk '$3 ~ /lib(fmt|pugixml|tomlplusplus|socketcan|stdc\+\+|gcc_s)/ {print $3}' |
     xargs -r cp -L -n -t "$OUT/lib"
   [ ! -d "$corpus" ] || python3 - "$corpus" "$OUT/${name}_fuzz_seed_corpus.zip" <<'PYTHON'

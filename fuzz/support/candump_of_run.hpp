@@ -1,5 +1,5 @@
-// Writes down the frames that a target gives to its device, as a candump log. Every line is out before the device sees
-// the frame: the log is whole even when that frame ends the process.
+// Writes the frames that a target gives to its device as a candump log. Every line is written before the device gets
+// the frame: the log is complete even when that frame ends the process.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@ namespace canproof::fuzz {
 
 inline std::ofstream frame_log;
 
-/// Times count from the beginning of the input: there `canproof replay` switches the device on.
+/// Writes one frame. Times count from the start of the input, at which `canproof replay` switches the device on.
 inline void log_frame(const Frame& frame, Instant now) {
     frame_log << host::format_candump_line({Instant{elapsed(frame_probe.start, now).us}, "can0", frame}) << " R"
               << std::endl;
 }
 
-/// From here on into FOLDER/frames.log; beside it FOLDER/replay, the command that plays it, and the data sheet that the
-/// command may need.
+/// Writes the frames from now on into FOLDER/frames.log; beside it FOLDER/replay, the command that replays the log, and
+/// the data sheet that the command may need.
 inline bool begin_frame_log(const std::filesystem::path& folder) {
     if (replays_as == nullptr) {
         return false;

@@ -1,4 +1,5 @@
-// What a fuzz target shows, as names that must compile; the replay of its corpus leaves them with its verdict.
+// Names the requirements that a fuzz target shows, as names that must compile; the replay of its corpus writes them
+// with its verdict.
 #pragma once
 
 #include <string>

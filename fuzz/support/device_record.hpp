@@ -1,4 +1,4 @@
-// What the bytes of a record mean in the world of a device, without the device: see device_world.hpp.
+// Decodes the records of a device world that do not need the device: see device_world.hpp.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace canproof::fuzz {
 
 constexpr std::size_t device_record_size = 12;
 
-/// A data frame of the length in the low four bits of `how`, at most eight bytes.
+/// Returns a data frame with the length in the low four bits of `how`, at most eight bytes.
 inline Frame frame_of(std::uint32_t id, unsigned how, const std::uint8_t* data) {
     Frame frame = data_frame(id, static_cast<std::uint8_t>(std::min(how & 0x0FU, 8U)));
     std::copy_n(data, frame.length, frame.data.begin());
     return frame;
 }
 
-/// A frame of any identifier; bit 7 of `how` makes it a remote frame, bit 6 one of 29 bits.
+/// Returns a frame of any identifier; bit 7 of `how` makes it a remote frame, bit 6 a frame with a 29-bit identifier.
 inline Frame any_frame(unsigned how, const std::uint8_t* data) {
     Frame frame = frame_of((data[0] + 256U * data[1]) & 0x7FFU, how, data + 2);
     frame.remote = (how & 0x80U) != 0;
@@ -30,7 +30,7 @@ inline Frame any_frame(unsigned how, const std::uint8_t* data) {
     return frame;
 }
 
-/// An expedited write to any entry, of the right length, so that values matter and not addresses.
+/// Returns an expedited write to any entry, of the right length, so that values are varied and not addresses.
 inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uint32_t node_id,
                                         const std::uint8_t* data) {
     const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;
@@ -49,12 +49,12 @@ inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uin
     return std::nullopt;
 }
 
-/// The duration in a record of kind C: up to 10 s.
+/// Returns the duration in a record of kind C: up to 10 s.
 inline Duration duration_in(const std::uint8_t* record) {
     return milliseconds((record[2] + 256U * record[3]) % 10000U);
 }
 
-/// What a physical input of that type is set to; numbers are any bits or of a plain scale.
+/// Returns the value for a physical input of that type; numbers have any bits or are plain decimal values.
 template <typename Value>
 Value value_of(const std::uint8_t* data) {
     if constexpr (std::is_floating_point_v<Value>) {

@@ -1,8 +1,8 @@
-// One of the four devices under anything that can happen to it - frames, physical inputs, time, failing memory, power
-// cuts - and what must hold whatever did. A `Unit` says which device: its types, the size of its memory and what holds
-// for it alone; see the headers named _unit.hpp.
+// Runs one of the four devices under any events - frames, physical inputs, time, failing memory, power cuts - and
+// checks what must hold after each of them. A `Unit` describes the device: its types, the size of its memory and its
+// own checks; see the headers named _unit.hpp.
 //
-// A record of an input is twelve bytes: what happens, how, and ten bytes for it.
+// A record of an input has twelve bytes: the event, `how`, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
 //   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time, with no deadline kept
 //   when `how` is odd · D power cut while a frame is served · E power cycle · F memory fails, cannot be read, or works
@@ -29,13 +29,13 @@
 
 namespace canproof::fuzz {
 
-/// Longer inputs find nothing that shorter ones do not.
+/// Longer inputs find nothing that shorter inputs do not find.
 constexpr std::size_t most_device_records = 150;
 
-/// Under which circumstances a world runs: none of them may show.
+/// The circumstances of a run, which must not change the result.
 struct Circumstances {
     std::uint64_t begins_us{0};  ///< the time at power-on
-    std::uint8_t garbage{0};     ///< what the RAM of the device is full of before it starts
+    std::uint8_t garbage{0};     ///< the byte that fills the RAM of the device before its start
 };
 
 template <typename Unit>
@@ -66,7 +66,7 @@ class DeviceWorld {
             befall(record);
         }
     }
-    /// The frame that a record of the kinds 0 to A puts on the bus. None for the others.
+    /// Returns the frame that a record of kind 0 to A puts on the bus, or nothing for the other kinds.
     std::optional<Frame> frame_in(const std::uint8_t* record) const {
         const unsigned how = record[1];
         const std::uint8_t* const data = record + 2;
@@ -89,7 +89,7 @@ class DeviceWorld {
                 return (record[0] & 0x0FU) < 4U ? std::optional{request(data)} : std::nullopt;
         }
     }
-    /// What a record of the kinds B to F does to the device itself.
+    /// Applies a record of kind B to F to the device.
     void befall(const std::uint8_t* record) {
         const unsigned how = record[1];
         const std::uint8_t* const data = record + 2;
@@ -117,19 +117,19 @@ class DeviceWorld {
             memory_.fail_after(after);
         }
     }
-    /// What holds after any record.
+    /// Checks what must hold after any record.
     void check() {
         check_values();
         unit_.check(*device_, inputs_, false);
     }
-    /// Gives the device as long as it may take to act on all that happened, and checks again.
+    /// Lets enough time pass for the device to act on all events, and checks again.
     void settle() {
         pass(milliseconds(5));
         check_values();
         unit_.check(*device_, inputs_, true);
     }
 
-    /// Time goes on to `end` with every deadline on the way kept.
+    /// Advances time to `end` and keeps every deadline on the way.
     void run_until(Instant end) {
         constexpr unsigned most_at_once = 4;  // a block upload fills the queue as often as that
         unsigned at_once = 0;
@@ -143,7 +143,7 @@ class DeviceWorld {
         now_ = end;
     }
     void pass(Duration time) { run_until(now_ + time); }
-    /// As with a driver that comes late: no deadline on the way is kept.
+    /// Advances time as with a late driver: no deadline on the way is kept.
     void pass_unattended(Duration time) {
         now_ = now_ + time;
         advance();
@@ -165,7 +165,7 @@ class DeviceWorld {
     const Device& device() const { return *device_; }
     const Inputs& inputs() const { return inputs_; }
     const Image& memory() const { return memory_.image(); }
-    /// The memory and the CAN controller work again.
+    /// Makes the memory and the CAN controller work again.
     void recover() {
         memory_.heal();
         for_each_input(inputs_, [](const char* name, auto& input) {
@@ -178,10 +178,10 @@ class DeviceWorld {
         run_until(now_);
     }
     bool has_sent() const { return !sent_.empty(); }
-    /// What left the device since the last call.
+    /// Returns the frames that the device has sent since the last call.
     std::vector<Frame> take_sent() { return std::exchange(sent_, {}); }
 
-    /// All that can be seen of the device, from the start until now.
+    /// Returns a hash of everything observable of the device, from its start until now.
     std::uint64_t digest() {
         digest_.add(device_->objects().image());
         for_each_output(device_->outputs(), [this](const char*, const auto& value) { digest_.add(value); });
@@ -205,7 +205,7 @@ class DeviceWorld {
     }
 
     Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
-    /// Asks for the error control message, a TPDO or an RPDO.
+    /// Returns a request for the error control message, a TPDO or an RPDO.
     Frame remote_frame(unsigned how) const {
         const unsigned number = how % 9U;
         std::uint32_t id = device_->objects().has(0x100E, 0) ? current_id(0x100E, 0) : 0x700U + node();
@@ -250,7 +250,8 @@ class DeviceWorld {
         memory_.heal();
         power_on();
     }
-    /// CiA 301, 7.5.2.13: the stored set is the old one or the new one, wherever the cut is.
+    /// Cuts the power while a frame is served. The stored set must be the old one or the new one, wherever the cut is
+    /// (CiA 301, 7.5.2.13).
     void cut_power(const Frame& frame, std::size_t place) {
         memory_.heal();
         const std::uint64_t before = stored(memory_.image());
@@ -264,7 +265,7 @@ class DeviceWorld {
         }
         power_cycle();
     }
-    /// What a device that wakes up with this memory has of stored parameters, node-ID and bit rate.
+    /// Returns a hash of the stored parameters, node-ID and bit rate that a device loads from this memory.
     std::uint64_t stored(const Image& image) const {
         JournalMemory copy{image};
         TransmitQueue queue;
@@ -281,7 +282,7 @@ class DeviceWorld {
         return digest.value();
     }
 
-    /// Whether the values are others than those in `seen`, which takes them then.
+    /// Returns whether the values differ from `seen`, and copies them to it.
     bool differs_from(Image& seen) const {
         const ByteView image = device_->objects().image();
         if (std::equal(image.data(), image.data() + image.size(), seen.begin(), seen.end())) {
@@ -290,7 +291,7 @@ class DeviceWorld {
         seen.assign(image.data(), image.data() + image.size());
         return true;
     }
-    /// Every value is within its limits; those of 1003h:0 are for writes alone.
+    /// Checks that every value is within its limits; the limits of 1003h:0 apply to writes only.
     void check_values() {
         const ObjectDictionary& objects = device_->objects();
         if (!Unit::has_values(*device_) || !differs_from(checked_)) {
@@ -303,9 +304,8 @@ class DeviceWorld {
         });
     }
 
-    /// Everything that one event brought: well-formed frames on identifiers of the device, at most one SDO answer, and
-    /// room left in the queue, so that nothing was lost, unless
-    /// nobody emptied it for long.
+    /// Checks everything that one event caused: well-formed frames on identifiers of the device, at most one SDO
+    /// answer, and free room in the queue, so that nothing was lost, unless the queue was not emptied for long.
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;
@@ -331,7 +331,7 @@ class DeviceWorld {
         }
         require(answers <= 1);
     }
-    /// Without a request only the time-out of a transfer is told, once.
+    /// Checks an SDO answer. Without a request only the time-out of a transfer is sent, once.
     void check_answer(const Frame* cause, const Frame& answer) {
         constexpr std::uint32_t timed_out = 0x05040000;
         if (cause == nullptr) {
@@ -366,14 +366,14 @@ class DeviceWorld {
     Identifiers known_;
     Image known_for_;  ///< the values and the node-ID that gave these identifiers
     std::uint8_t known_node_{0};
-    Image checked_;  ///< the values that were last held against their limits
+    Image checked_;  ///< the values that were last checked against their limits
     unsigned unasked_{0};
     std::vector<Frame> sent_;
     Digest digest_;
 };
 
-/// A multiple of 24 s, in which every LED pattern fits, 1.28 s before the count of microseconds has its low 32 bits at
-/// 0.
+/// Starts at a multiple of 24 s, in which every LED pattern fits, 1.28 s before the low 32 bits of the microseconds
+/// become 0.
 constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
 
 }  // namespace canproof::fuzz

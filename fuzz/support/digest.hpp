@@ -1,4 +1,5 @@
-// A number that two runs share only when all that went into it was equal (FNV-1a, 64 bits).
+// Hashes the observations of a run: FNV-1a, 64 bits. Two runs have the same value only when all observations were
+// equal, apart from collisions.
 #pragma once
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// The entries of a device's dictionary, one after the other.
+// Iterates over the entries of the dictionary of a device.
 #pragma once
 
 #include "firmware/canopen/object_dictionary.hpp"

@@ -1,5 +1,5 @@
-// Lets a program that replays a corpus measure the work for each frame, or write the frames down. Fuzz targets call it
-// around every frame that they give to a device; without anyone listening it does nothing.
+// Lets a program that replays a corpus measure the work for each frame, or log the frames. Fuzz targets call the probe
+// around every frame that they give to a device; without a listener the probe does nothing.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -11,20 +11,20 @@ struct FrameProbe {
     void (*begins)(const Frame& frame, Instant now){nullptr};
     void (*ends)(const Frame& frame){nullptr};
     Instant start{};  ///< when the input began
-    /// What the device sends because of that frame.
+    /// Called with a frame that the device sends in reaction.
     void (*answers)(const Frame& frame){nullptr};
 };
 
 inline FrameProbe frame_probe;
 
-/// The time at which an input begins: 300 ms before 32 bits of microseconds are full, so that whatever keeps a time in
-/// fewer bits than Instant does is late or early within any input.
+/// Returns the time at which an input begins: 300 ms before the microseconds exceed 32 bits. Code that stores a time in
+/// fewer bits than Instant is then wrong within any input.
 inline Instant begin_input() {
     frame_probe.start = Instant{(std::uint64_t{1} << 32U) - 300'000U};
     return frame_probe.start;
 }
 
-/// Gives one frame to a device under the eyes of the probe.
+/// Gives one frame to a device and informs the probe.
 template <typename Device>
 void deliver(Device& device, const Frame& frame, Instant now) {
     if (frame_probe.begins != nullptr) {

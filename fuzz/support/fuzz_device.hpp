@@ -1,11 +1,11 @@
-// What a fuzz target does with a device: it lives through an input twice, and is reset at the end.
+// Runs one input of a fuzz target on a device: twice with the same result, and with a reset at the end.
 #pragma once
 
 #include "fuzz/support/device_world.hpp"
 
 namespace canproof::fuzz {
 
-/// Nothing tells a unit that was reset from one that was switched on at that moment.
+/// Checks that a unit after a reset is the same as a unit that was switched on at that moment.
 template <typename Unit>
 void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
     const std::vector<Frame> said = used.take_sent();
@@ -26,9 +26,9 @@ void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
     require(outputs.value() == wanted.value(), "a reset node drives what a fresh one drives");
 }
 
-/// CO-NMT-005: after reset node a unit does what one does that is switched on then, with the same memory and inputs.
-/// One that hears no command, for want of a node-ID or while LSS changes the bit rate, is left alone, and so is one
-/// that gets another node-ID or bit rate at power-on only.
+/// Checks that a unit after reset node behaves like one that is switched on then with the same memory and inputs
+/// (CO-NMT-005). Skips a unit that receives no command, because it has no node-ID or LSS switches its bit rate, and a
+/// unit that gets another node-ID or bit rate at power-on only.
 template <typename Unit>
 void check_reset(DeviceWorld<Unit>& used) {
     used.recover();
@@ -74,7 +74,7 @@ std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circum
     return digest;
 }
 
-/// One input, lived through twice: what a device does depends on nothing but what happened to it.
+/// Runs one input twice: the behaviour of a device depends on its events only.
 template <typename Unit>
 int fuzz_device(const std::uint8_t* data, std::size_t size) {
     require(run_world<Unit>(data, size, {}) == run_world<Unit>(data, size, late_and_dirty), "two runs are equal");

@@ -1,4 +1,4 @@
-// A memory that remembers in which order its bytes were written, so that a power cut can be put after any of them.
+// A memory that records the order in which its bytes were written, so that a power cut can be placed after any of them.
 #pragma once
 
 #include <utility>
@@ -40,7 +40,7 @@ class JournalMemory final : public NonVolatileMemory {
     }
     bool commit() override { return true; }
 
-    /// From the byte `count` from now on every write fails, as in a worn memory.
+    /// Makes every write fail after the next `count` bytes, as in a worn memory.
     void fail_after(std::size_t count) { writes_left_ = count; }
     void forbid_reading() { unreadable_ = true; }
     void heal() {
@@ -48,10 +48,10 @@ class JournalMemory final : public NonVolatileMemory {
         unreadable_ = false;
     }
 
-    /// What is written from now on can be taken back.
+    /// Starts recording: later writes can be undone.
     void open_journal() { journal_.clear(); }
     std::size_t written() const { return journal_.size(); }
-    /// As a power cut after the first `count` bytes of the journal leaves it.
+    /// Undoes all writes after the first `count` bytes of the journal, as a power cut there would.
     void cut_after(std::size_t count) {
         while (journal_.size() > count) {
             bytes_[journal_.back().at] = journal_.back().old;
@@ -59,7 +59,7 @@ class JournalMemory final : public NonVolatileMemory {
         }
     }
     const Image& image() const { return bytes_; }
-    /// Another content, as if it had always been there.
+    /// Replaces the content without recording it.
     void replace(Image image) {
         bytes_ = std::move(image);
         journal_.clear();

@@ -1,4 +1,4 @@
-// Time that goes on for a device whose driver keeps every deadline.
+// Advances time for a device whose driver keeps every deadline.
 #pragma once
 
 #include "firmware/base/time.hpp"

@@ -1,4 +1,4 @@
-// The identifiers on which a device may send, as its dictionary has them at a moment.
+// Returns the identifiers on which a device may send, according to its present dictionary.
 #pragma once
 
 #include <bitset>
@@ -9,7 +9,8 @@ namespace canproof::fuzz {
 
 using Identifiers = std::bitset<0x800>;
 
-/// `answers_remote`: bit n says that a remote frame reads RPDO n + 1 back on the RPDO's own identifier.
+/// Collects the identifiers. `answers_remote`: bit n is set when a remote frame reads RPDO n + 1 back on the identifier
+/// of the RPDO.
 inline Identifiers own_identifiers(const ObjectDictionary& objects, std::uint8_t node_id, std::uint8_t answers_remote) {
     constexpr std::uint32_t not_valid = 0x80000000U;
     constexpr std::uint32_t produces = 0x40000000U;  // 1005h

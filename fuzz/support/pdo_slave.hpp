@@ -1,6 +1,5 @@
-// What the target of the PDOs knows of its slave: the PDOs and the values that they may carry, as the dictionary has
-// them. What has not changed is not read again, and nothing is searched twice: the target runs thousands of inputs a
-// second.
+// The slave of the PDO target: its PDOs and the values that they may carry, read from its dictionary. Unchanged
+// parameters are not read again and nothing is searched twice: the target runs thousands of inputs per second.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace canproof::fuzz {
 
 constexpr unsigned pdo_count = 4;
 
-/// One PDO as the dictionary has it.
+/// One PDO according to the dictionary.
 struct Pdo {
     std::uint32_t cob_id{0};
     std::uint32_t type{0};
@@ -31,7 +30,7 @@ struct Pdo {
     bool has_remote() const { return ((cob_id >> 30) & 1) == 0; }
 };
 
-/// The values of all that can be mapped; those of other addresses are 0.
+/// The values of all mappable entries; those of other addresses are 0.
 class PdoValues {
   public:
     std::uint64_t& operator[](const std::pair<unsigned, unsigned>& address) {
@@ -73,7 +72,7 @@ class PdoValues {
     std::uint64_t other_{0};
 };
 
-/// The entries of an object, found once: no search is repeated in an execution.
+/// The entries of an object, searched once: no search is repeated in an execution.
 class Entries {
   public:
     Entries(const ObjectDictionary& objects, unsigned index) : objects_{objects} {
@@ -89,7 +88,7 @@ class Entries {
         }
         return read;
     }
-    /// Whether the image has other bytes for a value than `seen`.
+    /// Returns whether the image has other bytes for a value than `seen`.
     bool differ(const naive_pdo::Bytes& seen) const {
         const ByteView image = objects_.image();
         return std::any_of(rows_.begin(), rows_.end(), [&](const EntryRow* row) {
@@ -103,7 +102,7 @@ class Entries {
     std::array<const EntryRow*, 9> rows_{};
 };
 
-/// The slave of the conformance suite as node 5: built once, started anew for each input.
+/// The slave of the conformance suite as node 5: built once, restarted for each input.
 class PdoSlave {
   public:
     PdoSlave() {
@@ -116,7 +115,7 @@ class PdoSlave {
         entries(0x1014);
     }
 
-    /// As new: power-on with an empty memory.
+    /// Restarts the slave: power-on with an empty memory.
     void restart() {
         queue_ = TransmitQueue{};
         std::fill(memory_.bytes().begin(), memory_.bytes().end(), std::uint8_t{0xFF});
@@ -127,7 +126,8 @@ class PdoSlave {
         device_.power_on(5, now);
         drain();
     }
-    /// Any object has another value than at the last call. Reads the PDOs again whose parameters have.
+    /// Returns whether any object has another value than at the last call. Reads the PDOs with changed parameters
+    /// again.
     bool has_changed() {
         const ByteView image = device_.objects().image().view();
         if (std::equal(image.data(), image.data() + image.size(), image_seen_.begin(), image_seen_.end())) {
@@ -142,13 +142,13 @@ class PdoSlave {
         return true;
     }
 
-    /// As at the last call of has_changed().
+    /// Return the PDOs as of the last call of has_changed().
     const Pdo& rpdo(unsigned number) const { return receive_[number]->pdo; }
     const Pdo& tpdo(unsigned number) const { return transmit_[number]->pdo; }
     bool is_operational() { return device_.node().state() == NmtState::operational; }
 
     std::uint64_t value(unsigned index, unsigned subindex) { return entries(index).value(subindex); }
-    /// All that can be mapped.
+    /// Returns the values of all mappable entries.
     PdoValues values() {
         PdoValues all;
         PdoValues::for_each([&](unsigned index, unsigned sub) { all[{index, sub}] = value(index, sub); });
@@ -168,7 +168,7 @@ class PdoSlave {
         }
         now = end;
     }
-    /// What has been sent since the last call.
+    /// Returns the frames sent since the last call.
     const std::vector<Frame>& drain() {
         while (!queue_.empty()) {
             sent_.push_back(queue_.pop());
@@ -176,7 +176,7 @@ class PdoSlave {
         return sent_;
     }
     void forget() { sent_.clear(); }
-    /// Those of 1014h until now: an emergency message that waits keeps its own.
+    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: a waiting emergency message keeps its own.
     bool has_emcy_id(std::uint32_t id) {
         const std::uint32_t present = static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF;
         if (std::find(emcy_ids_.begin(), emcy_ids_.end(), present) == emcy_ids_.end()) {

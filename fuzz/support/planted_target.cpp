@@ -1,4 +1,4 @@
-// A target with a bug that fuzzing finds in a moment: four bytes at the beginning, one compared after the other.
+// Target with a planted bug that fuzzing finds quickly: it compares four bytes one after the other.
 #include <cstddef>
 #include <cstdint>
 

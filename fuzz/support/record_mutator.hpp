@@ -1,5 +1,5 @@
-// A libFuzzer mutator for inputs that are records of one size: whole records come, go, change places and repeat, so
-// that what follows keeps its meaning; now and then bytes change as libFuzzer itself does it.
+// A libFuzzer mutator for inputs that are records of one size: it removes, repeats, swaps and inserts whole records, so
+// that the following records keep their meaning; at times it changes bytes as libFuzzer does.
 #pragma once
 
 #if defined(FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION)
@@ -12,7 +12,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 namespace canproof::fuzz {
 
-/// `size` bytes at `data` are whole records; the result has at most `max_size`.
+/// Mutates `size` bytes at `data`, which are whole records; the result has at most `max_size` bytes.
 inline std::size_t mutate_records(std::uint8_t* data, std::size_t size, std::size_t max_size, std::size_t record,
                                   unsigned seed) {
     std::minstd_rand random{seed};
@@ -21,16 +21,16 @@ inline std::size_t mutate_records(std::uint8_t* data, std::size_t size, std::siz
     std::uint8_t* const at = data + pick(count) * record;
     const std::size_t behind = static_cast<std::size_t>(data + count * record - at);
     switch (count == 0 ? 0 : random() % 6) {
-        case 1:  // a record goes
+        case 1:  // removes a record
             std::memmove(at, at + record, behind - record);
             return (count - 1) * record;
-        case 2:  // a record comes twice
+        case 2:  // repeats a record
             if ((count + 1) * record <= max_size) {
                 std::memmove(at + record, at, behind);
                 return (count + 1) * record;
             }
             return count * record;
-        case 3: {  // two change places
+        case 3: {  // swaps two records
             std::uint8_t* const other = data + pick(count) * record;
             for (std::size_t i = 0; i < record; ++i) {
                 const std::uint8_t byte = at[i];
@@ -40,7 +40,7 @@ inline std::size_t mutate_records(std::uint8_t* data, std::size_t size, std::siz
             return count * record;
         }
         case 4:
-        case 5:  // one changes
+        case 5:  // changes a record
             LLVMFuzzerMutate(at, record, record);
             return count * record;
         default:

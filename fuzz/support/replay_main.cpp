@@ -1,6 +1,7 @@
 // Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER…
-// --xml leaves the verdict for the audit, --frames a candump log of what the device was given (see frame_log.hpp).
-// A violated invariant aborts the process, so that reaching the end is the verdict.
+// --xml writes the verdict for the audit, --frames a candump log of the frames given to the device (see
+// candump_of_run.hpp).
+// A violated requirement aborts the process: reaching the end is the verdict.
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

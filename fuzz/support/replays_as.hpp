@@ -1,4 +1,4 @@
-// What plays the frames of a target's input again: the program's own replay of a device, or of a data sheet.
+// Describes how the frames of an input are replayed: `canproof replay` of a device or of a data sheet.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct ReplaysAs {
     std::string eds;        ///< text of a data sheet; then `arguments` follow `--eds FILE`
 };
 
-/// Targets that give frames to a device say so with one of the macros below; the others have no such function.
+/// Targets that give frames to a device define this function with one of the macros below; the others do not define it.
 [[gnu::weak]] ReplaysAs replays_as();
 
 }  // namespace canproof::fuzz

@@ -1,4 +1,4 @@
-// What a fuzz target demands of every execution.
+// Checks a requirement of a fuzz target.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace canproof::fuzz {
 
-/// Ends the run as a finding when it does not hold, and says where, what should have been and with which number.
+/// Ends the run as a finding when `holds` is false, and prints the place, the requirement and the number.
 inline void require(bool holds, const char* what = "", unsigned long number = 0, const char* file = __builtin_FILE(),
                     int line = __builtin_LINE()) {
     if (!holds) {

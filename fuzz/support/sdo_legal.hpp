@@ -1,5 +1,6 @@
-// Which answers a server without block transfer may give to a request (CiA 301, 7.2.4.3): a check of single frames that
-// keeps no state, for targets in which SDO is one service among others. sdo_server_fuzz.cpp has the whole protocol.
+// Checks which answers a server without block transfer may give to a request (CiA 301, 7.2.4.3). The check covers
+// single frames and keeps no state, for targets in which SDO is one service among others. sdo_server_fuzz.cpp checks
+// the whole protocol.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace canproof::fuzz {
 
-/// CiA 301, Table 22, as it stands there.
+/// Returns whether the code is in CiA 301, Table 22.
 inline bool is_abort_code(std::uint32_t code) {
     constexpr std::array<std::uint32_t, 31> codes{
         0x05030000, 0x05040000, 0x05040001, 0x05040002, 0x05040003, 0x05040004, 0x05040005, 0x06010000,
@@ -29,7 +30,7 @@ inline bool names_the_same(const Frame& request, const Frame& answer) {
     return std::equal(request.data.begin() + 1, request.data.begin() + 4, answer.data.begin() + 1);
 }
 
-/// The last `count` of the bytes are zero.
+/// Returns whether the last `count` bytes are zero.
 inline bool is_clear(const Frame& answer, unsigned count) {
     return std::all_of(answer.data.end() - count, answer.data.end(), [](std::uint8_t byte) { return byte == 0; });
 }
@@ -49,7 +50,7 @@ inline bool is_upload_segment(const Frame& request, const Frame& answer) {
 
 }  // namespace sdo_detail
 
-/// `answer` came at once on `request`, both from and to 8 bytes.
+/// Returns whether `answer` is legal as the immediate answer to `request`; both have 8 bytes.
 inline bool is_legal_answer(const Frame& request, const Frame& answer) {
     using namespace sdo_detail;
     if (request.length != 8 || answer.length != 8) {

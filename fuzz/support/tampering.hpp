@@ -1,5 +1,5 @@
-// Which parts of a memory hold something that the device under test did not write: there a cut write may put right what
-// was damaged, so that what is found after it is neither the old nor the new.
+// Tracks which parts of a memory contain bytes that the device under test did not write. An interrupted write there may
+// repair damage, so that the content is neither the old nor the new one.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace canproof::fuzz {
 
 class Tampering {
   public:
-    /// A part is what the device writes as a whole: a bank, a slot. Returns its number.
+    /// Adds a part that the device writes as a whole, a bank or a slot. Returns its number.
     std::size_t add_part(std::size_t begin, std::size_t size) {
         parts_.push_back({static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(size), false});
         return parts_.size() - 1;
     }
 
-    /// Somebody else changed the memory; a part with the same byte all over counts as erased.
+    /// Notes a change by somebody else; a part with the same byte everywhere counts as erased.
     void note_edit(const Image& before, const Image& after) {
         for (Part& part : parts_) {
             const auto begin = after.begin() + part.begin;
@@ -26,7 +26,7 @@ class Tampering {
             part.foreign = !erased && (part.foreign || changed(part, before, after));
         }
     }
-    /// The device wrote, to the end.
+    /// Notes a complete write by the device.
     void note_write(const Image& before, const Image& after) {
         for (Part& part : parts_) {
             part.foreign = part.foreign && !changed(part, before, after);

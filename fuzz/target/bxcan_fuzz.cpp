@@ -1,5 +1,5 @@
-// The CAN driver of the microcontroller on a model of its registers, under any order of frames, transmissions, aborts,
-// errors, stuck buses and bit rates. Input: records of four bytes: what happens, and three bytes for it.
+// Fuzzes the CAN driver of the microcontroller on a model of its registers, with any order of frames, transmissions,
+// aborts, errors, stuck buses and bit rates. Input: records of four bytes: the event, and three bytes for it.
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -20,7 +20,7 @@ constexpr std::size_t record_size = 4;
 constexpr std::array<std::uint32_t, 6> identifiers{0x083, 0x183, 0x184, 0x583, 0x703, 0x7E4};
 constexpr std::array<std::uint32_t, 8> bit_rates{1000000, 666667, 500000, 250000, 125000, 50000, 10000, 800000};
 
-/// Serial numbers of frames, in their data: what was queued in which order.
+/// Returns the serial number in the data of a frame: the order of queuing.
 std::uint32_t serial_of(const Frame& frame) {
     return static_cast<std::uint32_t>(load_le<4>(frame.data.data()));
 }
@@ -28,7 +28,7 @@ std::uint32_t serial_of(const Frame& frame) {
 class World {
   public:
     void act(const std::uint8_t* record);
-    /// The bus becomes quiet: all that waits goes out, all that came is handed over.
+    /// Makes the bus idle: all waiting frames are sent, all received frames are handed over.
     void settle();
 
   private:
@@ -52,9 +52,9 @@ class World {
 
     std::uint32_t next_serial_{1};
     std::map<std::uint32_t, Frame> waiting_;  ///< accepted and not sent, by serial number
-    std::uint32_t on_bus_{0};                 ///< its serial number; 0: none
-    std::uint32_t forgotten_below_{0};        ///< the last boot-up message: frames before it are no more
-    std::uint32_t vanished_below_{0};         ///< of these some were in mailboxes that were forgotten
+    std::uint32_t on_bus_{0};                 ///< serial number of the frame on the bus; 0: none
+    std::uint32_t forgotten_below_{0};        ///< serial number of the last boot-up message: earlier frames are dropped
+    std::uint32_t vanished_below_{0};         ///< some frames below this number were in mailboxes that were dropped
     std::deque<Frame> in_fifos_;
     std::deque<Frame> in_ring_;
     bool lost_{false};  ///< a frame found no room since the last report
@@ -166,7 +166,7 @@ void World::receive(const std::uint8_t* record) {
 
 void World::count_errors(std::uint32_t transmit, std::uint32_t receive) {
     model_.count_errors(transmit, receive);
-    on_bus_ = transmit > 255 ? 0 : on_bus_;  // bus-off breaks it off
+    on_bus_ = transmit > 255 ? 0 : on_bus_;  // bus-off interrupts the transmission
 }
 
 void World::drain() {
@@ -202,7 +202,7 @@ void World::take_received() {
 void World::forget_received_after_reset() {
     if (model_.resets() != resets_) {
         resets_ = model_.resets();
-        in_fifos_.clear();  // bus-off says that the bus was left
+        in_fifos_.clear();  // bus-off means that the bus was left
         lost_ = false;
         on_bus_ = 0;
     }

@@ -1,5 +1,5 @@
-// Angle arithmetic on any numbers of its domain, against the same formulae in long double (AX060805, 2.1.2 to 2.1.6).
-// Input: records of fourteen bytes: what is asked, one byte unused, and three floats.
+// Compares the angle arithmetic, for any numbers of its domain, with the same formulae in long double (AX060805, 2.1.2
+// to 2.1.6). Input: records of fourteen bytes: the function, one unused byte, and three floats.
 #include <cmath>
 #include <cstring>
 
@@ -24,12 +24,12 @@ const Exact radians = std::atan2(0.0L, -1.0L) / 180.0L;
 Exact degrees(Exact y, Exact x) {
     return std::atan2(y, x) / radians;
 }
-/// Difference of two directions; -180 and 180 are one.
+/// Returns the difference of two directions; -180 and 180 are the same direction.
 Exact apart(Exact a, Exact b) {
     return std::fabs(std::remainder(a - b, 360.0L));
 }
 
-/// Directions of any finite vector: what is stated in angle_math.hpp.
+/// Checks the direction of any finite vector against the error that angle_math.hpp states.
 void check_direction(float y, float x) {
     if (!std::isfinite(x) || !std::isfinite(y) || (x == 0.0F && y == 0.0F)) {
         return;
@@ -53,7 +53,8 @@ void check_exponential(float x) {
     }
 }
 
-/// Angles of gravity of a length that a sensor can feel; where the sign of z is in doubt the tilt may jump.
+/// Checks the angles of gravity for lengths that a sensor can measure. Where the sign of z is in doubt the tilt may
+/// jump.
 void check_tilt(const Vector3& g) {
     const Exact x = g.x, y = g.y, z = g.z;
     const Exact length = std::sqrt(x * x + y * y + z * z);
@@ -70,7 +71,7 @@ void check_tilt(const Vector3& g) {
     require((y == 0.0L && z == 0.0L) || apart(euler.roll, degrees(y, z)) < 1.0e-4L, "Euler roll");
 }
 
-/// Undoing an installation keeps the length and is what two rotations in long double do.
+/// Checks that undoing an installation keeps the length and equals two rotations in long double.
 void check_rotation(const Vector3& given) {
     const PitchRoll turn{std::fmod(given.x, 90.0F), std::fmod(given.y, 180.0F)};
     if (!std::isfinite(turn.pitch) || !std::isfinite(turn.roll)) {

@@ -1,4 +1,4 @@
-// A whole AX060805: see support/device_world.hpp for what can happen to it and what must hold.
+// Fuzzes a whole AX060805: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/fuzz_device.hpp"

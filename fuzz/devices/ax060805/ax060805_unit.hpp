@@ -1,4 +1,4 @@
-// The AX060805 for DeviceWorld.
+// Describes the AX060805 for DeviceWorld.
 #pragma once
 
 #include "devices/ax060805/firmware/ax060805.hpp"

@@ -1,4 +1,4 @@
-// A whole AX130751: see support/device_world.hpp for what can happen to it and what must hold.
+// Fuzzes a whole AX130751: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/fuzz_device.hpp"

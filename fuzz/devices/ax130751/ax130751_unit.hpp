@@ -1,4 +1,4 @@
-// The AX130751 for DeviceWorld.
+// Describes the AX130751 for DeviceWorld.
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751.hpp"
@@ -15,15 +15,15 @@ struct Ax130751Unit {
 
     static void prepare(Inputs&) {}
     static bool has_values(const Device&) { return true; }
-    /// 5B51h tells that LSS took the node-ID away, and cannot be written so.
+    /// 5B51h node-ID reads FFh when LSS has removed the node-ID; this value cannot be written by SDO.
     static bool shows_beyond_limits(const ObjectDictionary& objects, const EntryRef& entry) {
         return entry.is(0x5B51, 0) && objects.read(0x5B51, 0) == unconfigured_node_id;
     }
     static bool may_also_send(const Frame&) { return false; }
     static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< through a reset of the node
 
-    /// 1.3 Table 3, section 4: no output leaves the range of any type, and without a supply nothing is driven, not the
-    /// coil of the relay either: AOR-D-283.
+    /// Checks that no output leaves the range of any type (1.3 Table 3, section 4), and that nothing is driven without
+    /// a supply, the coil of the relay included (AOR-D-283).
     static void check(const Device& device, const Inputs& inputs, bool settled) {
         const ax130751::Outputs& outputs = device.outputs();
         const bool shut = settled && !(inputs.supply >= 7.0F && inputs.supply <= 39.0F);

@@ -1,4 +1,4 @@
-// A whole AX188001: see support/device_world.hpp for what can happen to it and what must hold.
+// Fuzzes a whole AX188001: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax188001/ax188001_unit.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/fuzz_device.hpp"

@@ -1,4 +1,4 @@
-// The AX188001 for DeviceWorld.
+// Describes the AX188001 for DeviceWorld.
 #pragma once
 
 #include <cmath>
@@ -18,13 +18,13 @@ struct Ax188001Unit {
     static void prepare(Inputs&) {}
     static bool has_values(const Device&) { return true; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
-    /// 5555h = 2 starts all other nodes (3.4.20).
+    /// 5555h start mode = 2 starts all other nodes (3.4.20).
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
     }
     static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< through a reset of the node
 
-    /// 1.1, 3.2.4, 3.3.6, 3.4.13 to 3.4.19.
+    /// Checks values, faults and limits against 1.1, 3.2.4, 3.3.6 and 3.4.13 to 3.4.19.
     static void check(const Device& device, const Inputs&, bool) {
         const ObjectDictionary& objects = device.objects();
         const auto read = [&](std::uint16_t index, std::uint8_t sub) { return objects.read(index, sub); };
@@ -40,7 +40,7 @@ struct Ax188001Unit {
             require(high <= shutdown - 100 && shutdown <= 17350);
             check_value(read(0x6100, sub), read(0x7130, sub));
             check_scaling(objects, Scaled{0x6100, 0x7130, 0x6126, 0x6127, sub, true});
-            const bool tells = device.state() != NmtState::initialising;  // without a node-ID nothing is told
+            const bool tells = device.state() != NmtState::initialising;  // without a node-ID nothing is reported
             require(status == 0 || !tells || read(0x1001, 0) == 1);
         }
         check_value(read(0x2100, 0), read(0x2130, 0));
@@ -56,14 +56,14 @@ struct Ax188001Unit {
   private:
     static constexpr std::uint32_t not_a_number = 0xFFC00000;
 
-    /// A field value, its process value, and the factor and offset between them (1.1 to 1.3).
+    /// One field value, its process value, and the factor and offset between them (1.1 to 1.3).
     struct Scaled {
         std::uint16_t field;
         std::uint16_t process;
         std::uint16_t factor;
         std::uint16_t offset;
         std::uint8_t sub;
-        bool gives_way;  ///< to -1 and -512, which mean something else
+        bool gives_way;  ///< to -1 and -512, which are reserved values
     };
     static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
         const auto real = [&](std::uint16_t index) {
@@ -77,7 +77,7 @@ struct Ax188001Unit {
         const double moved = at.gives_way && (held == -1.0 || held == -512.0) ? held + 1.0 : held;
         require(static_cast<double>(static_cast<std::int16_t>(objects.read(at.process, at.sub))) == moved);
     }
-    /// 1.2: the mean of the channels that have a temperature.
+    /// Checks the average: the mean of the channels that have a temperature (1.2).
     static void check_average(const ObjectDictionary& objects) {
         double sum = 0.0;
         int count = 0;
@@ -90,7 +90,7 @@ struct Ax188001Unit {
         require((mean == not_a_number) == (count == 0));
         require(count == 0 || bit_cast<float>(mean) == static_cast<float>(sum / count));
     }
-    /// A sentinel in the process value goes with FFC00000h in the field value, and the other way round.
+    /// Checks that a reserved process value goes with FFC00000h in the field value, and the other way round.
     static void check_value(std::uint32_t field_value, std::uint32_t process_value) {
         const bool sentinel = process_value == 0xFFFF || process_value == 0xFE00;
         require(sentinel == (field_value == 0xFFC00000));

@@ -1,5 +1,5 @@
-// Thermocouple arithmetic on any bit pattern, against the reference functions in long double.
-// Input: records of ten bytes: the type, what is asked, and eight bytes of a double.
+// Compares the thermocouple arithmetic, for any bit pattern, with the reference functions in long double. Input:
+// records of ten bytes: the type, the function, and eight bytes of a double.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -22,7 +22,8 @@ constexpr std::size_t record_size = 10;
 constexpr SensorType types[]{SensorType::j, SensorType::k, SensorType::n, SensorType::r,
                              SensorType::s, SensorType::t, SensorType::e, SensorType::b};
 
-/// A voltage of any bits gives a temperature of the type's range, and within the range that voltage's own.
+/// Checks that a voltage of any bits gives a temperature within the range of the type, and that a voltage within the
+/// range gives its own temperature.
 void check_voltage(SensorType type, double mv) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double celsius = exact_celsius(curve, mv);
@@ -31,17 +32,17 @@ void check_voltage(SensorType type, double mv) {
         const double slope = reference_slope(curve, celsius);
         const double excess =
             static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
-        // At the foot of type B's branch the slope vanishes: there the voltage itself must fit.
+        // At the low end of the branch of type B the slope vanishes: there the voltage itself must fit.
         require(std::fabs(excess) < std::fmax(0.02 * slope, 1e-9));
     }
 }
 
-/// A temperature in the range is found again from its voltage.
+/// Checks that a temperature in the range is found again from its voltage.
 void check_temperature(SensorType type, double fraction) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double part = std::fabs(std::fmod(fraction, 1.0));
     if (!(part >= 0.0)) {
-        return;  // no number
+        return;  // NaN or infinity
     }
     const double celsius = curve.lowest_c() + (curve.highest_c() - curve.lowest_c()) * part;
     const double mv = static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius)));

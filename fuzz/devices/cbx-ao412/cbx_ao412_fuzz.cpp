@@ -1,4 +1,4 @@
-// A whole CAN-CBX-AO412: see support/device_world.hpp for what can happen to it and what must hold.
+// Fuzzes a whole CAN-CBX-AO412: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/fuzz_device.hpp"

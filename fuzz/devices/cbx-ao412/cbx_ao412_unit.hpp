@@ -1,4 +1,4 @@
-// The CAN-CBX-AO412 for DeviceWorld.
+// Describes the CAN-CBX-AO412 for DeviceWorld.
 #pragma once
 
 #include <array>
@@ -18,11 +18,12 @@ class CbxAo412Unit {
     static constexpr std::uint8_t answers_remote = 0x02;  ///< 7.7.2: RPDO 2
 
     static void prepare(Inputs&) {}
-    /// With switches that give no node-ID only the LEDs work.
+    /// Returns whether the device has values: with switches that give no node-ID only the LEDs work.
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
-    /// 7.10.3: 6443h = 2 leaves an output as it is while an internal failure lasts, a reset of the node included.
+    /// Returns whether an output keeps its value: 6443h error mode = 2 keeps it during an internal failure, a reset
+    /// node included (7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t number = 1; number <= 4; ++number) {
@@ -31,8 +32,8 @@ class CbxAo412Unit {
         return keeps && (inputs.internal_fault || inputs.hardware_fault);
     }
 
-    /// 4.3.1: no output is beyond 10.205 V. 7.10.3: in an internal fault an output stays where it was, or goes to 0 V
-    /// or to its error value; nothing that is written moves it elsewhere.
+    /// Checks that no output exceeds 10.205 V (4.3.1), and that during an internal failure an output keeps its value,
+    /// or has 0 V or its error value, whatever is written (7.10.3).
     void check(const Device& device, const Inputs& inputs, bool) {
         check_leds(device, inputs);
         for (std::uint8_t number = 1; number <= 4; ++number) {
@@ -54,7 +55,7 @@ class CbxAo412Unit {
         float volts{0.0F};
         std::uint32_t calibration{0U};
     };
-    /// 3.2: what each LED shows without a break.
+    /// Checks the states of each LED that do not flash (3.2).
     static void check_leds(const Device& device, const Inputs& inputs) {
         const auto& outputs = device.outputs();
         require(outputs.led_p == has_values(device));
@@ -66,7 +67,7 @@ class CbxAo412Unit {
     static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
         return device.objects().read(index, sub) & 0xFFFFU;
     }
-    /// The upper half of 6444h in steps of eight, 2.492 mV each (7.10.2.2, 7.10.4).
+    /// Returns the voltage of the upper half of 6444h error value: steps of eight, 2.492 mV each (7.10.2.2, 7.10.4).
     static float error_volts(const Device& device, std::uint8_t number) {
         const auto code = static_cast<std::int16_t>(device.objects().read(0x6444, number) >> 16U);
         const float step = std::floor((static_cast<float>(code) + 4.0F) / 8.0F);
