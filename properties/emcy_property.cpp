@@ -1,4 +1,4 @@
-// Emergency messages, 1001h and 1003h beside a naive node: any errors in any order (CiA 301, 7.2.7).
+// Compares emergency messages, 1001h and 1003h with a naive node for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -99,7 +99,7 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreReportedAsByTheNaiveNode, ()) {
     });
 }
 
-// Whatever the controller goes through, a master that reads 1001h finds what it was told last.
+// After any controller events, 1001h reads the error register of the last emergency message.
 RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());
@@ -114,7 +114,7 @@ RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegis
             const Frame sent = unit.device->queue().pop();
             told = sent.id == 0x085 ? sent.data[2] : told;
         }
-        if (state != 3) {  // it hears nothing in bus-off
+        if (state != 3) {  // no frame is received in bus-off
             RC_ASSERT((unit.read(0x1001, 0) & 0xFFU) == told);
         }
     }

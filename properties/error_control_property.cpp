@@ -1,4 +1,4 @@
-// NMT, heartbeat and guarding beside a naive node: any conversation, at any times (CiA 301, 7.2.8, 7.3.2).
+// Compares NMT, heartbeat and guarding with a naive node for any exchange at any times (CiA 301, 7.2.8, 7.3.2).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

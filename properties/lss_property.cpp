@@ -1,4 +1,4 @@
-// The LSS slave beside a naive one that keeps whole histories of frames and looks at them again for each answer.
+// Compares the LSS slave with a naive slave that keeps whole histories of frames and evaluates them for each answer.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ using naive::Bytes;
 using naive::frame_text;
 using naive::with_number;
 
-/// One thing that happens on the bus or around the device.
+/// One event on the bus or in the device.
 struct Event {
     enum class Kind { lss, nmt, read, pass, store_result, power_cycle };
     Kind kind{Kind::lss};
@@ -40,7 +40,7 @@ using Events = std::vector<Event>;
 std::uint64_t below(std::uint64_t limit) {
     return *rc::gen::inRange<std::uint64_t>(0, limit);
 }
-/// A number of the slave's address, or one beside it, or any.
+/// Returns a number of the address of the slave, one next to it, or any number.
 std::uint32_t number_near(std::size_t which) {
     const std::uint64_t kind = below(10);
     return kind < 7    ? address[which]
@@ -48,7 +48,7 @@ std::uint32_t number_near(std::size_t which) {
            : kind == 8 ? address[which] - 1
                        : *rc::gen::arbitrary<std::uint32_t>();
 }
-/// Mostly of the length that CiA or the manuals use.
+/// Returns a request, mostly of the length that CiA or the manuals use.
 Event request(Bytes bytes) {
     const std::uint64_t kind = below(8);
     if (kind < 4) {
@@ -89,7 +89,7 @@ Event scan_request(std::uint8_t which, std::uint8_t next, std::uint8_t check, st
     bytes.insert(bytes.end(), {check, which, next});
     return {Event::Kind::lss, std::move(bytes), 0};
 }
-/// A walk through the numbers: complete, in another order, or with something wrong in it.
+/// Returns a Fastscan through the numbers: complete, in another order, or with a fault.
 Events scan() {
     Events events;
     if (below(8) != 0) {
@@ -159,7 +159,7 @@ Events history() {
     return events;
 }
 
-/// What a start sends besides is the business of PDOs: 180h + node-ID.
+/// Removes PDOs, which a start also sends: 180h + node-ID.
 Frames without_pdos(Frames frames) {
     frames.erase(std::remove_if(frames.begin(), frames.end(),
                                 [](const std::string& frame) { return frame[0] == '1' || frame[0] == '2'; }),
@@ -167,7 +167,7 @@ Frames without_pdos(Frames frames) {
     return frames;
 }
 
-/// The event happens to both; what they send and where they stand must agree.
+/// Performs the event on both; their frames and states must agree.
 void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
     switch (event.kind) {
         case Event::Kind::lss:

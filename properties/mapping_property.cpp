@@ -1,5 +1,5 @@
-// A PDO that is mapped anew in any order of writes, right or wrong, beside a naive one (CiA 301, 7.5.2.35 to 7.5.2.38):
-// every abort code, what then stands in the dictionary, and the length of the frame that goes out.
+// Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
+// 7.5.2.38): every abort code, the resulting entries, and the length of the frame that is sent.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -19,7 +19,7 @@ using naive_mapping::Mappable;
 using naive_mapping::Pdo;
 
 struct Event {
-    unsigned kind{0};      ///< 0, 1 COB-ID, 2, 3 a line, 4, 5 the count, 6 a visit to operational
+    unsigned kind{0};      ///< 0, 1 COB-ID, 2, 3 a mapping entry, 4, 5 the count, 6 a visit to operational
     unsigned number{0};    ///< sub-index, count, or bits of the COB-ID
     Mappable line{};       ///< to map
     bool receives{false};  ///< RPDO 3, else TPDO 3
@@ -87,7 +87,7 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
                 return "000#0105";
         }
     }
-    /// A valid TPDO of type 254 is sent once on entering operational (CiA 301, 7.2.2.3).
+    /// Enters operational: a valid TPDO of type 254 is sent once (CiA 301, 7.2.2.3).
     void visit_operational(const Pdo& pdo, LoggedSlave& slave) const {
         slave.play("000#0105");
         std::vector<std::size_t> lengths;
@@ -112,7 +112,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Mostly what fits; objects that are missing, not mappable, of the other direction or of another length.
+/// Generates mapping entries, mostly valid ones; others are missing, not mappable, of the other direction or of another
+/// length.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

@@ -1,5 +1,5 @@
-// Laws of PDOs, held against a model that knows nothing but bits in a row (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
-// the times of transmission, a clock that ticks in milliseconds.
+// Properties of PDOs, compared with a model that handles rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
+// transmission times, with a clock of milliseconds.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <fmt/format.h>
@@ -21,7 +21,8 @@ using naive_pdo::Mapping;
 using naive_pdo::total_bits;
 using naive_pdo::Values;
 
-/// Objects 2000h, 2002h, 2100h (RPDO) or 2001h, 2003h, 2101h (TPDO), those of both, and for an RPDO the dummies.
+/// Returns objects 2000h, 2002h, 2100h (RPDO) or 2001h, 2003h, 2101h (TPDO), those of both directions, and for an RPDO
+/// the dummies.
 std::vector<Mappable> catalogue(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     std::vector<Mappable> all;
@@ -44,7 +45,7 @@ std::vector<Mappable> catalogue(bool receives) {
     return all;
 }
 
-/// Zero to eight lines, mostly such that fit into a PDO.
+/// Generates zero to eight mapping entries, mostly such that fit into a PDO.
 rc::Gen<Mapping> mappings(bool receives) {
     return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
         lines.resize(std::min<std::size_t>(lines.size(), 8));
@@ -81,7 +82,8 @@ std::string frame_text(const std::string& id, const Bytes& bytes) {
     return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
 }
 
-/// 2200h takes -100 … 100 (tests/support/slave); all else takes what its bits can hold.
+/// Returns whether a value is allowed: 2200h takes -100 … 100 (tests/support/slave), all others every value of their
+/// bits.
 bool fits(const Mappable& line, std::uint64_t value) {
     const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
     return line.index != 0x2200 || (number >= -100 && number <= 100);
@@ -108,7 +110,7 @@ Values all_values(SlaveBench& bench) {
     return values;
 }
 
-/// Sets any mappable object through the dictionary, within its limits.
+/// Sets any mappable object through the dictionary to a value within its limits.
 std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
     const std::uint64_t mask = line.bits == 64 ? UINT64_MAX : (std::uint64_t{1} << line.bits) - 1;
     std::uint64_t value = *rc::gen::arbitrary<std::uint64_t>() & mask;
@@ -127,7 +129,8 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
 
 }  // namespace
 
-// Any mapping, any frames of any length: the mapped part sets its objects, all of them or none, and nothing else moves.
+// For any mapping and any frames of any length the mapped part sets all of its objects or none of them, and no other
+// object changes.
 RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_005, req::CO_PDO_012>("property");
     SlaveBench bench;
@@ -159,7 +162,7 @@ RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
     RC_ASSERT(bench.send("000#0105") == sent);
 }
 
-// What one node sends, another with the same mapping understands.
+// A node with the same mapping receives the values that another node sends.
 RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     verifies<req::CO_PDO_001, req::CO_PDO_028>("property");
     const auto words = *rc::gen::container<std::array<std::int16_t, 4>>(rc::gen::arbitrary<std::int16_t>());
@@ -178,7 +181,7 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     }
 }
 
-// Any number of any entries: what is more than 64 bits cannot be counted, and what was refused leaves the old mapping.
+// With any number of any entries more than 64 bits cannot be mapped, and a refused write keeps the old mapping.
 RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;
@@ -190,8 +193,8 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
 }
 
-// Any changes at any times: transmissions are as far apart as the inhibit time, as near as the event timer, and the
-// last value always gets out.
+// For any changes at any times transmissions are at least the inhibit time apart and at most the event timer, and the
+// last value is always sent.
 RC_GTEST_PROP(PdoLaw, TransmissionsKeepInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_018>("property");
     SlaveBench bench;

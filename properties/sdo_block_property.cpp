@@ -1,5 +1,5 @@
-// Our SDO server against a naive one: whatever is asked, in whatever order, both say the same. And the laws of block
-// transfer that need no model. A failure shrinks to a log of frames.
+// Compares the SDO server with a naive server: for any requests in any order both give the same answers. Also
+// properties of block transfer that need no model. A failure shrinks to a log of frames.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <fmt/format.h>
@@ -34,16 +34,16 @@ std::string text(const std::vector<Message>& messages) {
     return all;
 }
 
-/// The naive server and the time at which it stands.
+/// The naive server and its time.
 struct Model {
     Server server{pair_model()};
     std::uint64_t now{0};
-    std::uint8_t next_data{1};  ///< what streamed segments carry: counts on
+    std::uint8_t next_data{1};  ///< next data byte of streamed segments: it counts up
 };
 
 using SdoCommand = rc::state::Command<Model, Ours>;
 
-/// Both answer `request`; the DOMAIN holds the same in both.
+/// Gives `request` to both servers; the answers and the DOMAIN must be equal.
 void compare(Model& model, Ours& ours, const Message& request) {
     const auto expected = model.server.ask(request, model.now);
     const auto answered = ours.ask(request);
@@ -65,7 +65,7 @@ unsigned any_byte() {
     return *rc::gen::arbitrary<std::uint8_t>();
 }
 
-/// An initiate of any kind to an object that exists, or nearly does.
+/// Returns an initiate of any kind to an object that exists or is close to one.
 Message initiate() {
     const unsigned index = any_of({0x2007, 0x2007, 0x2007, 0x2004, 0x2001, 0x2000, 0x2003, 0x1000, 0x2002, 0x2005,
                                    0x2006, 0x2008, 0x200A, 0x2009});
@@ -85,7 +85,7 @@ Message initiate() {
     return m;
 }
 
-/// Any eight bytes, those first that steer a transfer.
+/// Returns any eight bytes, more often with command bytes that control a transfer.
 Message anything() {
     const unsigned command =
         *rc::gen::oneOf(rc::gen::arbitrary<std::uint8_t>(),
@@ -123,7 +123,7 @@ struct Ask : SdoCommand {
     void show(std::ostream& os) const override { os << text("605", request); }
 };
 
-/// Many obedient requests in a row: gets a transfer of the whole DOMAIN through. Some of its frames may be lost.
+/// Many obedient requests in a row, which complete a transfer of the whole DOMAIN. Some frames may be lost.
 struct Stream : SdoCommand {
     unsigned count{0};
     unsigned lost_every{0};  ///< 0: none
@@ -152,7 +152,7 @@ struct Stream : SdoCommand {
     void show(std::ostream& os) const override { os << count << " obedient requests, lost every " << lost_every; }
 };
 
-/// Silence.
+/// A pause without requests.
 struct Wait : SdoCommand {
     std::uint64_t ms{0};
 
@@ -220,7 +220,7 @@ Message end_of(const Bytes& value, std::uint16_t crc) {
     return message(0xC1 + 4 * unused, {crc % 256U, crc / 256U});
 }
 
-/// Says for each segment whether it gets lost; none after the budget is used up, so that a transfer ends.
+/// Decides for each segment whether it is lost; none is lost after the budget is used up, so that a transfer ends.
 class Loss {
   public:
     bool now() {
@@ -235,7 +235,7 @@ class Loss {
     int budget_{30};
 };
 
-/// Sends segments until the server says that it has all; false when it refuses.
+/// Sends segments until the server has received all; returns false when it refuses.
 bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
     const auto pieces = pieces_of_seven(value);
     std::size_t done = 0;
@@ -243,7 +243,8 @@ bool send_blocks(Ours& ours, const Bytes& value, Loss& loss) {
         const std::size_t count = std::min<std::size_t>(127, pieces.size() - done);
         std::vector<Message> answers;
         for (std::size_t i = 0; i < count; ++i) {
-            const bool ends_sub_block = i + 1 == count;  // its loss ends the transfer by time-out: another law
+            const bool ends_sub_block =
+                i + 1 == count;  // losing it would end the transfer by time-out, which is another property
             if (ends_sub_block || !loss.now()) {
                 answers = ours.ask(segment(static_cast<unsigned>(i + 1), pieces, done + i));
             }
@@ -365,7 +366,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
             RC_ASSERT(ours.ask(message(0x80)).empty());
             break;
         case 1:
-            RC_ASSERT(ours.pass(1000).size() == 1U);  // the server's abort
+            RC_ASSERT(ours.pass(1000).size() == 1U);  // the abort of the server
             break;
         case 2:
             ours.device.receive(host::parse_frame("000#8205", "property"), ours.now);
@@ -376,7 +377,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
             break;
     }
     ours.answers();
-    // nor does the end of that transfer, should it still come, bring it in
+    // a late end of that transfer does not set the value either
     RC_ASSERT(ours.ask(end_of(value, crc16(value))).at(0)[0] == 0x80);
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }

@@ -1,4 +1,4 @@
-// Laws of the SDO server, held against a device.
+// Properties of the SDO server, checked on a device.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ RC_GTEST_PROP(SdoServerLaw, RefusedWriteChangesNothing, ()) {
     RC_ASSERT(read_back(bench, "436401") == "583#4F43640101000000");
 }
 
-// Any eight bytes: at most one answer, of eight bytes, on 583h, with a server command specifier.
+// Any eight bytes get at most one answer, of eight bytes, on 583h, with a server command specifier.
 RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
     verifies<req::CO_SDO_015>("property");
     CbxBench bench;

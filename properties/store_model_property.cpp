@@ -1,5 +1,5 @@
-// Stored parameters beside a model that is two maps: what holds now, and what is saved. Power fails at any byte of a
-// save or restore; the memory knows how many bytes one takes (CiA 301, 7.5.2.13, 7.5.2.14).
+// Compares stored parameters with a model of two maps: the present and the saved values. Power fails at any byte of a
+// save or restore; the memory counts the bytes that one writes (CiA 301, 7.5.2.13, 7.5.2.14).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace canproof::test {
 
 namespace {
 
-// One value of each group as shipped: 1017h, 6411h:1 and 2404h:1.
+// One value of each group with its default: 1017h, 6411h:1 and 2404h:1.
 constexpr std::size_t group_count = 3;
 const std::array<std::string, group_count> objects{"171000", "116401", "042401"};
 
@@ -27,7 +27,7 @@ struct Model {
     std::array<std::optional<unsigned>, group_count> saved{};
 };
 
-/// The device and how many bytes a save writes.
+/// The device and the number of bytes that a save writes.
 class Sut : public CbxBench {
   public:
     Sut() {
@@ -35,19 +35,19 @@ class Sut : public CbxBench {
         spare.power_on();
         spare.send("603#2310100173617665");
         save_size =
-            spare.memory.written() - 1;  // the last byte does not belong to the new set: it makes the old one void
+            spare.memory.written() - 1;  // the last byte does not belong to the new set: it invalidates the old one
         power_on();
     }
     std::size_t save_size{0};
 };
 
 struct Event {
-    /// 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication, 8 a save or restore with
-    /// another word.
+    /// 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication, 8 a save or restore with a
+    /// wrong signature.
     unsigned kind{0};
-    unsigned group{0};     ///< of a write 0 to 2; else the sub-index less one
+    unsigned group{0};     ///< of a write 0 to 2; else the sub-index minus one
     unsigned value{0};     ///< of a write
-    unsigned permille{0};  ///< of a save or restore: where power fails; 1000 and more: nowhere
+    unsigned permille{0};  ///< of a save or restore: where power fails; 1000 and more: no failure
 };
 
 class Happens : public rc::state::Command<Model, Sut> {

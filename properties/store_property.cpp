@@ -1,4 +1,4 @@
-// A power cut at any byte of a save leaves the old set or the new (CiA 301, 7.5.2.13).
+// A power cut at any byte of a save leaves the old set or the new set (CiA 301, 7.5.2.13).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
-// The filters of a node let through what its dictionary names, and a node behind them does what one does that hears
-// all.
+// Checks that the filters of a node accept the identifiers of its dictionary, and that a node behind its filters
+// behaves like one that receives everything.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -24,13 +24,13 @@ constexpr unsigned node_id = 5;
 /// An identifier with its format: (true, number) has 29 bits.
 using Identifier = std::pair<bool, std::uint32_t>;
 
-/// The entry's identifier, by bit 29 of 11 or of 29 bits.
+/// Returns the identifier of an entry: bit 29 selects 11 or 29 bits.
 Identifier identifier_in(std::uint32_t entry) {
     const bool extended = (entry & 0x20000000U) != 0U;
     return {extended, entry & (extended ? 0x1FFFFFFFU : 0x7FFU)};
 }
 
-/// What CiA 301 and CiA 305 let a node hear, entry by entry.
+/// Returns the identifiers that a node may receive by CiA 301 and CiA 305, entry by entry.
 std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
     std::set<Identifier> heard{{false, 0x000}, {false, 0x7E5}, {false, 0x600 + node_id}, {false, 0x700 + node_id}};
     for (const std::uint16_t index : {std::uint16_t{0x1005}, std::uint16_t{0x100E}, std::uint16_t{0x1012}}) {
@@ -60,7 +60,7 @@ std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
     return heard;
 }
 
-/// COB-IDs and consumers that a master may set, some of them refused.
+/// Returns a write of a COB-ID or consumer; some are refused.
 std::string any_setting() {
     const auto number = *rc::gen::element<std::uint32_t>(0x080, 0x181, 0x185, 0x205, 0x305, 0x701, 0x7FF, 0x10205);
     const auto flags = *rc::gen::element<std::uint32_t>(0, 0, 0x20000000, 0x40000000, 0x80000000, 0xA0000000);
@@ -77,7 +77,8 @@ std::string any_setting() {
     return text;
 }
 
-/// Settings, NMT, requests and frames of others with the identifiers that settings name, in either format.
+/// Returns a setting, an NMT command, a request, or a frame of others with an identifier of a setting, in either
+/// format.
 Frame any_traffic() {
     if (*rc::gen::arbitrary<bool>()) {
         return parse_frame(any_setting(), "law");

@@ -1,4 +1,5 @@
-// Devices say the same on every bus: in the process, on a virtual CAN interface of the kernel, and the second time.
+// Checks that devices send the same frames on every bus: in the process, on a virtual CAN interface of the kernel, and
+// in a second run.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -18,7 +19,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Frames of each device in their order, and those from outside under "".
+/// Records the frames of each device in their order, and those from outside under "".
 class Record final : public SessionObserver {
   public:
     void on_frame(const BusFrame& frame) override {
@@ -29,8 +30,8 @@ class Record final : public SessionObserver {
     std::map<std::string, std::vector<std::string>> said;
 };
 
-/// A dialogue with two devices: each request comes when the answers to the one before are long over. The one timer, a
-/// heartbeat that node 6 misses, ends between two requests.
+/// Returns a dialogue with two devices: each request follows long after the answers to the previous one. The only
+/// timer, a heartbeat that node 6 misses, ends between two requests.
 std::vector<std::string> any_requests() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8005",

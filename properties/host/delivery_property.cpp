@@ -1,5 +1,5 @@
-// A run whose nodes get the frames that they want, and are looked at when something is due, has the frames of a naive
-// one: every node hears every frame, and is asked at every step.
+// Checks that a run whose nodes receive only accepted frames, and are advanced only when something is due, has the same
+// frames as a naive run in which every node receives every frame and is advanced at every step.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -94,7 +94,7 @@ BusFaultRates any_faults() {
     return faults;
 }
 
-/// Hears everything, and never says that it has changed.
+/// A node that receives everything and never reports that it has changed.
 class OpenNode final : public BusNode {
   public:
     explicit OpenNode(const std::string& name) : name_{name}, device_{choose_device(name).device} {}

@@ -1,4 +1,4 @@
-// The in-process bus does what a list of stations and a clock do, frame for frame and state for state.
+// Compares the in-process bus with a list of stations and a clock, frame for frame and state for state.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -25,8 +25,8 @@ struct Act {
     Frame frame{};
 };
 
-/// Of a few numbers as 11 bits, as 29 bits, and as the beginning of 29 bits. `station` keeps them apart, as CANopen
-/// does.
+/// Returns a frame with one of a few numbers as an 11-bit identifier, as a 29-bit identifier, or as the beginning of
+/// one. `station` makes the identifiers of stations different, as in CANopen.
 Frame any_frame(std::size_t station) {
     Frame frame{};
     const std::uint32_t number =
@@ -89,7 +89,7 @@ std::vector<std::string> lines_of(const std::vector<std::pair<std::uint64_t, int
     return lines;
 }
 
-/// The bus and the naive one, told the same.
+/// The bus and the naive bus with the same input.
 class TwoBuses {
   public:
     TwoBuses(std::uint64_t us_per_bit, const NaiveFaults& faults)

@@ -1,5 +1,5 @@
-// A CAN bus as a list of stations and a clock in whole microseconds: what the in-process bus must show. Frames are
-// strings of bits here, arbitration compares them bit by bit, the CRC is a long division.
+// A naive CAN bus: a list of stations and a clock in whole microseconds. Frames are strings of bits, arbitration
+// compares them bit by bit, the CRC is a long division.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace canproof::host {
 
-/// `count` bits of a number, the highest first.
+/// Returns `count` bits of a number, the highest first.
 inline std::string naive_bits(std::uint64_t value, unsigned count) {
     std::string bits;
     for (unsigned i = count; i-- > 0;) {
@@ -25,14 +25,14 @@ inline std::string naive_bits(std::uint64_t value, unsigned count) {
     return bits;
 }
 
-/// Identifier, RTR and IDE as they stand on the wire; 0 is dominant, so that the smaller text wins.
+/// Returns identifier, RTR and IDE as on the wire; 0 is dominant, so that the smaller text wins.
 inline std::string naive_arbitration_field(const Frame& frame) {
     const std::string rtr = frame.remote ? "1" : "0";
     return frame.extended ? naive_bits(frame.id / 262144U, 11) + "11" + naive_bits(frame.id % 262144U, 18) + rtr
                           : naive_bits(frame.id, 11) + rtr + "0";
 }
 
-/// The remainder of a division on paper by 1100010110011001.
+/// Returns the remainder of a long division by 1100010110011001.
 inline std::string naive_crc(std::string bits) {
     const std::string divisor = "1100010110011001";
     const std::size_t places = bits.size();
@@ -46,7 +46,7 @@ inline std::string naive_crc(std::string bits) {
     return bits.substr(places);
 }
 
-/// Bits from the start to the end of the frame, with those that are stuffed in.
+/// Returns the number of bits from start to end of the frame, stuff bits included.
 inline unsigned naive_frame_bits(const Frame& frame) {
     std::string bits = "0" + naive_arbitration_field(frame) + (frame.extended ? "00" : "0");
     bits += naive_bits(frame.length, 4);
@@ -64,7 +64,7 @@ inline unsigned naive_frame_bits(const Frame& frame) {
     return static_cast<unsigned>(wire.size()) + 10U;  // delimiter, acknowledge, delimiter, seven bits of end
 }
 
-/// Probabilities and seed of what goes wrong.
+/// Probabilities and seed of bus faults.
 struct NaiveFaults {
     double corrupted{0.0};
     double lost{0.0};
@@ -81,7 +81,7 @@ class NaiveBus {
     struct Station {
         std::string name;
         bool gateway{false};
-        std::deque<std::pair<std::uint64_t, Frame>> queue;  ///< with the time since when it is the first
+        std::deque<std::pair<std::uint64_t, Frame>> queue;  ///< with the time since which it is the first
         std::vector<Heard> heard;
         std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
         std::vector<bool> overruns;
@@ -103,7 +103,7 @@ class NaiveBus {
         add("outside", true);
     }
 
-    /// Its number is one that only this station ever has.
+    /// Adds a station and returns its number, which is never used again.
     int add(const std::string& name, bool gateway) {
         Station station;
         station.name = name;
@@ -128,7 +128,7 @@ class NaiveBus {
         look_at_state(stations_.at(number), now);
     }
 
-    /// Everything up to `now` and at it.
+    /// Performs everything up to and including `now`.
     void run_to(std::uint64_t now) {
         for (bool any = true; any;) {
             any = recover_first(now) || end_frame(now) || start_frame(now);
@@ -139,8 +139,8 @@ class NaiveBus {
     const std::vector<Sent>& sent() const { return sent_; }
     std::uint64_t errors() const { return errors_; }
     std::uint64_t worst_latency() const { return worst_latency_; }
-    /// The share of the time up to `now`, of the last second at most, in which a frame or its intermission took the
-    /// bus.
+    /// Returns the part of the time up to `now`, at most the last second, in which a frame or its intermission occupied
+    /// the bus.
     double load(std::uint64_t now) const {
         const std::uint64_t from = now < 1000000U ? 0U : now - 1000000U;
         std::uint64_t used = on_wire_ ? now - std::max(start_, from) : 0U;
@@ -155,7 +155,7 @@ class NaiveBus {
         return probability > 0.0 && static_cast<double>(draws_() >> 32U) < probability * 4294967296.0;
     }
 
-    /// The earliest bus-off that ends by `now`, unless something happens on the wire before.
+    /// Performs the earliest recovery from bus-off by `now`, unless something happens on the wire before.
     bool recover_first(std::uint64_t now) {
         Station* first = nullptr;
         for (auto& [number, one] : stations_) {
@@ -173,7 +173,7 @@ class NaiveBus {
         return true;
     }
 
-    /// When the next frame begins, if nothing else happens.
+    /// Returns when the next frame begins if nothing else happens.
     std::uint64_t next_start() const {
         std::uint64_t earliest = ~std::uint64_t{0};
         for (const auto& [number, one] : stations_) {
@@ -230,7 +230,7 @@ class NaiveBus {
         return true;
     }
 
-    /// The sender falls off the bus in the middle of its frame: the others see an error.
+    /// Interrupts the running frame when its sender leaves the bus: the others see an error.
     void cut(std::uint64_t now) {
         on_wire_ = false;
         ++errors_;

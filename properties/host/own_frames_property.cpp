@@ -1,4 +1,4 @@
-// What a run and a replay take for a node's own frames: the oldest equal one of a plain list.
+// Compares how a run and a replay recognise the frames of their own nodes with a plain list: the oldest equal frame.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -21,7 +21,7 @@ struct Listed {
     std::uint64_t us{0};
 };
 
-/// Few of each kind, so that some are equal and some differ in one thing: format, request, length or the last byte.
+/// Returns one of a few frames: some are equal, some differ in one thing: format, remote request, length or last byte.
 Frame one_of_few() {
     Frame frame{};
     frame.id = *rc::gen::element<std::uint32_t>(0x000, 0x181, 0x182);
@@ -34,7 +34,7 @@ Frame one_of_few() {
     return frame;
 }
 
-/// A remote frame has no bytes, whatever stands in them.
+/// Returns whether two frames are equal. A remote frame has no data bytes, whatever its buffer contains.
 bool is_same(const Frame& a, const Frame& b) {
     bool same = a.id == b.id && a.extended == b.extended && a.remote == b.remote && a.length == b.length;
     for (std::size_t i = 0; i < a.length && !a.remote; ++i) {
@@ -43,7 +43,7 @@ bool is_same(const Frame& a, const Frame& b) {
     return same;
 }
 
-/// Takes the oldest equal one out of the list; its owner.
+/// Removes the oldest equal frame from the list and returns its owner.
 int take(std::vector<Listed>& list, const Frame& frame) {
     const auto found =
         std::find_if(list.begin(), list.end(), [&](const Listed& one) { return is_same(one.frame, frame); });

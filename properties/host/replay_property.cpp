@@ -1,4 +1,4 @@
-// Replay of any stimuli and frames: time never goes back, and a run comes out again.
+// Replays any stimuli and frames: time never decreases, and the replay of a run reproduces the run.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int node = 5;
 
-/// Ascending times of up to two seconds.
+/// Returns ascending times of up to two seconds.
 std::vector<Instant> any_times(std::size_t most) {
     auto times = *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange<std::uint32_t>(0, 2000000));
     times.resize(std::min(times.size(), most));
@@ -35,7 +35,7 @@ std::vector<Instant> any_times(std::size_t most) {
     return all;
 }
 
-/// Any input of the device, at any value that it takes.
+/// Returns a stimulus of any input with any accepted value.
 Stimulus any_stimulus(const Part& part, Instant time) {
     std::vector<const Signal*> inputs;
     for (const Signal& signal : part.signals) {
@@ -67,7 +67,7 @@ LoggedFrame any_frame(Instant time) {
     return {time, "can0", parse_frame(*rc::gen::elementOf(requests), "law")};
 }
 
-/// Times in the first column, between brackets or not.
+/// Returns whether the times in the first column, with or without brackets, never decrease.
 bool never_decreases(const std::string& text, bool heading) {
     std::istringstream lines{text};
     Instant last{};
@@ -83,7 +83,7 @@ bool never_decreases(const std::string& text, bool heading) {
     return holds;
 }
 
-/// Requests of any kind to nodes 5 and 6 at any times, on a bus that they may fill; a log with marks.
+/// Returns the log with marks of a run: any requests to nodes 5 and 6 at any times, on a bus that they may fill.
 std::string any_run() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8000",
@@ -120,7 +120,7 @@ std::string any_run() {
     return log.str();
 }
 
-/// Lines of what the devices have sent on identifiers of that node, without marks.
+/// Returns the lines that the devices sent on identifiers of that node, without marks.
 std::vector<std::string> lines_of(const std::string& log, int of_node) {
     std::istringstream in{log};
     std::vector<std::string> lines;
@@ -132,7 +132,7 @@ std::vector<std::string> lines_of(const std::string& log, int of_node) {
     return lines;
 }
 
-/// The lines of `all` without some.
+/// Returns whether `all` has the lines of `some` in their order.
 bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::string>& some) {
     auto at = all.begin();
     for (const std::string& line : some) {
@@ -147,7 +147,7 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 
 }  // namespace
 
-/// A frame that a reset drops while it waits for the bus is in the replay alone: it knows no bus.
+/// A frame that a reset drops while it waits for the bus is in the replay only, because the replay has no bus.
 RC_GTEST_PROP(ReplayLaw, ReplayOfARunWritesTheSameLinesInTheSameOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {

@@ -1,4 +1,4 @@
-// A client of socketcand hears what it has asked for, by a list of what it asked.
+// Compares the frames that a socketcand client receives with a list of its subscriptions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
@@ -15,8 +15,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The client's words, and what it should hear of them. Identifiers are kept as the texts that name them: three digits
-/// or eight.
+/// A naive client: its commands, and the frames that it should receive. Identifiers are kept as texts of three or eight
+/// digits.
 class NaiveClient {
   public:
     std::string open() {
@@ -71,7 +71,7 @@ class NaiveClient {
     std::vector<std::string> wanted_;
 };
 
-/// The same numbers with 11 and with 29 bits.
+/// Returns one of a few numbers with 11 or 29 bits.
 std::string any_identifier() {
     return *rc::gen::element<std::string>("000", "00000000", "181", "00000181", "7FF", "000007FF", "1FFFFFFF");
 }
@@ -110,7 +110,7 @@ class Conversation {
         }
         RC_ASSERT(heard() == expected);
     }
-    /// The counters that it can ask for.
+    /// Checks the counters that the client can read.
     void check_counts() {
         if (naive_.is_open()) {
             say("< statistics 1 >");

@@ -1,5 +1,5 @@
-// The conformance slave in a stateful property: what went over the bus is kept as a candump log and shown when the
-// property fails, for `canproof replay` to play again.
+// The conformance slave in a stateful property: all frames are kept as a candump log, which a failing property prints
+// for `canproof replay`.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace canproof::test {
 
-/// `ID#DATA` or `ID#R`.
+/// Returns a frame as `ID#DATA` or `ID#R`.
 inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data, bool remote = false) {
     std::string text = fmt::format("{:03X}#{}", id, remote ? "R" : "");
     for (const std::uint8_t byte : data) {
@@ -20,7 +20,7 @@ inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data
 
 class LoggedSlave : public SlaveBench {
   public:
-    /// Gives the slave a frame. What it sends is in `heard`, with the time in ms.
+    /// Gives the slave a frame. Frames that it sends are in `heard`, with the time in ms.
     void play(const std::string& frame) {
         note(frame);
         for (const auto& answer : send(frame)) {
@@ -42,7 +42,7 @@ class LoggedSlave : public SlaveBench {
         }
     }
 
-    /// Fails with the log.
+    /// Fails with the log when the condition is false.
     void demand(bool holds, const std::string& what) const {
         if (!holds) {
             RC_LOG() << what << " differs after\n" << log_;
@@ -59,7 +59,7 @@ class LoggedSlave : public SlaveBench {
     std::string log_;
 };
 
-/// Numbers to `limit`, mostly those at which something begins or ends.
+/// Generates numbers up to `limit`, mostly those at which something begins or ends.
 inline rc::Gen<unsigned> number_up_to(unsigned limit) {
     return rc::gen::map(rc::gen::weightedOneOf<unsigned>(
                             {{4, rc::gen::inRange(0U, limit + 1)},

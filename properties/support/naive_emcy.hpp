@@ -1,6 +1,6 @@
-// Errors of the conformance slave (node 5) as CiA 301 tells them (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17): the
-// error register, the list of the last four, and emergency messages with their inhibit time, on a clock of
-// milliseconds. Knows nothing of the firmware.
+// Naive model of the errors of the conformance slave (node 5) by CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17):
+// the error register, the list of the last four errors, and emergency messages with their inhibit time, on a clock of
+// milliseconds. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ enum class State { pre_operational, operational, stopped };
 
 class Node {
   public:
-    /// A command to this node or all.
+    /// Receives a command to this node or all nodes.
     void command(unsigned specifier) {
         if (can_ == Can::off) {
             return;
@@ -60,13 +60,13 @@ class Node {
         set(Error::overrun, lost);
     }
     void internal_fault(bool present) { set(Error::internal, present); }
-    /// Without a counter a SYNC has no data.
+    /// Receives a SYNC. Without a counter a SYNC has no data.
     void sync(unsigned length) {
         if (hears() && state_ != State::stopped) {
             set(Error::sync_length, length != 0);
         }
     }
-    /// RPDO 1 maps two bytes.
+    /// Receives RPDO 1, which maps two bytes.
     void rpdo(unsigned length) {
         if (hears() && state_ == State::operational) {
             set(Error::rpdo_length, length < 2);
@@ -77,7 +77,7 @@ class Node {
             list_.clear();
         }
     }
-    /// 1014h: messages that wait when they are switched off are never sent.
+    /// Writes bit 31 of 1014h COB-ID EMCY: messages that wait when it disables EMCY are never sent.
     void write_valid(bool valid) {
         if (has_sdo()) {
             valid_ = valid;
@@ -105,13 +105,13 @@ class Node {
         }
         return bits;
     }
-    /// Codes, the latest first.
+    /// Returns the error codes, the latest first.
     const std::deque<unsigned>& list() const { return list_; }
     State state() const { return state_; }
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// The rest of the message is that of the moment when it is sent.
+    /// A waiting message; the rest of its content is that of the moment of transmission.
     struct Waiting {
         Error error;
         bool cured;
@@ -138,7 +138,7 @@ class Node {
         waiting_.clear();
         list_.clear();
         may_send_at_ = 0;
-        state_ = State::stopped;  // silent until the boot-up message is out
+        state_ = State::stopped;  // nothing is sent until the boot-up message is out
         restore_defaults();
         set(Error::overrun, lost_);
         set(Error::passive, can_ >= Can::passive);
@@ -167,7 +167,7 @@ class Node {
         }
         announce({error, !present});
     }
-    /// Over when it is noticed.
+    /// Reports an error that is already over.
     void report(Error error) {
         enlist(error);
         announce({error, false});
@@ -178,8 +178,8 @@ class Node {
             list_.pop_back();
         }
     }
-    /// At most two messages of an error wait: what it was first, and what it is now. One that takes the last back
-    /// leaves the other, which says the same.
+    /// Queues a message. At most two messages of an error wait: its first state and its present state. When the last
+    /// one is withdrawn, the other one remains and has the same content.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -191,7 +191,7 @@ class Node {
             }
         }
         if (!same.empty() && waiting_[same.back()].cured == told.cured) {
-            return;  // it waits already
+            return;  // a message waits already
         }
         if (same.size() == 2) {
             waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));
@@ -225,7 +225,7 @@ class Node {
     Sent sent_;
 };
 
-/// One step of a conversation, of numbers that a generator or a fuzzer may choose as it likes.
+/// One step of an exchange, made of any numbers of a generator or a fuzzer.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -237,7 +237,7 @@ inline unsigned command_of(const Event& event) {
     return commands[event.a % commands.size()];
 }
 
-/// The frame that goes with an event: identifier and bytes. None when it is the controller's, the device's or time's.
+/// The frame of an event: identifier and bytes. Controller, device and time events have none.
 struct EventFrame {
     bool is_one{false};
     unsigned id{0};

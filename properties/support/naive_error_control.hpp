@@ -1,5 +1,5 @@
-// NMT, heartbeat and node guarding of the conformance slave (node 5) as CiA 301 tells them (7.2.8, 7.3.2), on a clock
-// of milliseconds that is looked at tick by tick. Knows nothing of the firmware; slow and obvious.
+// Naive model of NMT, heartbeat and node guarding of the conformance slave (node 5) by CiA 301 (7.2.8, 7.3.2), on a
+// clock of milliseconds that is evaluated tick by tick. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace canproof::naive_error_control {
 
-/// What the node says on 705h, and when.
+/// The bytes that the node sends on 705h, with their times.
 using Said = std::vector<std::pair<std::uint64_t, unsigned>>;
 
 constexpr unsigned node_id = 5;
@@ -21,7 +21,7 @@ class Node {
   public:
     Node() { boot(); }
 
-    /// A command of exactly two bytes on identifier 0.
+    /// Receives a command of exactly two bytes on identifier 0.
     void command(unsigned specifier, unsigned addressed) {
         if (addressed != 0 && addressed != node_id) {
             return;
@@ -37,14 +37,14 @@ class Node {
                 state_ = pre_operational;
                 break;
             case 0x81:
-            case 0x82:  // the two differ in application parameters, of which there are none here
+            case 0x82:  // the two resets differ in application parameters, of which there are none here
                 boot();
                 break;
             default:
                 break;
         }
     }
-    /// Writes by SDO; false when they are refused or nobody answers.
+    /// Write by SDO; return false when the write is refused or not answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -59,7 +59,7 @@ class Node {
     }
     bool write_guard_time(unsigned ms) { return has_sdo() && write_life_time(ms, life_factor_); }
     bool write_life_factor(unsigned factor) { return has_sdo() && write_life_time(guard_ms_, factor); }
-    /// 1016h:slot + 1. A producer that another entry watches already is refused.
+    /// Writes 1016h:slot + 1. A producer that another entry monitors already is refused.
     bool write_consumer(unsigned slot, unsigned node, unsigned ms) {
         if (!has_sdo()) {
             return false;
@@ -80,7 +80,7 @@ class Node {
         error_behaviour_ = wanted;
         return true;
     }
-    /// A remote frame on 705h.
+    /// Receives a remote frame on 705h.
     void guard() {
         if (heartbeat_ms_ != 0) {
             return;
@@ -91,7 +91,7 @@ class Node {
         guarded_until_ = life_ms() == 0 ? 0 : now_ + life_ms();
         settle();
     }
-    /// One byte on 700h + node.
+    /// Receives one byte on 700h + node.
     void heartbeat_of(unsigned node) {
         for (Consumer& one : consumers_) {
             if (one.is_active() && one.node == node) {
@@ -116,7 +116,7 @@ class Node {
     struct Consumer {
         unsigned node{0};
         unsigned ms{0};
-        std::uint64_t due{0};  ///< 0: no heartbeat has come yet
+        std::uint64_t due{0};  ///< 0: no heartbeat has been received yet
         bool failed{false};
 
         bool is_active() const { return ms != 0 && node >= 1 && node <= 127; }
@@ -134,7 +134,8 @@ class Node {
         consumers_.fill(Consumer{});
         say(0);
     }
-    /// A guarding that runs goes on with the new time; one that is off waits for the next request. 0 ends its error.
+    /// Sets the life time. Running guarding continues with the new time; otherwise it waits for the next request. 0
+    /// ends its error.
     bool write_life_time(unsigned guard_ms, unsigned factor) {
         guard_ms_ = guard_ms;
         life_factor_ = factor;
@@ -160,7 +161,7 @@ class Node {
         }
         settle();
     }
-    /// The first failure changes the state as 1029h:1 says.
+    /// Evaluates failures; the first failure changes the state by 1029h:1.
     bool settle() {
         bool failed = guarding_failed_;
         for (const Consumer& one : consumers_) {
@@ -181,7 +182,7 @@ class Node {
     std::uint64_t heartbeat_from_{0};
     unsigned guard_ms_{0};
     unsigned life_factor_{0};
-    std::uint64_t guarded_until_{0};  ///< 0: nobody has guarded yet
+    std::uint64_t guarded_until_{0};  ///< 0: no guarding request has been received yet
     bool guarding_failed_{false};
     bool toggle_{false};
     unsigned error_behaviour_{0};
@@ -190,7 +191,7 @@ class Node {
     Said said_;
 };
 
-/// One step of a conversation, of numbers that a generator or a fuzzer may choose as it likes.
+/// One step of an exchange, made of any numbers of a generator or a fuzzer.
 struct Event {
     unsigned kind{0};  ///< see apply()
     unsigned a{0};     ///< up to FFh
@@ -198,7 +199,7 @@ struct Event {
 };
 constexpr unsigned event_kinds = 9;
 
-/// The frame that goes with an event: identifier, length or `remote`, bytes. Without one, time passes.
+/// The frame of an event: identifier, length or `remote`, bytes. In an event without a frame time passes.
 struct EventFrame {
     unsigned id{0};
     bool remote{false};
@@ -221,11 +222,11 @@ inline unsigned command_of(const Event& event) {
     constexpr std::array<unsigned, 8> commands{0x01, 0x02, 0x80, 0x81, 0x82, 0x01, 0x01, 0x00};
     return commands[event.b % commands.size()];
 }
-/// Mostly this node or all.
+/// Returns the addressed node, mostly this node or all nodes.
 inline unsigned addressed_of(const Event& event) {
     return event.a % 4U == 3U ? event.a / 4U : (event.a % 2U) * node_id;
 }
-/// Producers 0 to 7, that entries meet.
+/// Returns a producer 0 to 7; entries use the same numbers.
 inline unsigned producer_of(const Event& event) {
     return (event.a / 4U) % 8U;
 }
@@ -258,12 +259,12 @@ inline EventFrame frame_of(const Event& event) {
     }
 }
 
-/// Time that passes in an event without a frame, in ms.
+/// Returns the time that passes in an event without a frame, in ms.
 inline std::uint64_t pause_of(const Event& event) {
     return event.kind == 8 ? event.b % 700U : 0U;
 }
 
-/// Gives the event to the model.
+/// Applies the event to the model.
 inline void apply(Node& node, const Event& event) {
     switch (event.kind) {
         case 0:

@@ -1,4 +1,4 @@
-// An LSS slave that keeps whole histories of frames and looks at them again for each answer.
+// An LSS slave that keeps whole histories of frames and evaluates them for each answer.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace canproof::naive {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// 1018h of the conformance slave
+// 1018h identity object of the conformance slave
 inline const std::array<std::uint32_t, 4> address{0x0000005F, 0xAA020301, 0x00010002, 0x20261121};
 
 inline std::string frame_text(std::uint32_t id, const Bytes& bytes) {
@@ -36,13 +36,13 @@ inline Bytes with_number(std::uint8_t specifier, std::uint32_t number) {
             static_cast<std::uint8_t>(number >> 16U), static_cast<std::uint8_t>(number >> 24U)};
 }
 
-/// What LSS configures.
+/// The settings that LSS configures.
 struct LssSettings {
     std::uint8_t node_id{255};  ///< 1 … 127, or 255: none
     std::uint32_t bit_rate{0};  ///< bit/s
 };
 
-/// A slave as CiA 305 tells it, without thought for memory or time.
+/// A slave by CiA 305, without limits of memory or time.
 class LssSlave {
   public:
     enum class Nmt { initialising, pre_operational, operational, stopped };
@@ -81,7 +81,7 @@ class LssSlave {
                 return reset_communication();
         }
     }
-    /// An upload of 1000h from that node.
+    /// Uploads 1000h device type from that node.
     std::vector<std::string> read_device_type(std::uint8_t node) const {
         const bool works = state_ == Nmt::pre_operational || state_ == Nmt::operational;
         if (is_silent() || !works || node != active) {
@@ -209,7 +209,7 @@ class LssSlave {
     }
 
     bool is_new() const { return active == 255 && pending_.node_id == 255; }
-    /// The last four frames are the four numbers of this slave.
+    /// Returns whether the last four frames are the four numbers of this slave.
     bool is_selected() const {
         if (selecting_.size() < 4) {
             return false;
@@ -221,7 +221,7 @@ class LssSlave {
         }
         return all;
     }
-    /// The last six frames are the numbers and bounds that this slave fits.
+    /// Returns whether the last six frames are numbers and bounds that match this slave.
     bool is_identified() const {
         if (identifying_.size() < 6) {
             return false;

@@ -1,5 +1,5 @@
 // The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38): a
-// list of what can be mapped, and the order destroy, clear, map, count, create. Knows nothing of the firmware.
+// list of mappable objects, and the order destroy, clear, map, count, create. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace canproof::naive_mapping {
 
 using naive_pdo::Mappable;
 
-// Abort codes; 0 when the write is done.
+// Abort codes; 0 when the write is accepted.
 constexpr std::uint32_t done = 0;
 constexpr std::uint32_t present_state = 0x08000022;
 constexpr std::uint32_t too_high = 0x06090031;
@@ -68,13 +68,14 @@ class Pdo {
     unsigned count() const { return count_; }
     unsigned identifier() const { return identifier_; }
     const std::array<Mappable, 8>& lines() const { return lines_; }
-    /// Bytes of its frame.
+    /// Returns the length of its frame in bytes.
     unsigned length() const { return naive_pdo::total_bytes({lines_.begin(), lines_.begin() + count_}); }
 
   private:
     static bool is_empty(const Mappable& line) { return line.index == 0 && line.subindex == 0 && line.bits == 0; }
 
-    /// Odd objects of 2000h, 2002h and 2100h are sent, even ones received; 2200h to 2207h go both ways.
+    /// Checks a mapping entry: odd objects of 2000h, 2002h and 2100h are sent, even ones received; 2200h to 2207h go
+    /// both ways.
     std::uint32_t refusal_of(const Mappable& line) const {
         if (line.index < 0x1000) {
             constexpr std::array<unsigned, 8> dummy_bits{0, 1, 8, 16, 32, 8, 16, 32};

@@ -1,5 +1,5 @@
-// PDOs as CiA 301 draws them (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant of the first byte first, cut
-// where the mapping says. Knows nothing of the firmware; slow and obvious.
+// Naive PDOs by CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant bit of the first byte first,
+// divided as the mapping defines. Shares no code with the firmware.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace canproof::naive_pdo {
 using Bytes = std::vector<std::uint8_t>;
 using Bits = std::vector<bool>;
 
-/// One line of a mapping: an object, or a gap (an index below 1000h).
+/// One entry of a mapping: an object, or a gap (an index below 1000h).
 struct Mappable {
     unsigned index;
     unsigned subindex;
@@ -55,7 +55,7 @@ inline Bytes bytes_of(const Bits& bits) {
     return bytes;
 }
 
-/// What a TPDO carries. `values` are Values, or what is used as they are.
+/// Returns the data of a TPDO. `values` are Values, or a type that is used like them.
 template <typename AnyValues>
 Bytes packed(const Mapping& mapping, AnyValues values) {
     Bits bits;
@@ -67,8 +67,8 @@ Bytes packed(const Mapping& mapping, AnyValues values) {
     return bytes_of(bits);
 }
 
-/// The values after an RPDO: all that are mapped, or none when the frame is too short or `fits(line, value)` denies
-/// one.
+/// Returns the values after an RPDO: all mapped values are set, or none when the frame is too short or `fits(line,
+/// value)` is false for one.
 template <typename AnyValues, typename Fits>
 AnyValues received(const AnyValues& values, const Mapping& mapping, const Bytes& frame, const Fits& fits) {
     if (frame.size() < total_bytes(mapping)) {

@@ -1,4 +1,4 @@
-// An SDO client that always sends what the naive server waits for: it gets transfers through.
+// An SDO client that always sends the request that the naive server expects: it completes transfers.
 #pragma once
 
 #include <initializer_list>
@@ -14,7 +14,7 @@ inline Message message(unsigned command, std::initializer_list<unsigned> rest = 
     return m;
 }
 
-/// Seven bytes that go on from where the stream is, behind `command`.
+/// Returns a request with `command` and the next seven bytes of the stream.
 inline Message with_data(unsigned command, std::uint8_t& next) {
     Message m = message(command);
     for (std::size_t i = 1; i < m.size(); ++i) {
@@ -24,8 +24,8 @@ inline Message with_data(unsigned command, std::uint8_t& next) {
     return m;
 }
 
-/// The next request. `ends`: a segment is the last one; `unused` (0...7) of its bytes hold no data. `next` is the next
-/// byte of data.
+/// Returns the next request. `ends`: a segment is the last one; `unused` (0...7) of its bytes have no data. `next` is
+/// the next byte of data.
 inline Message obedient(const Server& server, std::uint8_t& next, bool ends, unsigned unused) {
     switch (server.doing()) {
         case Server::Doing::download:

@@ -1,5 +1,5 @@
-// The objects of a naive SDO server: whole values in containers, what may be read and written, and the abort codes of
-// CiA 301 for the rest. It shares no code with the firmware.
+// The objects of a naive SDO server: whole values in containers, access rights, and the abort codes of CiA 301 for
+// refused access. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Entry {
     std::optional<Bytes> value{};
     bool readable{true};
     bool writable{true};
-    bool has_memory{true};  ///< a place in which a download can gather
-    /// Abort code for a number that may not be set; 0 when it may.
+    bool has_memory{true};  ///< memory in which a download is collected
+    /// Returns the abort code for a number that is not allowed; 0 when it is allowed.
     std::function<std::uint32_t(const Bytes&)> limits{[](const Bytes&) { return 0U; }};
 };
 
@@ -42,7 +42,7 @@ inline std::uint16_t crc16(const Bytes& bytes) {
     return static_cast<std::uint16_t>(crc);
 }
 
-/// Seven bytes each; an empty value is one piece of none.
+/// Splits a value into pieces of seven bytes; an empty value is one empty piece.
 inline std::vector<Bytes> pieces_of_seven(const Bytes& value) {
     std::vector<Bytes> pieces;
     for (std::size_t from = 0; from < value.size(); from += 7) {
@@ -61,7 +61,7 @@ class ObjectStore {
   public:
     explicit ObjectStore(const Objects& objects) : as_new_{objects}, objects_{objects} {}
 
-    /// Every value is as it was in the beginning.
+    /// Restores every value to its initial value.
     void restore() {
         for (const auto& [index, subindex] : written_) {
             objects_[index][subindex].value = as_new_[index][subindex].value;
@@ -70,7 +70,7 @@ class ObjectStore {
     }
     const Objects& objects() const { return objects_; }
 
-    /// The entry, or the abort code for its absence.
+    /// Finds the entry; returns the abort code when it is absent.
     std::uint32_t find(std::uint16_t index, std::uint8_t subindex, Entry*& entry) {
         const auto object = objects_.find(index);
         if (object == objects_.end()) {
@@ -83,7 +83,7 @@ class ObjectStore {
         entry = &found->second;
         return 0;
     }
-    /// Gives the value, or the abort code of a read.
+    /// Reads the value; returns the abort code of the read.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex, Bytes& value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {
@@ -101,7 +101,7 @@ class ObjectStore {
         value = *entry->value;
         return 0;
     }
-    /// Takes the value, or gives the abort code of a write.
+    /// Writes the value; returns the abort code of the write.
     std::uint32_t write(std::uint16_t index, std::uint8_t subindex, Bytes value) {
         Entry* entry = nullptr;
         if (const std::uint32_t code = find(index, subindex, entry); code != 0) {

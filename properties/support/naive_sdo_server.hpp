@@ -1,5 +1,5 @@
-// An SDO server as one would write it from CiA 301 with containers and without hurry: whole values, whole blocks, no
-// memory of its own to save. Ours must answer as it does. It shares no code with the firmware.
+// A naive SDO server, written from CiA 301 with containers and without limits of memory: whole values, whole blocks.
+// The server of the firmware must give the same answers. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace canproof::naive {
 
 class Server {
   public:
-    /// What the server is in the middle of.
+    /// The present activity of the server.
     enum class Doing {
         nothing,
         download,
@@ -28,7 +28,7 @@ class Server {
 
     explicit Server(const Objects& objects) : store_{objects} {}
 
-    /// As new, at time 0.
+    /// Restarts the server at time 0.
     void restart() {
         store_.restore();
         doing_ = Doing::nothing;
@@ -38,22 +38,22 @@ class Server {
 
     const Objects& objects() const { return store_.objects(); }
     Doing doing() const { return doing_; }
-    /// Pieces of the sub-block that the client has not acknowledged yet.
+    /// Returns the pieces of the sub-block that the client has not acknowledged yet.
     std::size_t pieces_out() const { return out_; }
     std::uint8_t next_toggle() const { return toggle_; }
-    /// What came in a download so far.
+    /// Returns the bytes received in a download so far.
     const Bytes& received() const { return data_; }
-    /// Number that the next segment of a block download must have.
+    /// Returns the number that the next segment of a block download must have.
     std::uint8_t next_sequence() const { return static_cast<std::uint8_t>(in_order_ + 1); }
 
-    /// All answers to one request, in their order; valid until the next call.
+    /// Returns all answers to one request, in their order; valid until the next call.
     const std::vector<Message>& ask(const Message& request, std::uint64_t now_ms) {
         pass(now_ms);
         now_ = now_ms;
         serve(request);
         return answers_;
     }
-    /// What is sent without a request until `now_ms`.
+    /// Returns the messages sent without a request until `now_ms`.
     const std::vector<Message>& pass(std::uint64_t now_ms) {
         answers_.clear();
         if (doing_ != Doing::nothing && now_ms >= progress_ + 1000) {

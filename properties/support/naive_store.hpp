@@ -1,6 +1,6 @@
-// What lies in a memory of stored parameters, read by someone who knows the format and nothing of the firmware: two
-// banks of a header (magic "COP", a marker, layout, sequence number, groups, a node-ID for each group), the values in
-// dictionary order, and a CRC-32 over both, one bit at a time, in which the marker is that of a committed bank.
+// Reads a memory of stored parameters from the description of its format, without code of the firmware. Two banks have
+// a header (magic "COP", a marker, layout, sequence number, groups, a node-ID for each group), the values in dictionary
+// order, and a CRC-32 over both, computed one bit at a time, with the marker of a committed bank.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 using Address = std::pair<unsigned, unsigned>;  ///< index, sub-index
 using Values = std::map<Address, Bytes>;
 
-/// One entry that 1010h keeps; `group` counts communication, application, manufacturer.
+/// One entry that 1010h stores; `group` counts communication, application, manufacturer.
 struct Stored {
     Address address;
     std::size_t size;
@@ -28,18 +28,18 @@ struct Stored {
     std::uint64_t base;  ///< the default without it
 };
 
-/// A visible string ends at its first zero: what lies behind that is no part of the value.
+/// Clears the bytes after the first zero of a visible string, which are not part of the value.
 inline Bytes ended(Bytes text) {
     std::fill(std::find(text.begin(), text.end(), std::uint8_t{0}), text.end(), std::uint8_t{0});
     return text;
 }
 
-/// Communication 1000h to 1FFFh, manufacturer to 5FFFh, application behind.
+/// Returns the group: communication 1000h to 1FFFh, manufacturer to 5FFFh, application above.
 inline unsigned group_of(unsigned index) {
     return index < 0x2000 ? 0U : index < 0x6000 ? 2U : 1U;
 }
 
-/// The number that bytes stand for, up to eight of them.
+/// Returns the number of up to eight bytes.
 inline std::uint64_t number_of(const std::uint8_t* bytes, std::size_t count) {
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < count && i < 8; ++i) {
@@ -88,11 +88,11 @@ inline void put_number(Bytes& image, std::size_t at, std::uint32_t number) {
 
 constexpr std::uint32_t magic = 0x53504F43;
 constexpr std::uint8_t committed = 'S';
-constexpr std::uint8_t without_effect = '-';  ///< the marker of a bank that does not count
+constexpr std::uint8_t without_effect = '-';  ///< the marker of an invalid bank
 constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
 
-/// What a device with these entries keeps.
+/// The stored format of a device with these entries.
 class Format {
   public:
     explicit Format(const DictionaryTables& tables) : entries_{stored_entries(tables)}, layout_{tables.layout} {
@@ -105,7 +105,7 @@ class Format {
     std::size_t bank_size() const { return header_size + payload_ + 4; }
     std::size_t checked_size() const { return header_size + payload_; }
 
-    /// It counts, and its CRC is right.
+    /// Returns whether the bank is committed and its CRC is right.
     bool is_sound(const Bytes& image, unsigned bank) const {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
         Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
@@ -116,7 +116,7 @@ class Format {
         return number_at(bytes, 0) == magic && number_at(bytes, 4) == layout_ &&
                number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
     }
-    /// It was written to its end and is not what was written.
+    /// Returns whether the bank was committed and has changed since.
     bool is_damaged(const Bytes& image, unsigned bank) const {
         return image[bank * bank_size() + marker_at] == committed && !is_sound(image, bank);
     }
@@ -130,7 +130,7 @@ class Format {
         };
         return all(0x00) || all(0xFF);
     }
-    /// The sound bank that was written last; sequence numbers go on from FFFFFFFFh to 0.
+    /// Returns the valid bank that was written last; sequence numbers continue from FFFFFFFFh at 0.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
         if (is_damaged(image, 0) || is_damaged(image, 1)) {
             return std::nullopt;
@@ -143,11 +143,11 @@ class Format {
         }
         return first ? std::optional{0U} : second ? std::optional{1U} : std::nullopt;
     }
-    /// Something was saved, but nothing sound is left.
+    /// Returns whether something was saved but no valid bank is left.
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
-    /// The values of those groups that are saved, as node `node_id` finds them.
+    /// Returns the values of the saved groups as node `node_id` loads them.
     Values read(const Bytes& image, unsigned node_id) const {
         Values values;
         const auto bank = bank_in_use(image);
@@ -173,7 +173,7 @@ class Format {
         }
         return values;
     }
-    /// Makes the bank look as if a save had written what lies there.
+    /// Makes the bank valid, as if a save had written its present values.
     void make_sound(Bytes& image, unsigned bank, std::uint32_t sequence) const {
         const std::size_t at = bank * bank_size();
         put_number(image, at, magic);
@@ -188,7 +188,7 @@ class Format {
     std::size_t payload_{0};
 };
 
-/// The groups that a sub-index of 1010h and 1011h names (CiA 301, 7.5.2.13); bit n stands for group n.
+/// Returns the groups that a sub-index of 1010h and 1011h names (CiA 301, 7.5.2.13); bit n is group n.
 inline unsigned groups_of(unsigned subindex) {
     return subindex == 1 ? 7U : subindex == 2 ? 1U : subindex == 3 ? 2U : subindex == 4 ? 4U : 0U;
 }

@@ -1,4 +1,4 @@
-// What can happen to a device before and after a reset, generated so that a failure shrinks to the events it needs.
+// Generates events for a device before and after a reset, so that a failure shrinks to the events that it needs.
 #pragma once
 
 #include <rapidcheck.h>
@@ -13,11 +13,11 @@ enum class EventKind : std::uint8_t {
     setting,        ///< a parameter of the device
     communication,  ///< a parameter of the communication
     entry,          ///< any entry at all, with any value
-    request,        ///< an SDO request that begins or goes on with a transfer
+    request,        ///< an SDO request that starts or continues a transfer
     nmt,
     reset,
     pdo,
-    remote,  ///< asks for a TPDO, an RPDO or the error control message
+    remote,  ///< requests a TPDO, an RPDO or the error control message
     sync,
     heartbeat,  ///< of another node
     lss,
@@ -43,7 +43,7 @@ inline std::ostream& operator<<(std::ostream& out, const Event& event) {
                               event.value);
 }
 
-/// Events of `kinds`; a kind that is there twice comes twice as often.
+/// Generates events of `kinds`; a kind that is listed twice is twice as frequent.
 inline rc::Gen<Event> some_event(const std::vector<EventKind>& kinds) {
     return rc::gen::exec([kinds] {
         Event event;
@@ -58,7 +58,7 @@ inline std::vector<Event> some_events(const std::vector<EventKind>& kinds) {
     return *rc::gen::container<std::vector<Event>>(some_event(kinds));
 }
 
-/// Everything that can be dirtied; what reaches deeper comes more often.
+/// All kinds of events; those with wider effects are more frequent.
 inline const std::vector<EventKind> every_kind{
     EventKind::setting,   EventKind::setting, EventKind::setting, EventKind::setting, EventKind::communication,
     EventKind::entry,     EventKind::request, EventKind::nmt,     EventKind::nmt,     EventKind::communication,
@@ -67,7 +67,7 @@ inline const std::vector<EventKind> every_kind{
     EventKind::input,     EventKind::time,    EventKind::time,    EventKind::time,    EventKind::late,
     EventKind::controller};
 
-/// Communication parameters that switch something on, or off again.
+/// Communication parameters that switch something on or off.
 inline const std::vector<Setting>& communication_settings() {
     static const std::vector<Setting> all{
         {0x1003, 0, 1, {0}},
@@ -94,7 +94,7 @@ inline const std::vector<Setting>& communication_settings() {
     };
     return all;
 }
-/// Those of RPDOs, which decide what reaches the application.
+/// Parameters of RPDOs, which decide which frames reach the application.
 inline const std::vector<Setting>& reception_settings() {
     static const std::vector<Setting> all{
         {0x1400, 5, 1, {0, 1, 254, 255}}, {0x1401, 5, 1, {0, 1, 254, 255}}, {0x1400, 5, 2, {0, 20, 250}},
@@ -103,7 +103,7 @@ inline const std::vector<Setting>& reception_settings() {
     return all;
 }
 
-/// How events become frames, inputs and time.
+/// Converts events to frames, inputs and time.
 template <typename Traits>
 class Happening {
   public:
@@ -135,7 +135,7 @@ class Happening {
         }
     }
 
-    /// The same for what the application does not notice: no parameter of an RPDO, no other node to wait for.
+    /// Performs an event that does not affect the application: no parameter of an RPDO, no heartbeat consumer.
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (event.kind != EventKind::communication) {
             return happen(unit, event);
@@ -143,15 +143,15 @@ class Happening {
         const Setting& setting = pick(communication_settings(), event.which);
         const bool is_watched = setting.index == 0x1016 || setting.index == 0x100C || setting.index == 0x100D;
         const bool syncs = setting.index == 0x1005 || setting.index == 0x1006 || setting.index == 0x1019;
-        // A list emptied, messages held back or taken back; a state that answers no more.
+        // Skips settings that empty the list, delay or drop messages, or lead to a state that does not answer.
         const bool tells =
             setting.index == 0x1003 || setting.index == 0x1014 || setting.index == 0x1015 || setting.index == 0x1029;
         if (!is_watched && !syncs && !tells) {
             put(unit, setting, event);
         }
     }
-    /// What waits at the end and must not come after the reset: an RPDO for its SYNC, a heartbeat, guarding, a SYNC of
-    /// its own, a transfer.
+    /// Leaves activities pending that must not continue after the reset: an RPDO that waits for its SYNC, a heartbeat,
+    /// guarding, a produced SYNC, a transfer.
     static void leave_waiting(Unit& unit, unsigned number) {
         unit.write(0x1400U + number, 2, 1, 1);
         if (unit.value(0x1400U + number, 2) == 1) {
@@ -198,7 +198,7 @@ class Happening {
         }
     }
     static void request(Unit& unit, const Event& event) {
-        // Uploads and downloads in segments and in blocks, what goes on with them, and an abort.
+        // Uploads and downloads in segments and in blocks, their continuations, and an abort.
         static const std::vector<unsigned> commands{0x40, 0x60, 0x70, 0x21, 0x20, 0x00, 0x10,
                                                     0xA4, 0xA3, 0xA2, 0xC6, 0xC2, 0x80};
         const DictionaryTables& tables = unit.device->objects().tables();

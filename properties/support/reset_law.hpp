@@ -1,7 +1,7 @@
-// What a reset leaves behind: nothing. A unit that has lived through anything is reset; from then on it must do, frame
-// for frame and output for output, what a unit does that is switched on at that moment with the same stored set and the
-// same inputs. CiA 301, 7.3.2.2: reset node, power-on. For reset communication, which keeps the application, see
-// communication_law(), for the reset that LSS causes lss_law().
+// Checks that a reset clears all earlier state. A unit with any history is reset; from then on its frames and outputs
+// must equal those of a unit that is switched on at that moment with the same stored set and inputs. CiA 301, 7.3.2.2:
+// reset node, power-on. communication_law() covers reset communication, which keeps the application; lss_law() covers
+// the reset by LSS.
 #pragma once
 
 #include "properties/support/reset_events.hpp"
@@ -27,8 +27,8 @@ void read_all(ResetUnit<Traits>& unit, bool reads_all) {
     }
 }
 
-/// Lets the same happen to both units, step by step. What tells them apart, and after which step; empty when nothing
-/// does.
+/// Performs the same events on both units, step by step. Returns the first difference and its step; empty when there is
+/// none.
 template <typename Traits, typename Counts>
 std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const std::vector<Event>& stimulus,
                              bool reads_all, const Counts& counts) {
@@ -64,7 +64,7 @@ std::string first_difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, c
     return found.empty() ? "" : fmt::format("after {}: {}", after, found);
 }
 
-/// Reset node, or power-on of the same unit, against a unit that begins then.
+/// Compares reset node, or power-on of the same unit, with a unit that starts then.
 template <typename Traits>
 void restart_law(Reset reset) {
     ResetUnit<Traits> used;
@@ -75,7 +75,7 @@ void restart_law(Reset reset) {
         }
     }
     if (*rc::gen::inRange(0, 3) != 0) {
-        used.write(0x1010, 1, 4, 0x65766173);  // "save": what is alive before the reset is alive after it
+        used.write(0x1010, 1, 4, 0x65766173);  // "save": the present values remain after the reset
     }
     Happening<Traits>::happen(used, some_events(every_kind));
     used.recover();
@@ -95,20 +95,20 @@ void restart_law(Reset reset) {
     RC_ASSERT(found == "");
 }
 
-/// What a reset of the communication leaves of objects: errors go on, and with them 1001h and 1003h; all other values
-/// below 2000h are the stored ones or the defaults.
+/// Returns whether reset communication restores an entry: errors continue, and with them 1001h and 1003h; all other
+/// values below 2000h are restored to the stored values or the defaults.
 inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// What a communication of its own is made of, which tells the application nothing.
+/// Events of the separate communication, which do not affect the application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
-/// What reaches the application, whatever the communication.
+/// Events that affect the application, whatever the communication.
 inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
                                                  EventKind::input,   EventKind::time,    EventKind::late};
 
-/// Both units live through the same, and `used` through a communication of its own as well, which it leaves unfinished.
+/// Performs the same events on both units, and on `used` also a separate communication, which stays unfinished.
 template <typename Traits>
 void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     const int rounds = *rc::gen::inRange(1, 4);
@@ -123,9 +123,10 @@ void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
 }
 
-/// Reset communication. Two units live through the same; then one goes on with a communication of its own that tells
-/// its application nothing: parameters, transfers half done, timers, a SYNC to come. Both are reset, and do the same
-/// from then on: the application goes on as in the unit that was spared, and nothing is left of the rest.
+/// Checks reset communication. Two units get the same events; then one also gets a separate communication that does not
+/// affect its application: parameters, unfinished transfers, timers, a SYNC that is due. Both are reset, and behave the
+/// same from then on: the application continues as in the spared unit, and nothing of the separate communication is
+/// left.
 template <typename Traits>
 void communication_law() {
     ResetUnit<Traits> used;
@@ -144,12 +145,12 @@ void communication_law() {
     }
     ResetUnit<Traits> fresh{used.memory.bytes(), used.inputs, used.now};
     const std::string of_parameters = difference_of_values(used, fresh, is_communication_parameter);
-    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // a node-ID that LSS has not stored holds
+    RC_ASSERT(of_parameters == "" || used.node() != fresh.node());  // a node-ID that LSS has not stored remains
     const std::string found = first_difference(used, spared, stimulus, false, every_entry);
     RC_ASSERT(found == "");
 }
 
-/// LSS gives a node that is not operational this node-ID, and leaves configuration: the node resets itself.
+/// Gives a node that is not operational this node-ID by LSS, and leaves LSS configuration: the node resets itself.
 template <typename Traits>
 void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     constexpr std::uint32_t lss_request = 0x7E5;
@@ -161,7 +162,7 @@ void give_node_id(ResetUnit<Traits>& unit, unsigned node_id, bool stores) {
     unit.send(lss_request, {0x04, 0, 0, 0, 0, 0, 0, 0});
 }
 
-/// A frame of LSS that names a number of the unit's own address.
+/// Sends an LSS frame with a number of the address of the unit.
 template <typename Traits>
 void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
     const std::uint32_t number = unit.value(0x1018, sub);
@@ -169,9 +170,9 @@ void name_own(ResetUnit<Traits>& unit, unsigned command, unsigned sub) {
               {command, number & 0xFFU, (number >> 8U) & 0xFFU, (number >> 16U) & 0xFFU, number >> 24U, 0, 0, 0});
 }
 
-/// A reset by LSS: switch to configuration, a new node-ID, back to waiting. The device resets its communication and
-/// comes back with that node-ID (AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1). From then on it does what a unit
-/// does that has had this node-ID since it was switched on, by the same stored set, and whose communication is reset.
+/// Checks a reset by LSS: switch to configuration, a new node-ID, back to waiting. The device resets its communication
+/// and boots with that node-ID (AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1). From then on it behaves like a
+/// unit that has had this node-ID since it was switched on, with the same stored set, and whose communication is reset.
 template <typename Traits>
 void lss_law() {
     const unsigned node_id = *rc::gen::inRange(1U, 128U);
@@ -192,7 +193,7 @@ void lss_law() {
         unit->command(0x80);
         unit->take_frames();
     }
-    name_own(used, 0x40, 1);  // half of switch state selective, half of identify remote slave
+    name_own(used, 0x40, 1);  // first half of switch state selective and of identify remote slave
     name_own(used, 0x41, 2);
     for (unsigned frame = 0; frame < 3; ++frame) {
         name_own(used, 0x46 + frame, 1 + frame);
@@ -208,7 +209,7 @@ void lss_law() {
     }
     ResetUnit<Traits> fresh{spared.memory.bytes(), spared.inputs, spared.now};
     RC_ASSERT(difference_of_values(used, fresh, is_communication_parameter) == "");
-    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // the other halves
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // the second halves
         name_own(*unit, 0x42, 3);
         name_own(*unit, 0x43, 4);
         name_own(*unit, 0x49, 3);
@@ -217,10 +218,10 @@ void lss_law() {
         unit->send(0x7E5, {0x5E, 0, 0, 0, 0, 0, 0, 0});
     }
     auto kinds = every_kind;
-    if (!stores) {  // a reset of the node takes the stored node-ID
+    if (!stores) {  // reset node loads the stored node-ID
         kinds.erase(std::remove(kinds.begin(), kinds.end(), EventKind::reset), kinds.end());
     }
-    // What takes effect at the next power-on shows what is stored.
+    // Entries that take effect at the next power-on show the stored value.
     const auto counts = [stores](const EntryRef& entry) { return stores || Traits::may_write(entry.index); };
     const std::string found = first_difference(used, spared, some_events(kinds), false, counts);
     RC_ASSERT(found == "");

@@ -1,5 +1,5 @@
-// One device under anything that can happen to it, for the laws of reset_law.hpp. `Traits` names its types, its memory
-// and what is worth writing to it; see properties/devices/NAME/reset_property.cpp.
+// Runs one device under any events, for the properties of reset_law.hpp. `Traits` names its types, its memory and the
+// useful writes; see properties/devices/NAME/reset_property.cpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ struct Setting {
     std::vector<std::uint32_t> values;
 };
 
-/// An input and what it may be.
+/// An input and its possible values.
 struct InputChoice {
     std::string name;
     std::vector<double> values;
@@ -42,13 +42,13 @@ struct Write {
     std::uint32_t value;
 };
 
-/// What holds of most devices.
+/// Defaults for most devices.
 struct UsualTraits {
-    /// A configuration in which the device has something to remember.
+    /// Returns a configuration in which the device keeps state.
     static std::vector<Write> lively() { return {}; }
-    /// Entries that take effect at the next power-on are not written.
+    /// Returns whether an entry may be written; entries that take effect at the next power-on are not written.
     static bool may_write(unsigned) { return true; }
-    /// Whether a reset of the node leaves outputs as they are.
+    /// Returns whether reset node keeps the outputs.
     template <typename Device, typename Inputs>
     static bool keeps_outputs(const Device&, const Inputs&) {
         return false;
@@ -60,7 +60,7 @@ class ResetUnit {
   public:
     using Device = typename Traits::Device;
 
-    /// A unit that is switched on at `now`, with that memory and those inputs.
+    /// Makes a unit that is switched on at `at`, with that memory and those inputs.
     ResetUnit(const std::vector<std::uint8_t>& stored, const typename Traits::Inputs& at_terminals, Instant at)
         : inputs{at_terminals}, now{at} {
         memory.bytes() = stored;
@@ -93,7 +93,7 @@ class ResetUnit {
         frame.remote = true;
         send(frame);
     }
-    /// An SDO request of eight bytes.
+    /// Sends an SDO request of eight bytes.
     void request(unsigned command, unsigned index, unsigned sub, std::uint32_t data) {
         send(0x600U + node(), {command, index & 0xFFU, index >> 8U, sub, data & 0xFFU, (data >> 8U) & 0xFFU,
                                (data >> 16U) & 0xFFU, data >> 24U});
@@ -115,22 +115,22 @@ class ResetUnit {
         take();
         return found;
     }
-    /// Of each delay of activate bit timing.
+    /// Longest of each delay of activate bit timing.
     static constexpr Duration longest_silence = milliseconds(20);
-    /// The CAN controller works as it should, and LSS has ended what it does to the bit rate.
+    /// Restores a working CAN controller and lets LSS finish a change of the bit rate.
     void recover() {
         set_input("can_state", 0.0);
         set_input("can_overrun", 0.0);
         const Instant end = silent_until;
         silent_until = Instant{};
-        if (end != Instant{}) {  // a driver that came late has moved the second delay
+        if (end != Instant{}) {  // a late driver has delayed the second delay
             pass(longest_silence);
             pass_until(end);
         }
     }
 
     void pass(Duration time) { pass_until(now + time); }
-    /// Time goes on to `end`, with every deadline on the way kept.
+    /// Advances time to `end` and keeps every deadline on the way.
     void pass_until(Instant end) {
         while (device->next_deadline() <= end && !is_stuck) {
             now = now < device->next_deadline() ? device->next_deadline() : now;
@@ -138,13 +138,13 @@ class ResetUnit {
         }
         now = now < end ? end : now;
     }
-    /// As with a driver that comes late.
+    /// Advances time as with a late driver.
     void pass_unattended(Duration time) {
         now = now + time;
         advance();
     }
 
-    /// The same device is switched on once more, as after a cut of its supply.
+    /// Switches the same device on again, as after a power cut.
     void power_on() {
         queue = TransmitQueue{};
         device->power_on(inputs, now);
@@ -164,7 +164,7 @@ class ResetUnit {
     typename Traits::Inputs inputs;
     Instant now;
     Instant silent_until{};
-    bool is_stuck{false};  ///< what was due once was not done
+    bool is_stuck{false};  ///< work that was due was not done
     std::unique_ptr<Device> device;
 
   private:
@@ -182,7 +182,7 @@ class ResetUnit {
     std::vector<std::string> frames_;
 };
 
-/// The first entry of those that count whose values differ; empty when there is none.
+/// Returns the first entry, of those that count, whose values differ; empty when there is none.
 template <typename Traits, typename Counts>
 std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<Traits>& other, const Counts& counts) {
     const DictionaryTables& tables = one.device->objects().tables();
@@ -201,7 +201,8 @@ std::string difference_of_values(const ResetUnit<Traits>& one, const ResetUnit<T
     return "";
 }
 
-/// What tells two units apart from outside since the last call: frames, outputs, values. Empty when nothing does.
+/// Returns the observable difference of two units since the last call: frames, outputs, values. Empty when there is
+/// none.
 template <typename Traits, typename Counts>
 std::string difference(ResetUnit<Traits>& one, ResetUnit<Traits>& other, const Counts& counts) {
     const auto frames = std::pair{one.take_frames(), other.take_frames()};

@@ -1,4 +1,4 @@
-// The same small dictionary twice: behind our server, as the register's compiler reads it, and behind the naive one.
+// The same small dictionary twice: for the server of the firmware, compiled from a register, and for the naive server.
 #pragma once
 
 #include <algorithm>
@@ -140,7 +140,7 @@ error_list = "history"
     return *loaded.content.part("pair");
 }
 
-/// The same by hand.
+/// Returns the same dictionary, written by hand.
 inline Objects pair_model() {
     const auto number = [](std::size_t bytes, std::uint64_t value) {
         Entry entry;
@@ -190,7 +190,7 @@ inline Objects pair_model() {
     return objects;
 }
 
-/// Our server, in a whole node.
+/// The server of the firmware, in a whole node.
 class Ours {
   public:
     Ours() : device{pair_part(), memory, queue} {
@@ -198,7 +198,7 @@ class Ours {
         restart();
     }
 
-    /// As new: power-on at `start` with an empty memory.
+    /// Restarts: power-on at `start` with an empty memory.
     void restart(Instant start = {}) {
         queue = TransmitQueue{};
         now = start;
@@ -220,19 +220,19 @@ class Ours {
         pass(ms, all);
         return all;
     }
-    /// Adds to `all`.
+    /// Advances time and adds the answers to `all`.
     void pass(std::uint64_t ms, std::vector<Message>& all) {
         const Instant end = now + milliseconds(ms);
         keep_deadlines(end, all);
         now = end;
     }
-    /// SDO answers only; anything else on the bus is not ours to judge here.
+    /// Returns SDO answers only; other frames are not checked here.
     std::vector<Message> answers() {
         std::vector<Message> all;
         answers(all);
         return all;
     }
-    /// Adds to `all`.
+    /// Adds the answers to `all`.
     void answers(std::vector<Message>& all) {
         while (!queue.empty()) {
             const Frame frame = queue.pop();

@@ -1,4 +1,4 @@
-// Laws of signals and functions of the AX060805 (3.1, 3.8): total on every bit pattern.
+// Properties of signals and functions of the AX060805 (3.1, 3.8): they are defined for every bit pattern.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// Any of the 2^32 patterns, every so often one of those at which conversions turn.
+/// Returns any of the 2^32 patterns, and often one at which a conversion changes its behaviour.
 float any_float() {
     return *rc::gen::oneOf(
         rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()), from_bits),
@@ -32,7 +32,7 @@ float any_float() {
         rc::gen::map(rc::gen::inRange(-100, 100), [](int n) { return static_cast<float>(n) / 4.0F; }));
 }
 
-/// 3.1.6 in words of double precision.
+/// Converts by the rule of 3.1.6 in double precision.
 std::uint64_t whole(float value) {
     if (std::isnan(value) || value <= 0.0F) {
         return 0;
@@ -41,7 +41,7 @@ std::uint64_t whole(float value) {
     return cut > 4294967295.0 ? 4294967295U : static_cast<std::uint64_t>(cut);
 }
 
-/// Table 10, operations on integers, by 64-bit arithmetic.
+/// Calculates the integer operations of Table 10 in 64-bit arithmetic.
 std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y) {
     switch (operation) {
         case 5:
@@ -103,7 +103,7 @@ RC_GTEST_PROP(FunctionLaw, BinaryFunctionsAreDefinedForEveryInput, (std::uint8_t
         if (is_defined(result)) {
             RC_ASSERT(!std::isnan(result.continuous));
         } else {
-            // Beyond that, only differences, products and quotients of infinities have no result.
+            // Otherwise only differences, products and quotients of infinities have no result.
             RC_ASSERT(must_be_undefined || (operation <= 4 && (std::isinf(x) || std::isinf(y))));
         }
     }

@@ -1,5 +1,5 @@
-// Whatever the AX060805 keeps of its parameters follows them: one parameter is changed, and the device does from then
-// on what another one does that was told so from the start.
+// Checks that everything the AX060805 derives from its parameters follows them: one parameter is changed, and from then
+// on the device behaves like another device that had this value from the start.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -16,7 +16,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter, how long it is, and values that differ in what they do.
+/// One parameter, its length, and values with different effects.
 struct Key {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -28,7 +28,7 @@ std::uint32_t bits(float value) {
     return InclinometerBench::bits_of(value);
 }
 
-/// Of the three angles and axes.
+/// Adds the parameters of the three angles and axes.
 void add_angle_keys(std::vector<Key>& keys) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         keys.push_back({0x2010, sub, 2, {1000, 500, 10}});
@@ -53,7 +53,8 @@ void add_angle_keys(std::vector<Key>& keys) {
     keys.push_back({0x4080, 0, 4, {3, 12}});
 }
 
-/// Of the function blocks: sources are what is measured, received or constant, and functions before this one.
+/// Adds the parameters of the function blocks: their sources are measured, received or constant values, and functions
+/// of lower number.
 void add_function_keys(std::vector<Key>& keys) {
     for (std::uint16_t n = 0; n < 10; ++n) {
         const auto at = static_cast<std::uint16_t>(0x3010 + 0x10 * n);
@@ -89,11 +90,11 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Every parameter has the value of that number in its list.
+    /// Sets every parameter to the value of that number in its list.
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);
-        power_on();  // in this position from its first sample on
+        power_on();  // the position counts from its first sample on
         for (std::size_t i = 0; i < choice.size(); ++i) {
             tell(i, choice[i]);
         }
@@ -103,7 +104,7 @@ class Told : public InclinometerBench {
         const std::uint32_t value = one.values[choice % one.values.size()];
         write(one.index, one.sub, value, one.bytes);
     }
-    /// All that it measures and computes.
+    /// Returns all measured and computed values.
     std::vector<int> shown() {
         std::vector<int> values = accelerations();
         for (const int angle : angles()) {

@@ -1,5 +1,5 @@
-// Laws of the whole AX060805: whatever it is told and feels, its values stay within their limits, and when it is
-// advanced does not matter.
+// Properties of the whole AX060805: for any writes and any inputs its values stay within their limits, and its frames
+// do not depend on when it is advanced.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -27,7 +27,7 @@ float from_bits(std::uint32_t bits) {
     return value;
 }
 
-/// One thing that happens, some milliseconds after the one before.
+/// One event, some milliseconds after the previous one.
 struct Event {
     int kind{0};  ///< see happen()
     std::uint32_t a{0};
@@ -53,7 +53,7 @@ std::vector<Event> any_events() {
     return events;
 }
 
-/// Some writable entry above 1FFFh, or 1017h, 1029h and the timers.
+/// Returns a writable entry above 1FFFh, or of 1017h, 1029h and the timers.
 std::pair<std::uint16_t, std::uint8_t> some_entry(const ObjectDictionary& objects, std::uint32_t choice) {
     const auto& tables = objects.tables();
     std::vector<std::pair<std::uint16_t, std::uint8_t>> writable;
@@ -80,13 +80,13 @@ class Run {
         happen(event);
         collect();
     }
-    /// Every value within its limits, and no float that is no number.
+    /// Checks that every value is within its limits and no float is NaN or infinite.
     void check_values() const {
         const auto& objects = device.objects();
         for (const ObjectRow& object : objects.tables().objects) {
             for (std::size_t i = 0; i < object.count; ++i) {
                 const EntryRef entry{&objects.tables().entries[object.first_entry + i], object.index};
-                const bool counts = entry.is(0x1003, 0);  // its limits are those of a write, which clears the list
+                const bool counts = entry.is(0x1003, 0);  // its limits apply to a write, which clears the list
                 RC_ASSERT(counts || objects.check_value(entry, objects.value(entry)) == AbortCode::none);
             }
         }
@@ -134,7 +134,7 @@ class Run {
                 device.receive(frame, now);
                 break;
             }
-            default:  // SDO download of the entry's own length
+            default:  // SDO download of the length of the entry
                 download(event);
                 break;
         }

@@ -1,4 +1,4 @@
-// Laws of the filters of the AX060805 (3.2, 3.3, 4.3.11).
+// Properties of the filters of the AX060805 (3.2, 3.3, 4.3.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -26,7 +26,7 @@ float wrapped(double degrees) {
     return static_cast<float>(std::remainder(degrees, 360.0));
 }
 
-/// A walk in steps of less than half a turn, in degrees and without wrapping.
+/// Returns a walk in steps of less than half a turn, in degrees and without wrapping.
 std::vector<double> any_walk() {
     const auto steps = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(-17900, 17901)));
     std::vector<double> walk;

@@ -1,4 +1,4 @@
-// The AX060805 beside a naive one: any configuration, any position, any errors, and all that it shows.
+// Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all readable values.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -11,12 +11,12 @@ namespace canproof::test {
 
 namespace {
 
-/// From `low` to `high` - 1, whatever the size of the case.
+/// Returns a number from `low` to `high` - 1, whatever the size of the case.
 int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
 
-/// A position, seldom one of the edges: X upright, upside down, hardly any gravity.
+/// Returns a position, rarely one of the edge cases: X upright, upside down, hardly any gravity.
 NaiveVector any_acceleration() {
     if (between(0, 5) == 0) {
         return *rc::gen::element(NaiveVector{1.0, 0.0, 0.0}, NaiveVector{-1.0, 0.0, 0.0}, NaiveVector{0.0, 0.0, 1.0},
@@ -57,7 +57,7 @@ double any_real() {
     return between(-400, 401) / *rc::gen::element(1.0, 4.0);
 }
 
-/// A parameter of the function blocks, more often of the first ones.
+/// Returns a parameter of the function blocks, more often of the first ones.
 Setting any_function_setting() {
     const auto function = static_cast<unsigned>(*rc::gen::element(0, 0, 0, 1, 1, 2, 9));
     const auto sub = static_cast<std::uint8_t>(between(1, 3));
@@ -143,7 +143,7 @@ Setting any_other_setting() {
     }
 }
 
-/// What a case is about: its settings are mostly of that kind.
+/// The topic of a case: most of its settings are of that kind.
 enum class Topic { angles, functions, others };
 
 Setting any_setting(Topic topic) {
@@ -153,7 +153,7 @@ Setting any_setting(Topic topic) {
                                      : any_other_setting();
 }
 
-/// An additional filter with a window that a case can fill.
+/// Sets an additional filter with a window that a case can fill.
 void set_filter(TwoInclinometers& both) {
     const auto angle = static_cast<std::uint8_t>(between(1, 4));
     both.set({0x2050, angle, 1, static_cast<double>(between(1, 3))});
@@ -161,7 +161,7 @@ void set_filter(TwoInclinometers& both) {
     both.set({0x2052, 0, 2, static_cast<double>(*rc::gen::element(1, 3, 7))});
 }
 
-/// A function block with sources and an operation, which settings alone seldom come to.
+/// Sets a function block with sources and an operation, which single settings rarely give.
 void set_function(TwoInclinometers& both) {
     const auto function = static_cast<unsigned>(between(0, 10));
     const auto at = static_cast<std::uint16_t>(0x3010 + 0x10U * function);
@@ -172,7 +172,7 @@ void set_function(TwoInclinometers& both) {
     both.set({0x300A, static_cast<std::uint8_t>(function + 1U), 1, static_cast<double>(between(1, 21))});
 }
 
-/// Thousandths of degrees and of g.
+/// Sets the resolution to thousandths of degrees and of g.
 void set_finest_digits(TwoInclinometers& both) {
     for (const std::uint16_t index : {std::uint16_t{0x2010}, std::uint16_t{0x2030}}) {
         for (std::uint8_t sub = 1; sub <= 3; ++sub) {
@@ -200,7 +200,7 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Angles and accelerations reversed here and there, and for functions a few that take them.
+/// Starts both with some angles and accelerations reversed, and for functions with a few functions that use them.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

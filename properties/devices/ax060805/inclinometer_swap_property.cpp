@@ -1,5 +1,5 @@
-// Swap what belongs to two channels of the AX060805, and what it shows is swapped: pitch and roll, the values received,
-// the function blocks.
+// Swaps everything that belongs to two channels of the AX060805 and checks that the results are swapped: pitch and
+// roll, the received values, the function blocks.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -30,7 +30,7 @@ std::uint32_t bits_of_any_real() {
     return InclinometerBench::bits_of(static_cast<float>(between(-40, 41)) / 4.0F);
 }
 
-/// The parameters that pitch and roll, or two axes, have each of their own.
+/// Returns the parameters that pitch and roll, or two axes, have separately.
 std::vector<Write> any_angle_writes() {
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
@@ -45,13 +45,13 @@ std::vector<Write> any_angle_writes() {
     return writes;
 }
 
-/// Functions `from` and `to` of one input pair each: sources that are no functions, any scales and operations.
+/// Returns one function block: its sources are no functions, its scales and operation are any.
 std::vector<Write> any_function(unsigned number) {
     const auto at = static_cast<std::uint16_t>(0x3010U + 0x10U * number);
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        const int source = between(0, 19);  // no function: 0 to 9, 20 to 28
+        const int source = between(0, 19);  // no functions: sources 0 to 9 and 20 to 28
         writes.push_back({at, sub, static_cast<std::uint32_t>(source < 10 ? source : source + 10), 1});
         writes.push_back({plus(1), sub, static_cast<std::uint32_t>(between(0, 2)), 1});
         writes.push_back({plus(2), sub, bits_of_any_real(), 4});
@@ -91,7 +91,7 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 }  // namespace
 
-/// Turned so that X and Y change places, the unit's tilt angles change places: x' = -y, y' = -x.
+/// The unit is turned so that X and Y change places; its tilt angles then change places: x' = -y, y' = -x.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004>("property");
     InclinometerBench one;
@@ -103,7 +103,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
         other.write(write.index, 3U - write.sub, write.value, write.bytes);
     }
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        other.write(0x2011, sub, 1, 1);  // the accelerations themselves change their signs
+        other.write(0x2011, sub, 1, 1);  // the accelerations also change their signs
     }
     for (int steps = between(1, 8); steps > 0; --steps) {
         const double x = between(-100, 101) / 100.0;

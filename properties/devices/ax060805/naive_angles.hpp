@@ -1,4 +1,4 @@
-// What the manual says of directions and angles, in double arithmetic: sections 2.1, 3.2 to 3.5 of the AX060805.
+// Directions and angles as in sections 2.1 and 3.2 to 3.5 of the AX060805 manual, in double precision.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline double naive_radians(double degrees) {
     return degrees * std::acos(-1.0) / 180.0;
 }
 
-/// In g, along X, Y and Z.
+/// A vector in g along X, Y and Z.
 struct NaiveVector {
     double x{0.0};
     double y{0.0};
@@ -25,13 +25,13 @@ struct NaiveVector {
     double length() const { return std::sqrt(x * x + y * y + z * z); }
 };
 
-/// How a part stands in what holds it: turned by `pitch` about Y, then by `roll` about X; degrees.
+/// The orientation of a part in its holder: turned by `pitch` about Y, then by `roll` about X, in degrees.
 struct NaiveMount {
     double pitch{0.0};
     double roll{0.0};
 
     bool is_level() const { return pitch == 0.0 && roll == 0.0; }
-    /// A vector of the part in the frame of what holds it.
+    /// Converts a vector of the part into the frame of the holder.
     NaiveVector out_of(const NaiveVector& v) const {
         const double phi = naive_radians(roll);
         const double theta = naive_radians(pitch);
@@ -42,13 +42,14 @@ struct NaiveMount {
     }
 };
 
-/// A number, and how far from it single precision may be.
+/// An angle, and how far single precision may deviate from it.
 struct NaiveAngle {
     double degrees{0.0};
     double tolerance{0.0};
 };
 
-/// Says of one direction of gravity what 2.1.4 to 2.1.6 say. `error` is how far, in g, a component may be off.
+/// Computes the angles of 2.1.4 to 2.1.6 for one direction of gravity. `error` is the possible error of a component in
+/// g.
 class NaiveDirection {
   public:
     NaiveDirection(const NaiveVector& acceleration, double error, bool is_turned)
@@ -60,7 +61,7 @@ class NaiveDirection {
     NaiveAngle gravity_angle() { return whole(std::hypot(g_.x, g_.y), g_.z); }
     NaiveAngle euler_pitch() { return whole(-g_.x, std::hypot(g_.y, g_.z)); }
     NaiveAngle euler_roll() { return rolled_over(g_.y, g_.z); }
-    /// The X axis is nearer to the vertical than this many degrees.
+    /// Returns whether the X axis is nearer to the vertical than this many degrees.
     bool is_upright(double degrees) {
         if (is_nothing()) {
             return false;
@@ -71,7 +72,7 @@ class NaiveDirection {
                  (from_vertical < 1.0e-5 && is_turned_);
         return from_vertical < limit;
     }
-    /// Single precision may have decided otherwise.
+    /// Returns whether single precision may have decided otherwise.
     bool is_doubtful() const { return doubt_; }
 
   private:
@@ -87,7 +88,7 @@ class NaiveDirection {
         }
         return {naive_degrees(std::atan2(y, x)), 1.2e-4 + naive_degrees(2.0 * error_ / g_.length())};
     }
-    /// Half a turn is +180, on whichever side of it.
+    /// Returns an angle over the whole turn; half a turn is +180 from either side.
     NaiveAngle rolled_over(double y, double x) {
         if (y == 0.0 && x == 0.0) {
             return {};
@@ -132,7 +133,7 @@ class NaiveAverage {
     bool is_doubtful() const { return doubt_; }
 
   private:
-    /// Each sample counts as the turn that is nearest to the one before.
+    /// Returns the sample as the turn that is nearest to the previous sample.
     double nearest_turn(double degrees) {
         const double before = samples_.empty() ? last_of_block_ : samples_.back();
         const bool is_first = samples_.empty() && !block_is_whole_;
@@ -149,7 +150,8 @@ class NaiveAverage {
         doubt_ = doubt_ || std::fabs(std::fabs(turned - before) - 180.0) < 0.01;
         return turned;
     }
-    /// Of the latest `constant` samples; beyond 64 of them the oldest run of equal length counts by its share.
+    /// Returns the mean of the latest `constant` samples; beyond 64 samples the oldest run of equal length counts by
+    /// its share.
     double window_mean() const {
         const int count = static_cast<int>(samples_.size());
         const int seen = std::min(count, constant_);

@@ -1,5 +1,5 @@
-// Signals and binary functions as 3.1 and 3.8 of the manual have them. A value that was measured is known within its
-// tolerance only: every number is a span from `low` to `high`, which is one point for numbers that are exact.
+// Signals and binary functions as in 3.1 and 3.8 of the manual. A measured value is known within its tolerance only:
+// every number is a span from `low` to `high`, which is one point for exact numbers.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ struct NaiveSpan {
     bool is_point() const { return low == high; }
 };
 
-/// Nothing: the signal is undefined.
+/// A signal; it is undefined when it has no value.
 using NaiveSignal = std::optional<NaiveSpan>;
 
 inline NaiveSpan naive_point(double value) {
     return {value, value};
 }
-/// What single precision may make of a number that it cannot hold exactly.
+/// Returns the span that single precision may give for a number that it cannot represent exactly.
 inline NaiveSpan naive_rounded(double value) {
     const double width = static_cast<double>(static_cast<float>(value)) == value ? 0.0 : std::fabs(value) * 5.0e-7;
     return {value - width, value + width};
@@ -43,17 +43,17 @@ inline NaiveSpan naive_product(const NaiveSpan& a, const NaiveSpan& b) {
     return naive_span(a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high);
 }
 
-/// Continuous to discrete (3.1.6).
+/// Converts a continuous signal to a discrete one (3.1.6).
 inline std::uint64_t naive_discrete(double value) {
     return value >= 4294967295.0 ? 4294967295U : value >= 1.0 ? static_cast<std::uint64_t>(std::floor(value)) : 0U;
 }
 
-/// Nothing when single precision may see another whole number.
+/// Converts a span; returns nothing when single precision may give another integer.
 inline std::optional<std::uint64_t> naive_discrete(const NaiveSpan& x) {
     return naive_discrete(x.low) == naive_discrete(x.high) ? std::optional{naive_discrete(x.low)} : std::nullopt;
 }
 
-/// One function of 3.8. `unknown()` tells that single precision decides.
+/// One function of 3.8. `unknown()` returns whether single precision decides the result.
 class NaiveFunction {
   public:
     struct Input {
@@ -65,7 +65,7 @@ class NaiveFunction {
         double offset{0.0};
     };
 
-    /// Equation 4: A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
+    /// Evaluates Equation 4: A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
     NaiveSignal result(const std::array<Input, 2>& inputs, int operation, double scale, double offset) {
         const NaiveSignal first = operand(inputs[0]);
         const NaiveSignal second = operand(inputs[1]);

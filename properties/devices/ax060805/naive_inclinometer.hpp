@@ -1,5 +1,5 @@
-// The whole AX060805 as its manual and the decisions of the register tell it: entries in a map, a clock in
-// milliseconds, every value computed anew from them.
+// Naive model of the whole AX060805 according to its manual and the decisions of the register: entries in a map, a
+// clock in milliseconds, every value computed from them each time.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace canproof::test {
 
-/// What the sensor and the board feel.
+/// The physical inputs of the sensor and the board.
 struct NaiveFelt {
     NaiveVector acceleration{0.0, 0.0, -1.0};
     bool fault{false};
@@ -21,7 +21,7 @@ struct NaiveFelt {
     double supply{static_cast<double>(23.2F)};
 };
 
-/// Of one unit: 0 gives angles from -180 to 180, 1 from 0 to 360, 2 from 0 to 90.
+/// Properties of one unit: 0 gives angles from -180 to 180, 1 from 0 to 360, 2 from 0 to 90.
 struct NaiveUnit {
     NaiveMount calibration{};
     int range{0};
@@ -32,7 +32,7 @@ using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
 
 class NaiveInclinometer {
   public:
-    /// Switched on at 0 with what was stored, and with its first sample.
+    /// Switches the model on at time 0 with the stored parameters, and takes its first sample.
     NaiveInclinometer(const NaiveUnit& unit, const NaiveFelt& felt, const NaiveEntries& stored)
         : unit_{unit}, to_feel_{felt}, entries_{stored} {
         sample();
@@ -40,12 +40,12 @@ class NaiveInclinometer {
         run_functions();
     }
 
-    /// A parameter, or its default.
+    /// Returns a parameter, or its default.
     double entry(unsigned index, unsigned sub = 0) const {
         const auto found = entries_.find({index, sub});
         return found != entries_.end() ? found->second : default_of(index);
     }
-    /// A write; false where the manual has it refused.
+    /// Writes a parameter; returns false when the manual requires a refusal.
     bool write(unsigned index, unsigned sub, double value) {
         if (index == 0x2300) {
             return value == 0.0 || null();
@@ -64,7 +64,7 @@ class NaiveInclinometer {
         }
         return true;
     }
-    /// What 1010h stores: all but the values received.
+    /// Returns the parameters that 1010h stores: all but the received values.
     NaiveEntries parameters() const {
         NaiveEntries all = entries_;
         for (unsigned sub = 1; sub <= 3; ++sub) {
@@ -72,12 +72,12 @@ class NaiveInclinometer {
         }
         return all;
     }
-    /// From the next sample on.
+    /// Sets the inputs from the next sample on.
     void feel(const NaiveFelt& felt) { to_feel_ = felt; }
-    /// An RPDO has come too late: what it brought counts no longer.
+    /// Clears the received values after the time-out of their RPDO.
     void forget_received() { received_.fill(false); }
 
-    /// Up to this millisecond and at it.
+    /// Advances the clock to this millisecond, inclusive.
     void run_to(std::uint64_t ms) {
         while (now_ < ms) {
             ++now_;
@@ -99,7 +99,7 @@ class NaiveInclinometer {
         }
     }
 
-    // What it shows. Spans of counts, before rounding.
+    // The readable values as spans of counts, before rounding.
     NaiveSpan acceleration_counts(std::size_t axis) const {
         return counts(given_acceleration(axis), entry(0x2010, place(axis)), entry(0x2020, place(axis)));
     }
@@ -127,11 +127,11 @@ class NaiveInclinometer {
     double sensor_temperature() const { return sensor_temperature_; }
     double supply() const { return supply_; }
     double processor_temperature() const { return processor_temperature_; }
-    /// As the errors 4200h and FF00h are raised: at a sample.
+    /// Return the errors 4200h and FF00h, which are raised at a sample.
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 
-    /// Something lies so near to an edge that single precision may see it on the other side.
+    /// Returns whether a value is so near to a threshold that single precision may decide otherwise.
     bool is_doubtful() const {
         bool doubt = doubt_;
         for (const NaiveAverage& one : averages_) {
@@ -164,7 +164,7 @@ class NaiveInclinometer {
         return !(felt_.sensor_temperature >= -40.0 && felt_.sensor_temperature <= 125.0);
     }
 
-    /// True when it is the first that is valid after an error.
+    /// Takes a sample. Returns true for the first valid sample after an error.
     bool sample() {
         felt_ = to_feel_;
         const NaiveVector& a = felt_.acceleration;
@@ -226,7 +226,7 @@ class NaiveInclinometer {
         doubt_ = doubt_ || gravity.is_doubtful() || rolled.is_doubtful();
     }
 
-    /// Auto-Null: the unit's own Euler angles become the initial ones.
+    /// Performs Auto-Null: the Euler angles of the unit become the initial angles.
     bool null() {
         NaiveDirection unit{unit_frame_, error(), !unit_.calibration.is_level()};
         const bool refused = !measures_ || is_weightless_ || unit.is_upright(1.0);
@@ -296,7 +296,7 @@ class NaiveInclinometer {
             doubt_ = doubt_ || function.unknown();
         }
     }
-    /// Table 1.
+    /// Returns the signal of a source of Table 1.
     NaiveSignal signal(unsigned source) const {
         const auto if_measured = [this](const NaiveSpan& span) { return measures_ ? NaiveSignal{span} : std::nullopt; };
         if (source >= 1 && source <= 3) {
@@ -348,7 +348,7 @@ class NaiveInclinometer {
     std::uint64_t now_{0};
     std::uint64_t next_average_{0};
     bool measures_{false};
-    bool is_settled_{false};  ///< the input filter has a value to go on from
+    bool is_settled_{false};  ///< the input filter has a previous value
     NaiveVector unit_frame_{0.0, 0.0, 0.0};
     NaiveVector machine_{0.0, 0.0, 0.0};
     NaiveVector last_direction_{0.0, 0.0, 0.0};

@@ -1,4 +1,5 @@
-// Laws of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are made in double precision from any attitude.
+// Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
+// attitude.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -24,13 +25,13 @@ struct Vector {
     double x, y, z;
 };
 
-/// Any millionth of a degree up to `most` degrees on either side, in every run of a property.
+/// Returns any multiple of a millionth of a degree from -`most` to `most` degrees.
 double angle(double most) {
     const auto limit = static_cast<int>(most * 1.0e6);
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-limit, limit + 1)) * 1.0e-6;
 }
 
-/// What a frame turned by yaw, pitch and roll in this order sees of `v` (2.1.5).
+/// Returns `v` in a frame that is turned by yaw, pitch and roll in this order (2.1.5).
 Vector seen_from(const Vector& v, double yaw, double pitch, double roll) {
     const Vector a{std::cos(yaw) * v.x + std::sin(yaw) * v.y, std::cos(yaw) * v.y - std::sin(yaw) * v.x, v.z};
     const Vector b{std::cos(pitch) * a.x - std::sin(pitch) * a.z, a.y, std::sin(pitch) * a.x + std::cos(pitch) * a.z};
@@ -42,7 +43,7 @@ Vector3 single(const Vector& v, double length = 1.0) {
                    static_cast<float>(v.z * length)};
 }
 
-/// Gravity in a unit of any attitude.
+/// Returns gravity in a unit of any attitude.
 Vector3 any_gravity() {
     return single(seen_from({0.0, 0.0, 1.0}, angle(180) * radians, angle(90) * radians, angle(180) * radians));
 }
@@ -51,12 +52,12 @@ double degrees(double y, double x) {
     return std::atan2(y, x) / radians;
 }
 
-/// Difference of two directions; -180 and 180 are one.
+/// Returns the difference of two directions; -180 and 180 are the same direction.
 double apart(double a, double b) {
     return std::fabs(std::remainder(a - b, 360.0));
 }
 
-/// Gravity long enough across the ground plane for the sign of gz to be sure in single precision.
+/// Returns whether gz is large enough for its sign to be certain in single precision.
 bool is_clear_of_the_jump(const Vector3& gravity) {
     return std::fabs(gravity.z) > 1e-6F;
 }
@@ -156,7 +157,7 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAStillMachineReadZero, ()) {
 
 namespace {
 
-/// Settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
+/// Returns settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -171,7 +172,7 @@ InclinationSettings any_settings() {
 
 }  // namespace
 
-// What came before the last direction does not count, nor do the settings that it was measured with.
+// Neither earlier directions count nor the settings with which the last direction was measured.
 RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
     Inclination inclination;
@@ -209,7 +210,7 @@ RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirectio
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
     RC_ASSERT(in_span(given, {-180, 180}) == given);
-    // The distance from the level: the sine does not see the side or the fold.
+    // The distance from level: the sine is the same for both sides and for the folded range.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }
 

@@ -1,4 +1,5 @@
-// An AX060805 and a naive one that feel, hear and are told the same: every frame and every value is compared.
+// Runs an AX060805 and its naive model with the same inputs, frames and writes, and compares every frame and every
+// value.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ struct Setting {
     double value{0.0};
 };
 
-/// Errors as 4.2.4 has them, and the messages that tell of them.
+/// The errors of 4.2.4 and their emergency messages.
 class NaiveErrors {
   public:
     void set(unsigned code, bool lasts) {
@@ -70,7 +71,7 @@ class TwoInclinometers {
         compare_frames();
     }
 
-    /// False when something lies so near to an edge that single precision decides.
+    /// Returns false when a value is so near to a threshold that single precision decides.
     bool is_certain() const { return !naive_.is_doubtful(); }
 
     void feel(const NaiveFelt& felt) {
@@ -87,7 +88,7 @@ class TwoInclinometers {
                                 felt.acceleration.y, felt.acceleration.z, felt.fault, felt.sensor_temperature,
                                 felt.processor_temperature, felt.supply);
         device_->set_inputs(inputs_, now());
-        pass(5);  // the next sample notices
+        pass(5);  // the next sample detects it
     }
     void lose_frames(bool lost) {
         inputs_.can_overrun = lost;
@@ -99,7 +100,7 @@ class TwoInclinometers {
         const bool is_news = naive_.entry(setting.index, setting.sub) != setting.value;
         const bool taken = naive_.write(setting.index, setting.sub, setting.value);
         if (setting.index == 0x1400) {
-            watches_ = false;  // with the errors that the RPDO raised
+            watches_ = false;  // together with the errors that the RPDO raised
             errors_.set(0x8250, false);
             errors_.set(0x8210, false);
         }
@@ -144,12 +145,12 @@ class TwoInclinometers {
         go(command == 0x01);
         compare_frames();
     }
-    /// 1010h:1.
+    /// Stores all parameters by 1010h:1.
     void store() {
         stored_ = naive_.parameters();
         set({0x1010, 1, 4, 1702257011.0});  // `save`
     }
-    /// NMT: reset of the node, which begins with what was stored.
+    /// Resets the node by NMT; the node starts with the stored parameters.
     void reset() {
         lose_frames(false);
         Frame frame = data_frame(0U, 2U);
@@ -187,7 +188,7 @@ class TwoInclinometers {
         }
     }
 
-    /// Every value of the dictionary that the device measures or computes.
+    /// Compares every value of the dictionary that the device measures or computes.
     void check() {
         if (!is_certain()) {
             return;
@@ -261,7 +262,7 @@ class TwoInclinometers {
         tell_sensor_error(0x4200, naive_.has_temperature_error());
         tell_sensor_error(0xFF00, naive_.has_sensor_error());
     }
-    /// 1029h: a sensor error takes the node out of operational unless sub-index 2 is 1.
+    /// Reports a sensor error; it ends operational unless 1029h:2 is 1.
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
         errors_.set(code, lasts);
@@ -347,9 +348,9 @@ class TwoInclinometers {
     NaiveInclinometer naive_;
     NaiveErrors errors_;
     std::uint64_t ms_{0};
-    std::uint64_t begun_{0};  ///< when the node was switched on or reset
+    std::uint64_t begun_{0};  ///< time of the last power-on or reset
     bool operational_{false};
-    bool watches_{false};  ///< the RPDO, since its last reception
+    bool watches_{false};  ///< the RPDO is monitored since its last reception
     std::uint64_t late_at_{0};
     std::array<std::uint64_t, 3> due_{never_due, never_due, never_due};
     std::vector<std::string> expected_;

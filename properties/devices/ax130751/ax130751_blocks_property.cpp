@@ -1,4 +1,4 @@
-// Laws of the lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7).
+// Properties of the lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ PointResponse some_response() {
     return static_cast<PointResponse>(*rc::gen::weightedElement<int>({{1, 0}, {6, 1}, {6, 2}}));
 }
 
-/// Points in order, some of them equal.
+/// Returns points in ascending order, some of them equal.
 LookupPoints some_points() {
     LookupPoints points;
     double x = *rc::gen::inRange(-32768, 30000);
@@ -36,7 +36,7 @@ LookupPoints some_points() {
     return points;
 }
 
-/// Intervals of 1 ms to 24 h.
+/// Returns a profile with intervals of 1 ms to 24 h.
 LookupPoints some_profile() {
     LookupPoints profile = some_points();
     profile.x[0] = 0.0;
@@ -70,7 +70,7 @@ naive_blocks::State some_state() {
         {{6, naive_blocks::State::fine}, {1, naive_blocks::State::error}, {1, naive_blocks::State::unused}});
 }
 
-/// Few values, so that comparisons meet equal ones.
+/// Returns one of a few values, so that comparisons also get equal values.
 naive_blocks::Argument some_argument() {
     return {*rc::gen::inRange(-3, 4) / 2.0, some_state()};
 }
@@ -221,7 +221,8 @@ RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     MathBlock block;
     naive_blocks::Math naive;
     for (int cycle = 0; cycle < 10; ++cycle) {
-        if (cycle == 0 || *rc::gen::inRange(0, 3) == 0) {  // now and then other settings: loops need some cycles of one
+        if (cycle == 0 ||
+            *rc::gen::inRange(0, 3) == 0) {  // new settings at times only: loops need several cycles of one setting
             for (std::size_t i = 0; i < math_inputs; ++i) {
                 inputs[i] = some_naive_input();
                 config.inputs[i] = math_input_of(inputs[i]);

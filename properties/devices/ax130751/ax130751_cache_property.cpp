@@ -1,5 +1,5 @@
-// What the AX130751 keeps of an earlier calculation never shows: one key is changed at a time, parameter or input,
-// there and back, while everything else stays, and the device does what the naive model does, which keeps nothing.
+// Checks that values which the AX130751 keeps from an earlier calculation never show: one key, a parameter or an input,
+// is changed and restored while everything else stays, and the device agrees with the naive model, which keeps nothing.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// All inputs low, high and low again, so that what a parameter decides is to be seen.
+/// Sets all inputs low, high and low again, so that the effect of a parameter shows.
 void move_inputs(ModelPair& pair) {
     for (const int value : {300, 0, one_of({50, 100, 300})}) {
         const int first = draw(rc::gen::inRange(1, 7));
@@ -23,7 +23,7 @@ void move_inputs(ModelPair& pair) {
     }
 }
 
-/// Another value of the entry, if there is one.
+/// Returns another value of the entry, if there is one.
 int another_value(int index, int sub, int present) {
     int value = present;
     for (int attempt = 0; attempt < 8 && value == present; ++attempt) {

@@ -1,4 +1,4 @@
-// The AX130751 as a whole: any configuration, any inputs.
+// Properties of the whole AX130751 for any configuration and any inputs.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -24,7 +24,7 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// One write to a block; some are refused, which is the same for all devices.
+/// Returns one write to a block; some are refused, equally by all devices.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
     const auto block = static_cast<std::uint16_t>(0x100 * *rc::gen::inRange(0, 3));
@@ -91,7 +91,7 @@ Write some_write() {
     }
 }
 
-/// Outputs and the process values of all blocks.
+/// Returns the outputs and the process values of all blocks.
 std::vector<double> observe(Ax130751Bench& bench) {
     std::vector<double> seen;
     generated::ax130751::for_each_output(bench.device->outputs(), [&seen](const char*, const auto& value) {
@@ -119,8 +119,8 @@ std::vector<double> observe(Ax130751Bench& bench) {
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
     Ax130751Bench on_time;   // called at each of its deadlines
-    Ax130751Bench late;      // called when something comes, and no sooner
-    Ax130751Bench restless;  // called at odd times in between as well
+    Ax130751Bench late;      // called at events only
+    Ax130751Bench restless;  // called also at odd times between events
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
         bench->start();  // outputs run in operational only

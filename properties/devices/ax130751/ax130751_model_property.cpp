@@ -1,5 +1,5 @@
-// The AX130751 does what a naive model of it does, which is written from the manual's sentences: outputs, process
-// values, TPDOs, emergency messages, 1001h and 1003h, after every step.
+// Compares the AX130751 with a naive model that is written from the manual: outputs, process values, TPDOs, emergency
+// messages, 1001h and 1003h, after every step.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

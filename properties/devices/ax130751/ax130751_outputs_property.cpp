@@ -1,4 +1,4 @@
-// Laws of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
+// Properties of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace ax130751;
 
-/// Hundredths, so that nothing depends on the last bit of a double.
+/// Returns a multiple of a hundredth, so that nothing depends on the last bit of a double.
 double hundredths(int low, int high) {
     return *rc::gen::inRange(low * 100, (high * 100) + 1) / 100.0;
 }
@@ -33,7 +33,7 @@ RampTimes some_times() {
     return {hundredths(0, 20), some_ms(0, 10001), some_ms(0, 10001)};
 }
 
-/// Table 3.
+/// The output ranges of Table 3.
 const std::vector<OutputRange> ranges{{-10.0, 10.0}, {0.0, 24.0}, {0.0, 100.0}, {50.0, 30000.0}};
 
 }  // namespace
@@ -87,7 +87,7 @@ RC_GTEST_PROP(OutputLaw, RampIsNeverSteeperThanConfiguredAndReachesItsTarget, ()
     }
     const double last = hundredths(-10, 10);
     ramp.follow(last, times, now);
-    // 20 units at no less than 1 unit in 10 s
+    // 20 units at 1 unit in 10 s or faster
     RC_ASSERT(std::fabs(ramp.follow(last, times, now + milliseconds(200'001)) - last) <= 0.0);
 }
 
@@ -140,7 +140,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
     DelayedState state;
     bool is = false;
     Instant now{};
-    std::uint64_t asked_for = 0;  // ms for which the present wish has stood against the state
+    std::uint64_t asked_for = 0;  // ms for which the present command has differed from the state
     for (int step = 0; step < 200; ++step) {
         const bool wanted = *rc::gen::arbitrary<bool>();
         const int stay = *rc::gen::inRange(1, 60);
@@ -157,7 +157,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
             }
             now = now + milliseconds(1);
         }
-        // The next wish may be the same again: what is pending then goes on, so its time is not counted here.
+        // The next command may be the same: the pending delay then continues, so its time is not counted here.
         if (state.due() != never) {
             state.follow(is, on_delay, off_delay, now);
         }

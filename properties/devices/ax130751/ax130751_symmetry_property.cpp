@@ -1,5 +1,5 @@
-// No channel of the AX130751 is special: with its outputs and blocks in another order, in parameters and inputs, it
-// does the same in that order.
+// Checks that all channels of the AX130751 are equal: with its outputs and blocks in another order, in parameters and
+// inputs, it behaves the same in that order.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -14,7 +14,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The numbers from `first` to `last` in any order.
+/// Returns the numbers from `first` to `last` in any order.
 std::vector<int> some_order(int first, int last) {
     std::vector<int> rest;
     for (int n = first; n <= last; ++n) {
@@ -29,7 +29,7 @@ std::vector<int> some_order(int first, int last) {
     return order;
 }
 
-/// Extra values stay with the RPDO that sets them.
+/// Returns an order; extra values stay with the RPDO that sets them.
 Order some_order() {
     Order order;
     order.extras = some_order(1, 3);
@@ -41,7 +41,7 @@ Order some_order() {
     return order;
 }
 
-/// A value for each of two elements that differ.
+/// Returns a value for each of two elements; the two values differ.
 std::pair<int, int> two_values(int index) {
     const int one = some_value(index, 1);
     for (int attempt = 0; attempt < 10; ++attempt) {
@@ -53,7 +53,8 @@ std::pair<int, int> two_values(int index) {
     return {one, one == 0 ? 1 : 0};
 }
 
-/// Blocks see those of their own kind in the order of evaluation, which is not symmetric: they read others only.
+/// Chooses a source. Blocks of one kind are evaluated in a fixed order, which is not symmetric: a block reads other
+/// kinds only.
 void choose_some(Mirrored& pair, int index, int sub, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.choose(index, sub, source, source == 1 ? one_of({1, 2, 4, 5, 6, 7, 8, 9, 3}) : one_of({1, 2, 3, 4, 5}));

@@ -1,4 +1,4 @@
-// An AX130751 under a script of writes, frames, inputs and time, and what it said and did.
+// Runs an AX130751 with a script of writes, frames, inputs and time, and records its frames and outputs.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ class DrivenDevice {
         collect();
     }
 
-    /// Writes by SDO: 0, or the abort code.
+    /// Writes by SDO; returns 0 or the abort code.
     std::uint32_t write(int index, int sub, std::uint32_t value, int bytes) {
         const auto byte = [](auto number, unsigned at) { return static_cast<int>(number >> (8U * at) & 0xFFU); };
         const auto address = static_cast<unsigned>(index);
@@ -60,13 +60,13 @@ class DrivenDevice {
         }
         bench_.now = end;
     }
-    /// The bits of an entry.
+    /// Returns the bits of an entry.
     std::uint64_t read(int index, int sub) const {
         return bench_.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
     }
     const ax130751::Device& device() const { return *bench_.device; }
 
-    /// What it sent since this was emptied; answers of the SDO server apart.
+    /// The frames sent since this was last cleared, without answers of the SDO server.
     std::vector<naive_ax130751::Said> said;
 
     static constexpr unsigned node = 127;

@@ -1,4 +1,4 @@
-// An AX130751 and its naive model, side by side: both get the same writes, frames, inputs and time.
+// Runs an AX130751 and its naive model side by side: both get the same writes, frames, inputs and time.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ class ModelPair {
         const std::uint32_t expected = model_.write(index, sub, value);
         expect(fmt::format("answer to {:04X}h:{} := {}", index, sub, value), answer, expected);
     }
-    /// Entries of PDOs and heartbeats that the model knows by itself.
+    /// Writes entries of PDOs and heartbeats that the model has built in.
     void set_up(int index, int sub, std::uint32_t value, int bytes) {
         expect(fmt::format("answer to {:04X}h:{}", index, sub), device_.write(index, sub, value, bytes), 0);
     }
@@ -33,7 +33,7 @@ class ModelPair {
         device_.receive(0x100 + 0x100 * static_cast<unsigned>(number) + node, bytes);
         model_.receive(number, bytes);
     }
-    /// Of node 5 to 8.
+    /// Sends a heartbeat of node 5 to 8.
     void heartbeat(unsigned producer) {
         note(fmt::format("heartbeat of {}", producer));
         device_.receive(0x700 + producer, {5});
@@ -63,7 +63,7 @@ class ModelPair {
         compare();
     }
 
-    /// What a life has made of the parameters.
+    /// Compares all parameters after a run.
     void compare_parameters() {
         for (const auto& [address, entry] : model_.entries()) {
             expect_entry(address.first, address.second, *entry.value, static_cast<unsigned>(entry.bytes));
@@ -71,7 +71,7 @@ class ModelPair {
     }
 
     bool differs() const { return !difference_.empty(); }
-    /// What was done, and what then was not the same.
+    /// Returns the steps of the run and the first difference.
     std::string report() const { return story_ + difference_; }
 
     naive_ax130751::Device& model() { return model_; }
@@ -145,7 +145,7 @@ class ModelPair {
             expect(fmt::format("1003h:{}", i + 1), entry, list.at(i));
         }
     }
-    /// The order of frames of one identifier counts.
+    /// Compares the frames; the order of frames of one identifier counts.
     void compare_frames() {
         const auto by_identifier = [](const std::vector<naive_ax130751::Said>& said) {
             std::multimap<unsigned, naive_ax130751::Said> all;

@@ -1,4 +1,4 @@
-// Lives of an AX130751 and its model: configurations in which no two channels are alike, and steps.
+// Runs of an AX130751 and its model: configurations in which no two channels are equal, and steps.
 #pragma once
 
 #include "properties/devices/ax130751/model_pair.hpp"
@@ -6,14 +6,14 @@
 
 namespace canproof::test {
 
-/// What a life is about: the groups that are written to now and then, a group as often as it stands here.
+/// The groups that a run writes to; a group is chosen as often as it occurs here.
 using Focus = std::vector<Group>;
 
 inline bool is_about(const Focus& focus, Group group) {
     return std::find(focus.begin(), focus.end(), group) != focus.end();
 }
 
-/// A block of `count`, mostly one that is in use.
+/// Returns the number of one of `count` blocks, mostly of one in use.
 template <typename IsUsed>
 int some_block(int count, const IsUsed& is_used) {
     const int block = draw(rc::gen::inRange(1, count + 1));
@@ -54,7 +54,7 @@ inline Address some_address_of_logic(const naive_ax130751::Parameters& all) {
     }
 }
 
-/// Any parameter of the groups.
+/// Returns the address of any parameter of the groups.
 inline Address some_address(ModelPair& pair, const Focus& focus) {
     static const std::map<Group, std::vector<Address>> addresses = [&pair] {
         std::map<Group, std::vector<Address>> all;
@@ -81,7 +81,7 @@ inline void write_some(ModelPair& pair, const Focus& focus) {
     pair.write(index, sub, some_value(index, sub));
 }
 
-/// Extra values of different ranges and digits.
+/// Gives the extra values different ranges and digits.
 inline void wire_extras(ModelPair& pair) {
     for (int n = 1; n <= 6; ++n) {
         pair.write(0x2502, n, n % 3);
@@ -90,7 +90,7 @@ inline void wire_extras(ModelPair& pair) {
     }
 }
 
-/// Tables over extra values, with different points.
+/// Connects tables to extra values, with different points.
 inline void wire_tables(ModelPair& pair) {
     for (int n = 1; n <= 4; ++n) {
         const int base = naive_ax130751::table_index(n);
@@ -107,7 +107,7 @@ inline void wire_tables(ModelPair& pair) {
     }
 }
 
-/// A source for one input: most often the extra value that is its own, so that inputs move apart from each other.
+/// Chooses a source for one input: most often its own extra value, so that inputs change independently.
 inline void wire_input(ModelPair& pair, int index, int sub, int own, const std::vector<int>& sources) {
     const int source = one_of(sources);
     pair.write(index, sub, source);
@@ -137,7 +137,7 @@ inline void wire_relay(ModelPair& pair) {
     wire_input(pair, 0x2290, 1, 6, {0, 0, 1, 1, 3});
 }
 
-/// A logic block that selects by extra values.
+/// Connects a logic block that selects by extra values.
 inline void wire_logic(ModelPair& pair, int logic) {
     const int base = 0x3300 + 0x100 * logic;
     pair.write(0x3300, logic, 1);
@@ -155,7 +155,7 @@ inline void wire_logic(ModelPair& pair, int logic) {
     }
 }
 
-/// A math block over extra values, which also feeds its functions back.
+/// Connects a math block to extra values and feeds its functions back.
 inline void wire_math(ModelPair& pair, int math) {
     pair.write(0x4000, math, 1);
     for (int input = 1; input <= 4; ++input) {
@@ -180,8 +180,8 @@ inline void wire_logic_and_math(ModelPair& pair) {
     wire_math(pair, math % 4 + 1);
 }
 
-/// Each block of a chain reads one that is evaluated after it, so that a change takes a cycle for each: table 1 reads
-/// logic block 1, this one 2, this one 3, and that one extra values.
+/// Connects a chain in which each block reads one that is evaluated after it, so that a change takes one cycle per
+/// block: table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra values.
 inline void wire_against_the_order(ModelPair& pair) {
     pair.write(0x3010, 0, 5);
     pair.write(0x3011, 0, 1);
@@ -220,7 +220,7 @@ inline void wire(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// TPDOs of short periods, RPDO 2 and 3, a producer of heartbeats; what the model is told of it.
+/// Sets up TPDOs of short periods, RPDO 2 and 3 and a heartbeat producer, and informs the model.
 inline void set_up_network(ModelPair& pair) {
     constexpr std::uint32_t no_rtr = 0x40000000;
     const std::vector<std::uint32_t> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};
@@ -266,7 +266,7 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-/// Off or on, over data or over time: what a block kept from before must not show when it is on again.
+/// Switches a block off or on, or between data and time response: values from before must not show when it is on again.
 inline void switch_a_block(ModelPair& pair, const Focus& focus) {
     if (is_about(focus, Group::math)) {
         const bool is_math = draw(rc::gen::inRange(0, 3)) != 0;
@@ -314,7 +314,7 @@ inline void do_something(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// A life of the device and its model, from the set-up to the first difference.
+/// Runs the device and its model from the set-up to the first difference.
 inline void live(ModelPair& pair, const Focus& focus) {
     wire(pair, focus);
     const int changes = draw(rc::gen::inRange(0, 8));

@@ -1,5 +1,5 @@
-// Logic and math blocks of the AX130751 as its manual tells them (1.6.1, 1.6.2, 1.7), by sentences and not by tables:
-// what the firmware's blocks are held against.
+// Naive logic and math blocks of the AX130751 according to its manual (1.6.1, 1.6.2, 1.7), written from its sentences
+// and not from tables. The blocks of the firmware are compared with them.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Condition {
 
 enum class Answer { no, yes, error, not_applicable };
 
-/// Tables 16 and 17. An argument in error outweighs one that is not used.
+/// Evaluates a condition by Tables 16 and 17. An argument in error outweighs one that is not used.
 inline Answer answer(const Condition& condition) {
     const double a = condition.one.value;
     const double b = condition.other.value;
@@ -42,7 +42,7 @@ struct Function {
     int logical{0};  ///< Table 18
 };
 
-/// Table 19.
+/// Returns whether a function selects its table (Table 19).
 inline bool selects(const Function& function) {
     std::array<Answer, 3> answers{};
     std::transform(function.conditions.begin(), function.conditions.end(), answers.begin(), answer);
@@ -62,7 +62,7 @@ inline bool selects(const Function& function) {
     }
 }
 
-/// 0 for table A, which it is without any function that selects.
+/// Returns the number of the selected table, 0 for table A. Without a selecting function it is table A.
 inline std::size_t selected(const std::array<Function, 3>& functions) {
     const auto first = std::find_if(functions.begin(), functions.end(), selects);
     return first == functions.end() ? 0 : static_cast<std::size_t>(first - functions.begin());
@@ -74,10 +74,10 @@ struct Input {
     int scaling_1{0};
     int scaling_2{100};
     int gain{100};        ///< per cent
-    int own_function{0};  ///< 1…3: that function's result in place of the value
+    int own_function{0};  ///< 1…3: the result of that function instead of the value
 };
 
-/// Millionths of the way from scaling 1 to scaling 2, the nearest, in whole numbers.
+/// Returns the position between scaling 1 and scaling 2 in millionths, rounded to the nearest integer.
 inline long long millionths(const Input& input) {
     long long way = input.value - input.scaling_1;
     long long length = input.scaling_2 - input.scaling_1;
@@ -91,7 +91,7 @@ inline long long millionths(const Input& input) {
     return way >= length ? 1'000'000 : (2 * way * 1'000'000 + length) / (2 * length);
 }
 
-/// Table 21 on two fractions.
+/// Applies an operator of Table 21 to two fractions.
 inline double operate(int number, double a, double b) {
     const bool p = a >= 0.5;
     const bool q = b >= 0.5;
@@ -116,10 +116,10 @@ inline double operate(int number, double a, double b) {
     return all.at(static_cast<std::size_t>(number));
 }
 
-/// What the three functions of a math block gave; a negative difference keeps its sign for whoever feeds it back.
+/// The results of the three functions of a math block; a negative difference keeps its sign for feedback.
 class Math {
   public:
-    /// The block's result in a cycle; nothing done gives 0.
+    /// Returns the result of the block in a cycle; it is 0 when no function is evaluated.
     double cycle(const std::array<Input, 4>& inputs, const std::array<int, 3>& operators) {
         double chain = value_of(inputs[0]);
         bool goes_on = inputs[0].state != State::unused && inputs[1].state != State::unused;
@@ -142,7 +142,7 @@ class Math {
     }
 
   private:
-    /// What a loop of products or quotients stays below; the block's output ends at 1.
+    /// Clamps a loop of products or quotients; the output of the block is clamped at 1.
     static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
     double seen(std::size_t function) const {
         return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);

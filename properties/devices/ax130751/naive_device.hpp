@@ -1,5 +1,5 @@
-// The whole AX130751 as its manual tells it: slow, a cycle a millisecond, and without any cache. It is written from the
-// sentences of chapters 1, 3 and 4 and from the decisions of the register, and shares nothing with the firmware.
+// Naive model of the whole AX130751: slow, one cycle per millisecond, without any cache. It is written from chapters 1,
+// 3 and 4 of the manual and from the decisions of the register, and shares no code with the firmware.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ class Device {
     Device& operator=(const Device&) = delete;
     ~Device() = default;
 
-    /// Power-on, and each reset of the node: what is not stored is lost.
+    /// Starts at power-on and at each reset node: unstored values are lost.
     void start_up() {
         parameters = stored_;
         for (Output& output : parameters.outputs) {
@@ -45,7 +45,7 @@ class Device {
         start_itself();
         tell_faults();
     }
-    /// NMT: 1 start, 128 pre-operational, 129 reset of the node, 130 of the communication.
+    /// Obeys an NMT command: 1 start, 128 pre-operational, 129 reset node, 130 reset communication.
     void command(int specifier) {
         if (specifier == 129) {
             return start_up();
@@ -70,7 +70,7 @@ class Device {
             }
         }
     }
-    /// One millisecond later.
+    /// Advances the time by one millisecond.
     void pass() {
         ++now;
         cycle();
@@ -93,7 +93,7 @@ class Device {
             }
         }
     }
-    /// A write by SDO: 0, or the abort code with which it is refused.
+    /// Writes by SDO; returns 0 or the abort code.
     std::uint32_t write(int index, int sub, int value) {
         const Sources sources{parameters, shown, network_};
         const std::uint32_t refusal = refusal_of(parameters, entries_, sources, {index, sub}, value);
@@ -114,7 +114,7 @@ class Device {
         }
         return 0;
     }
-    /// RPDO `number`, 1 to 4, with the values of its shipped mapping.
+    /// Receives RPDO `number`, 1 to 4, with the values of its default mapping.
     void receive(int number, const std::vector<int>& bytes) {
         const auto n = static_cast<std::size_t>(number - 1);
         const Pdo& pdo = parameters.communication.receive.at(n);
@@ -130,7 +130,7 @@ class Device {
         }
         announce();
     }
-    /// A heartbeat of node 5 to 8.
+    /// Receives a heartbeat of node 5 to 8.
     void heartbeat(unsigned producer) {
         const int time = parameters.communication.heartbeat_ms.at(producer - 5);
         if (time != 0) {
@@ -162,7 +162,7 @@ class Device {
         NaiveRelay relay;
     };
 
-    /// What each boot-up begins anew: communication, and no block.
+    /// Restarts the communication at each boot-up, and no block.
     void boot() {
         network_ = Network{};
         short_ = {};
@@ -173,13 +173,13 @@ class Device {
         state = Nmt::pre_operational;
         said.push_back({now, 0x700 + node_, {0}});
     }
-    /// 5555h
+    /// Starts itself when 5555h start mode requires it.
     void start_itself() {
         if (parameters.diagnostics.starts_self != 0) {
             command(1);
         }
     }
-    /// Supply and temperature, and the contact of a relay that has no supply.
+    /// Measures supply and temperature, and the contact of a relay without supply.
     void measure() {
         shown.supply = inputs.supply;
         shown.temperature = inputs.temperature;
@@ -187,7 +187,7 @@ class Device {
         relay_on_nc = !powered();
     }
     bool powered() const { return inputs.supply >= 7.0F && inputs.supply <= 39.0F; }
-    /// All blocks in their order (1.1).
+    /// Evaluates all blocks in their order (1.1).
     void cycle() {
         measure();
         const Sources sources{parameters, shown, network_};
@@ -217,7 +217,7 @@ class Device {
         errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
         errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
     }
-    /// Errors of communication, and what 1029h:1 makes of the first of them.
+    /// Reports communication errors; the first of them changes the state by 1029h:1.
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
         network_.silent = any(silent_);
@@ -250,7 +250,7 @@ class Device {
             }
         }
     }
-    /// TPDO n + 1: 1 and 2 as shipped, 3 with 4030h:1, 3320h:1, 3310h:1 and 4030h:4, 4 as shipped.
+    /// Sends TPDO n + 1: 1, 2 and 4 with the default mapping, 3 with 4030h:1, 3320h:1, 3310h:1 and 4030h:4.
     void transmit(std::size_t n) {
         std::vector<int> data;
         const auto add = [&data](std::uint32_t value, int bytes) {
@@ -277,7 +277,7 @@ class Device {
         said.push_back({now, 0x180 + 0x100 * static_cast<unsigned>(n) + node_, data});
         tpdo_due_.at(n) = now + static_cast<std::uint64_t>(parameters.communication.transmit.at(n).event);
     }
-    /// IEEE 754 single precision.
+    /// Returns the bits of an IEEE 754 single precision number.
     static std::uint32_t bits_of(float value) {
         if (!(value > 0.0F) && !(value < 0.0F)) {
             return 0;
@@ -295,7 +295,7 @@ class Device {
     Network network_;
     FirstPoints points_;
     std::array<bool, 4> short_{};
-    std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not watched
+    std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not monitored
     std::array<std::uint64_t, 4> tpdo_due_{};
     std::array<bool, 4> silent_{};
     std::array<std::uint64_t, 4> heartbeat_due_{};

@@ -1,4 +1,4 @@
-// Supply, temperature and the errors of the AX130751: 1001h, 1003h and emergency messages (1.8, 3.2.2, 3.2.4).
+// Supply, temperature and errors of the AX130751: 1001h, 1003h and emergency messages (1.8, 3.2.2, 3.2.4).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct Inputs {
     std::array<float, 2> load{250.0F, 250.0F};
 };
 
-/// A frame that the node is to send.
+/// A frame sent by the node.
 struct Said {
     std::uint64_t at{0};  ///< ms since power-on
     unsigned id{0};
@@ -25,16 +25,16 @@ struct Said {
     bool operator==(const Said& other) const { return at == other.at && id == other.id && data == other.data; }
 };
 
-/// Entries of 1003h, most significant half first: description and channel, code.
+/// Entries of 1003h predefined error field, most significant half first: description and channel, code.
 constexpr std::uint32_t supply_error = 0x00003100;
 constexpr std::uint32_t temperature_error = 0x00004200;
 constexpr std::uint32_t time_out_error = 0x00008100;
 constexpr std::uint32_t length_error = 0x00008210;
-constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel is the producer's node-ID
+constexpr std::uint32_t heartbeat_error = 0x80008130;  ///< the channel is the node-ID of the producer
 
 class Errors {
   public:
-    /// `id`: of emergency messages.
+    /// Sets or ends an error. `id` is the identifier of emergency messages.
     void set(std::uint32_t error, bool present, std::uint64_t now, unsigned id, std::vector<Said>& said) {
         if (active_.count(error) == (present ? 1U : 0U)) {
             return;
@@ -59,7 +59,7 @@ class Errors {
         said.push_back({now, id, {byte(0), byte(8), reg(), byte(16), byte(24), 0, 0, 0}});
     }
     int reg() const { return active_.empty() ? 0 : 1; }
-    /// 1003h from sub-index 1 on.
+    /// Returns the entries of 1003h from sub-index 1 on.
     const std::deque<std::uint32_t>& list() const { return list_; }
     void empty_list() { list_.clear(); }
 
@@ -68,7 +68,7 @@ class Errors {
     std::deque<std::uint32_t> list_;
 };
 
-/// 1.8: faults begin beyond their limit and end where the hysteresis is reached.
+/// Diagnostic faults: they begin beyond their limit and end at the hysteresis (1.8).
 class Faults {
   public:
     void look(const Inputs& inputs, const Diagnostics& limits) {

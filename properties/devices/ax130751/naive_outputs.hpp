@@ -1,4 +1,4 @@
-// The universal outputs of the AX130751 (1.2, 1.3), by sentences and not by tables.
+// Naive universal outputs of the AX130751 (1.2, 1.3), written from the sentences of the manual and not from tables.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace canproof::naive_ax130751 {
 
-/// What stands at the terminals of one output.
+/// The signals at the terminals of one output.
 struct Terminals {
     double volts{0.0};
     double milliamperes{0.0};
@@ -19,17 +19,17 @@ struct Terminals {
     bool on{false};
 };
 
-/// What a cycle tells all outputs.
+/// Conditions of a cycle that apply to all outputs.
 struct Circumstances {
     bool shutdown{false};  ///< a diagnostic fault, or the node is not operational
     bool powered{true};    ///< the supply is from 7 V to 39 V
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// What decides about an output, in this order (1.2, 1.3).
+/// What determines an output, in this order of priority (1.2, 1.3).
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
-/// A way from one value to another at constant speed: the whole span in the time for its direction.
+/// A ramp between two values at constant speed: it crosses the whole span in the time of its direction.
 class NaiveRamp {
   public:
     void jump(double value) {
@@ -71,7 +71,7 @@ class NaiveRamp {
     std::uint64_t since_{0};
 };
 
-/// Table 3 and 3.3.10: what an output of a type can be driven to; a frequency is 0 or at least 50 Hz.
+/// Clamps a value to the range of an output type; a frequency is 0 or at least 50 Hz (Table 3, 3.3.10).
 inline double in_range(int type, double value) {
     switch (type) {
         case 10:
@@ -89,7 +89,7 @@ inline double in_range(int type, double value) {
 
 class NaiveOutput {
   public:
-    /// Evaluates output `number`, 1 or 2, and shows 7330h, 2370h and its terminals.
+    /// Evaluates output `number`, 1 or 2, and sets 7330h, 2370h and its terminals.
     void cycle(std::size_t at, const Output& output, const Sources& sources, const Circumstances& now, double load,
                Shown& shown, Terminals& terminals) {
         if (output.type != type_) {
@@ -126,7 +126,7 @@ class NaiveOutput {
     }
 
   private:
-    /// An interlock that has a source, and no value.
+    /// Returns whether an interlock has a source and no value.
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
 
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
@@ -156,7 +156,7 @@ class NaiveOutput {
         return is_digital(output) && control.unused() ? Decision::off : Decision::control;
     }
 
-    /// The profile of Figure 3, in the unit of the output; OFF without a control.
+    /// Applies the profile of Figure 3, in the unit of the output; the result is OFF without a control.
     static double profile(const Output& output, const Signal& control) {
         const double x1 = physical(output.pv_1, output.pv_digits);
         const double x2 = physical(output.pv_2, output.pv_digits);
@@ -172,7 +172,7 @@ class NaiveOutput {
         return x >= x2 ? y2 : y1 + (x - x1) * (y2 - y1) / (x2 - x1);
     }
 
-    /// Gives the target.
+    /// Moves the ramp and returns the target.
     double move_by(Decision decision, const Output& output, const Signal& control, std::uint64_t now) {
         const double span =
             std::fabs(physical(output.fv_2, output.fv_digits) - physical(output.fv_1, output.fv_digits));
@@ -201,7 +201,7 @@ class NaiveOutput {
         return target;
     }
 
-    /// 14 V drive no more current through a load; without pulses there is no duty cycle.
+    /// Limits a value at the terminals: 14 V drive the current through the load; without pulses there is no duty cycle.
     static double at_terminals(const Output& output, double value, double load) {
         if (output.type == 20 && load * value > 14000.0) {
             return 14000.0 / load;
@@ -226,7 +226,7 @@ class NaiveOutput {
         }
     }
 
-    /// 1.2: logic state and drive state.
+    /// Computes logic state and drive state (1.2).
     void switch_by(Decision decision, const Output& output, std::uint64_t now) {
         const bool control = control_.on();
         switch (decision) {
@@ -254,7 +254,7 @@ class NaiveOutput {
         before_ = control;
     }
 
-    /// Table 1.
+    /// Applies the polarity of Table 1.
     void follow(const Output& output, bool control, std::uint64_t now) {
         const bool blinks = output.polarity == 3 && control;
         if (blinks && !blinks_) {
@@ -278,7 +278,7 @@ class NaiveOutput {
     NaiveRamp ramp_;
     bool logic_{false};
     bool drive_{false};
-    bool memory_{false};  ///< what the control made of the drive when it last drove it
+    bool memory_{false};  ///< state of the drive after its last cycle under control
     bool before_{false};
     bool blinks_{false};
     std::uint64_t since_{0};

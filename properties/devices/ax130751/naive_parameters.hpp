@@ -1,5 +1,5 @@
-// Every parameter of the AX130751 with its index, length and value as shipped, written down from the pages of chapter 3
-// of its manual. Knows nothing of the firmware.
+// Every parameter of the AX130751 with its index, length and default, written from the pages of chapter 3 of its
+// manual. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace canproof::naive_ax130751 {
 
-/// A source and its number: Tables 4A and 4B.
+/// A source and its number (Tables 4A and 4B).
 struct Choice {
     int source{0};
     int number{0};
 };
 
-/// One universal output: 3.3.1 to 3.3.14, 3.4.1 to 3.4.3, 3.4.20 to 3.4.33.
+/// The parameters of one universal output: 3.3.1 to 3.3.14, 3.4.1 to 3.4.3, 3.4.20 to 3.4.33.
 struct Output {
     int type{10};
     Choice control{1, 0};
@@ -43,7 +43,7 @@ struct Output {
     int fault_state{1};
 };
 
-/// 3.4.4 to 3.4.19.
+/// The parameters of the relay: 3.4.4 to 3.4.19.
 struct Relay {
     int polarity{1};
     int blink{500};
@@ -59,7 +59,7 @@ struct Relay {
     int off_delay{0};
 };
 
-/// 3.4.34 to 3.4.37.
+/// The parameters of an extra received value: 3.4.34 to 3.4.37.
 struct Extra {
     int value{0};
     int digits{1};
@@ -67,7 +67,7 @@ struct Extra {
     int pv_2{0};
 };
 
-/// 3.4.38 to 3.4.45.
+/// The parameters of a lookup table: 3.4.38 to 3.4.45.
 struct Table {
     Choice source;
     int repeat{0};
@@ -84,7 +84,7 @@ struct ConditionChoice {
     int comparison{0};
 };
 
-/// 3.4.47 to 3.4.60.
+/// The parameters of a logic block: 3.4.47 to 3.4.60.
 struct Logic {
     int enable{0};
     std::array<int, 3> tables{};
@@ -92,7 +92,7 @@ struct Logic {
     std::array<std::array<ConditionChoice, 3>, 3> conditions;
 };
 
-/// 3.4.61 to 3.4.73.
+/// The parameters of one input of a math block: 3.4.61 to 3.4.73.
 struct MathChoice {
     Choice source;
     int function{0};
@@ -110,7 +110,7 @@ struct MathBlock {
     std::array<int, 3> operators{12, 12, 12};
 };
 
-/// 3.4.74 to 3.4.86.
+/// The parameters of the diagnostics: 3.4.74 to 3.4.86.
 struct Diagnostics {
     int watches_supply{1};
     int under{8};
@@ -125,16 +125,17 @@ struct Diagnostics {
     int starts_self{0};  ///< 5555h
 };
 
-/// 3.2.13 to 3.2.15, in as far as the model follows them; identifiers are those of the pre-defined connection set.
+/// The parameters of a PDO, as far as the model uses them (3.2.13 to 3.2.15); identifiers are those of the pre-defined
+/// connection set.
 struct Pdo {
     bool valid{false};
     int event{0};
 };
 
-/// 3.2.9, 3.2.13 to 3.2.15.
+/// The parameters of the communication: 3.2.9, 3.2.13 to 3.2.15.
 struct Communication {
     int error_behaviour{1};             ///< 1029h:1
-    std::array<int, 4> heartbeat_ms{};  ///< 1016h:1 to 4, of the nodes 5 to 8; 0: not watched
+    std::array<int, 4> heartbeat_ms{};  ///< 1016h:1 to 4, of the nodes 5 to 8; 0: not monitored
     std::array<Pdo, 4> receive{{{true, 0}, {false, 0}, {false, 0}, {true, 0}}};
     std::array<Pdo, 4> transmit{{{true, 100}, {false, 0}, {false, 0}, {false, 0}}};
 };
@@ -159,7 +160,7 @@ struct Parameters {
     }
 };
 
-/// One entry of the dictionary: where its value lies, and how many bytes it has.
+/// One entry of the dictionary: the place of its value, and its length in bytes.
 struct Entry {
     int* value{nullptr};
     int bytes{0};
@@ -227,7 +228,7 @@ inline void add_extra(Entries& all, int sub, Extra& of) {
     all[{0x2522, sub}] = {&of.pv_2, 2};
 }
 
-/// The decimal digits of the table's number are hexadecimal ones of its indices: table 10 begins at 3100h.
+/// Returns the index of a table: its decimal number gives hexadecimal digits of the index; table 10 begins at 3100h.
 inline int table_index(int number) {
     return number == 10 ? 0x3100 : 0x3000 + 0x10 * number;
 }
@@ -299,7 +300,7 @@ inline void add_diagnostics(Entries& all, Diagnostics& of) {
     all[{0x5555, 0}] = {&of.starts_self, 1};
 }
 
-/// All of them; `all` has to stay where it is.
+/// Returns all entries; `all` must not move afterwards.
 inline Entries entries_of(Parameters& all) {
     Entries entries;
     for (int n = 1; n <= 2; ++n) {

@@ -1,4 +1,4 @@
-// The relay of the AX130751 (1.4), by sentences and not by tables.
+// Naive relay of the AX130751 (1.4), written from the sentences of the manual and not from tables.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace canproof::naive_ax130751 {
 
-/// True: ON, the common pin lies on NC.
+/// The relay; true is ON: the common pin is connected to NC.
 class NaiveRelay {
   public:
     bool cycle(const Relay& relay, const Sources& sources, const Circumstances& now) {
@@ -42,10 +42,10 @@ class NaiveRelay {
 
   private:
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
-    /// Table 11.
+    /// Returns whether an enable response of Table 11 enables the relay while its input is ON.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 
-    /// Unlatching: at rest while its input is ON, and afterwards until the control has been back at rest.
+    /// Unlatches: the relay rests while its input is ON, and afterwards until the control has returned to rest.
     void latch(const Relay& relay) {
         if (relay.polarity != 3 && relay.polarity != 4) {
             latch_of_ = 0;
@@ -64,7 +64,7 @@ class NaiveRelay {
             deaf_ = false;
         }
     }
-    /// Table 10.
+    /// Applies the polarity of Table 10.
     void obey(const Relay& relay, std::uint64_t now) {
         const bool control = control_.on();
         switch (relay.polarity) {
@@ -83,7 +83,7 @@ class NaiveRelay {
         }
         change(relay, memory_, false, now);
     }
-    /// A change that is asked for is done after its delay; toggling begins and ends with it.
+    /// Performs a commanded change after its delay; toggling begins and ends with it.
     void change(const Relay& relay, bool wanted, bool toggling, std::uint64_t now) {
         if (wanted == on_) {
             waits_ = false;
@@ -104,7 +104,7 @@ class NaiveRelay {
         const auto half = static_cast<std::uint64_t>(relay.blink);
         state_ = on_ && (!toggles || half == 0 || (now - since_) / half % 2 == 0);
     }
-    /// At once, and nothing waits any more.
+    /// Sets the state at once and ends pending changes.
     void force(bool state) {
         on_ = state;
         state_ = state;

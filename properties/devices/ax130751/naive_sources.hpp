@@ -1,5 +1,5 @@
-// What a control source of the AX130751 stands for: value, limits and state (1.3, Tables 4A, 4B and 5), by sentences
-// and not by tables. Values are numbers in their physical unit.
+// Values, limits and states of the control sources of the AX130751 (1.3, Tables 4A, 4B and 5), written from the
+// sentences of the manual and not from tables. Values are in their physical unit.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace canproof::naive_ax130751 {
 
 using naive_blocks::State;
 
-/// What a block hands on.
+/// The signal that a block passes on.
 struct Signal {
     double value{0.0};
     double lower{0.0};
@@ -33,22 +33,22 @@ inline double power_of_ten(int digits) {
     return power;
 }
 
-/// 1234 with two digits is 12.34.
+/// Converts an integer to its physical value: 1234 with two digits is 12.34.
 inline double physical(int integer, int digits) {
     return integer / power_of_ten(digits);
 }
 
-/// The nearest 16-bit integer with these digits; a half goes away from zero.
+/// Converts a value to the nearest 16-bit integer with these digits; halves round away from zero.
 inline int to_integer(double value, int digits) {
     return static_cast<int>(std::lround(std::clamp(value * power_of_ten(digits), -32768.0, 32767.0)));
 }
 
-/// What the blocks showed when they were last evaluated.
+/// The results of the latest evaluation of the blocks.
 struct Shown {
     struct OfTable {
         int output{0};  ///< 3yz8h
         State state{State::unused};
-        double least{0.0};  ///< limits for others
+        double least{0.0};  ///< limits for other blocks
         double greatest{0.0};
     };
     struct OfLogic {
@@ -111,7 +111,7 @@ class Sources {
                 return Signal{};
         }
     }
-    /// Output of lookup table `number`, 1 to 10, as others see it.
+    /// Returns the output of lookup table `number`, 1 to 10, for other blocks.
     Signal table(int number) const {
         const auto at = static_cast<std::size_t>(number - 1);
         const Shown::OfTable& shown = shown_.tables.at(at);
@@ -126,12 +126,13 @@ class Sources {
     State reception(int rpdo) const {
         return network_.silent || network_.overdue.at(static_cast<std::size_t>(rpdo - 1)) ? State::error : State::fine;
     }
-    /// 6220h: RPDO4 sets that of the outputs, RPDO1 that of the relay.
+    /// Returns a write state of 6220h: RPDO4 sets those of the outputs, RPDO1 that of the relay.
     Signal write_state(int number) const {
         const int written = parameters_.write_states.at(static_cast<std::size_t>(number - 1));
         return {written != 0 ? 1.0 : 0.0, 0.0, 1.0, reception(number == 3 ? 1 : 4)};
     }
-    /// Numbers 1 and 2 command the outputs, 3 the relay, 4 to 9 are the extra values of RPDO2 and RPDO3.
+    /// Returns a received value: 1 and 2 command the outputs, 3 the relay; 4 to 9 are the extra values of RPDO2 and
+    /// RPDO3.
     Signal message(int number) const {
         if (number == 3) {
             return write_state(3);
@@ -154,7 +155,7 @@ class Sources {
         return ordered(physical(shown_.math.at(at), block.digits), physical(block.pv_1, block.digits),
                        physical(block.pv_2, block.digits), State::fine);
     }
-    /// 7330h or 2370h: a state while the output is digital.
+    /// Returns 7330h or 2370h as a signal: a state while the output is digital.
     Signal field_value(std::size_t at, int integer) const {
         const Output& output = parameters_.outputs.at(at);
         if (is_digital(output)) {
@@ -170,7 +171,7 @@ class Sources {
     const Network& network_;
 };
 
-/// A signal read as ON or OFF (1.2): with hysteresis between its limits.
+/// A signal read as ON or OFF, with hysteresis between its limits (1.2).
 class Reading {
   public:
     bool follow(const Signal& signal) {

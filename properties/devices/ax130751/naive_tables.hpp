@@ -1,4 +1,5 @@
-// Lookup tables, logic and math blocks of the AX130751 in their device (1.5 to 1.7), by sentences and not by tables.
+// Naive lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7), written from the sentences of the manual and
+// not from tables.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +14,12 @@ inline bool is_over_time(const Table& table) {
     return table.response.at(0) == 1;
 }
 
-/// Point 1 of a table over time is 0, whatever is written there (1.5.4).
+/// Returns Y of a point. Point 1 of a time profile is 0, whatever is written (1.5.4).
 inline double y_of(const Table& table, std::size_t point) {
     return point == 0 && is_over_time(table) ? 0.0 : physical(table.y.at(point), table.y_digits);
 }
 
-/// One step of 1.5.3 after the other; `xs` rise.
+/// Evaluates a table by the steps of 1.5.3; `xs` are ascending.
 inline double y_at(double x, const std::array<double, 11>& xs, const Table& table) {
     std::size_t reached = 0;
     while (x > xs.at(reached)) {
@@ -40,7 +41,7 @@ inline double y_at(double x, const std::array<double, 11>& xs, const Table& tabl
 /// One lookup table.
 class NaiveTable {
   public:
-    /// Evaluates it `now` milliseconds after power-on.
+    /// Evaluates the table `now` milliseconds after power-on.
     void cycle(const Table& table, const Signal& input, std::uint64_t now, Shown::OfTable& shown) {
         shown.state = input.state;
         if (input.unused()) {
@@ -65,7 +66,7 @@ class NaiveTable {
         std::transform(table.x.begin(), table.x.end(), xs.begin(), [&](int x) { return physical(x, table.x_digits); });
         return xs;
     }
-    /// 1.5.4: X are intervals in milliseconds.
+    /// Evaluates a time profile: X are intervals in milliseconds (1.5.4).
     double profile(const Table& table, const Signal& input, std::uint64_t now) {
         const bool on = start_.follow(input) && input.fine();
         if (!on) {
@@ -90,7 +91,7 @@ class NaiveTable {
         }
         return y_at(at, xs, table);
     }
-    /// 1.5.2
+    /// Computes the limits of the output (1.5.2).
     static void limits(const Table& table, Shown::OfTable& shown) {
         shown.least = y_of(table, 0);
         shown.greatest = y_of(table, 0);
@@ -110,7 +111,8 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// One logic block (1.6); nothing of it outlasts a cycle. `sources` have what it showed in the cycle before.
+/// Evaluates one logic block, which keeps no state between cycles (1.6). `sources` have the results of the previous
+/// cycle.
 inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     Shown::OfLogic shown;
     if (logic.enable == 0) {
@@ -139,7 +141,7 @@ inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
 /// One math block (1.7).
 class NaiveMath {
   public:
-    /// `number` is its own, 1 to 4.
+    /// Evaluates the block with this `number`, 1 to 4.
     int cycle(int number, const MathBlock& block, const Sources& sources) {
         if (block.enable == 0) {
             math_ = naive_blocks::Math{};
@@ -165,7 +167,7 @@ class NaiveMath {
     }
 
   private:
-    /// No value has more digits.
+    /// Rounds to four decimal digits, the most that a value has.
     static int in_ten_thousandths(double value) { return static_cast<int>(std::lround(value * 1.0e4)); }
 
     naive_blocks::Math math_;

@@ -1,5 +1,5 @@
-// What a write to a parameter of the AX130751 must be and sets off (1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14,
-// 3.4.44), by sentences and not by tables.
+// Rules and effects of writes to parameters of the AX130751 (1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14, 3.4.44),
+// written from the sentences of the manual and not from tables.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline std::uint32_t within(double value, double least, double greatest) {
     return value > greatest ? too_high : value < least ? too_low : 0;
 }
 
-/// The number of the lookup table that has `index`, else 0.
+/// Returns the number of the lookup table with this `index`, or 0.
 inline int table_of(int index) {
     const int number = index >= 0x3100 && index <= 0x3108   ? 10
                        : index >= 0x3010 && index <= 0x3098 ? index / 0x10 % 0x10
@@ -25,7 +25,7 @@ inline int table_of(int index) {
     return number;
 }
 
-/// X of a point: 1.5.1, 1.5.4 and 3.4.44.
+/// Checks X of a point (1.5.1, 1.5.4, 3.4.44).
 inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources, int point, int x) {
     if (is_over_time(table)) {
         return point == 1 ? within(x, 0, 0) : within(x, 1, 86'400'000);
@@ -41,7 +41,7 @@ inline std::uint32_t refusal_of_point(const Table& table, const Sources& sources
     return within(physical(x, table.x_digits), source.lower, source.upper);
 }
 
-/// A field value: OFF, or in the range of the type; of no type any.
+/// Checks a field value: OFF, or within the range of the type; any value without a type.
 inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     const double volts = physical(value, output.fv_digits);
     if (value == 0) {
@@ -63,7 +63,7 @@ inline std::uint32_t refusal_of_field_value(const Output& output, int value) {
     }
 }
 
-/// The abort code of a write within the printed range of its entry, 0 when it is taken.
+/// Returns the abort code of a write within the printed range of its entry, 0 when the write is accepted.
 inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, const Sources& sources,
                                 const Address& address, int value) {
     const auto [index, sub] = address;
@@ -95,7 +95,7 @@ inline std::uint32_t refusal_of(const Parameters& all, const Entries& entries, c
                : 0;
 }
 
-/// What belongs to a type (1.3, 1.8): scaling as Table 3 and the objects' pages have it, override and fault value OFF.
+/// Sets the defaults of a type (1.3, 1.8): scaling as in Table 3 and on the object pages, override and fault value OFF.
 inline void take_type_defaults(Output& output) {
     const auto set = [&output](int digits, int one, int two) {
         output.pv_digits = digits;
@@ -124,7 +124,7 @@ inline void take_type_defaults(Output& output) {
     }
 }
 
-/// What a write that was taken sets in other entries, point 1 of tables apart.
+/// Applies the effects of an accepted write on other entries, except point 1 of tables.
 inline void follow_write(Parameters& all, const Address& address, int before) {
     const auto [index, sub] = address;
     const int number = table_of(index);
@@ -143,7 +143,7 @@ inline void follow_write(Parameters& all, const Address& address, int before) {
     }
 }
 
-/// X1 of each table in data response follows the minimum of its source while that is below 0 (1.5.1).
+/// X of point 1 of each table in data response follows the minimum of its source while that is below 0 (1.5.1).
 class FirstPoints {
   public:
     void begin(const Parameters& all) {
@@ -154,13 +154,13 @@ class FirstPoints {
             put_.at(n) = place(all, all.tables.at(n), sources);
         }
     }
-    /// After any write.
+    /// Updates the first points after any write.
     void follow(Parameters& all, const Sources& sources) {
         for (std::size_t n = 0; n < 10; ++n) {
             Table& table = all.tables.at(n);
             const int wanted = place(all, table, sources);
             if (table.x[0] != put_.at(n)) {
-                put_.at(n) = wanted;  // where a user has put it
+                put_.at(n) = wanted;  // set by the user
             } else if (wanted <= table.x[1]) {
                 table.x[0] = wanted;
                 put_.at(n) = wanted;

@@ -1,4 +1,4 @@
-// A reset of the AX130751 leaves nothing of its state: properties/support/reset_law.hpp.
+// Checks that a reset of the AX130751 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -19,9 +19,10 @@ struct Ax130751Reset : UsualTraits {
     using FactoryData = ax130751::FactoryData;
     static constexpr std::size_t memory_size = 8192;
 
-    /// They take effect at the next power-on, not with a reset of the node.
+    /// 5B50h and 5B51h take effect at the next power-on, not with reset node.
     static bool may_write(unsigned index) { return index != 0x5B50U && index != 0x5B51U; }
-    /// Runs by itself: a ramp, a latched and delayed relay, a table by time that the supply starts.
+    /// Returns a configuration that runs by itself: a ramp, a latched and delayed relay, a time profile that the supply
+    /// starts.
     static std::vector<Write> lively() {
         return {{0x5555, 0, 1, 1},   {0x2330, 1, 2, 700}, {0x2242, 1, 1, 3},   {0x22A0, 1, 1, 1},
                 {0x22A1, 1, 4, 25},  {0x3010, 0, 1, 8},   {0x3011, 0, 1, 1},   {0x3015, 1, 1, 1},

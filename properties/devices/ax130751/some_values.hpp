@@ -1,4 +1,4 @@
-// Values for the parameters of an AX130751: few of each, so that limits, delays and equal numbers meet.
+// Values for the parameters of an AX130751: a few of each, so that limits, delays and equal numbers coincide.
 #pragma once
 
 #include <rapidcheck.h>
@@ -13,7 +13,7 @@ namespace canproof::test {
 
 using naive_ax130751::Address;
 
-/// Any of what `gen` gives with the same probability in the first case as in the last.
+/// Draws a value of `gen` with the same distribution in the first case as in the last.
 template <typename T>
 T draw(const rc::Gen<T>& gen) {
     return *rc::gen::resize(rc::kNominalSize, gen);

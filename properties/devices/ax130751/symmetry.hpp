@@ -1,5 +1,5 @@
-// Two AX130751s, of which one has its outputs, lookup tables, logic blocks, math blocks and extra values in another
-// order than the other: in parameters, in inputs, and in what they do.
+// Runs two AX130751s, of which one has its outputs, lookup tables, logic blocks, math blocks and extra values in
+// another order: in parameters, in inputs and in their results.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 namespace canproof::test {
 
-/// Where elements 1, 2, … of each kind are in the other device.
+/// The numbers that elements 1, 2, … of each kind have in the other device.
 struct Order {
     std::vector<int> outputs{2, 1};
     std::vector<int> extras;
@@ -47,7 +47,7 @@ struct Order {
                 return {index, sub};
         }
     }
-    /// The number of a source in the other device: Table 4B.
+    /// Returns the number of a source in the other device (Table 4B).
     int number(int source, int number) const {
         switch (source) {
             case 1:
@@ -72,20 +72,21 @@ class Mirrored {
     explicit Mirrored(Order order) : order_{std::move(order)} {}
 
     void write(int index, int sub, int value) { write(index, sub, value, value); }
-    /// A source and its number, which stand one after the other in two objects, or in two entries of a condition.
+    /// Writes a source and its number, which are adjacent in two objects, or in two entries of a condition.
     void choose(int index, int sub, int source, int number) {
         const bool in_condition = group_of(index) == Group::logic;
         write(index, sub, source);
         write(in_condition ? index : index + 1, in_condition ? sub + 1 : sub, number, order_.number(source, number));
     }
-    /// The lookup table that a logic block has at `place`, 1 to 3.
+    /// Writes the lookup table of a logic block at `place`, 1 to 3.
     void choose_table(int block, int place, int table) {
         write(0x3301 + 0x100 * block, place, table, Order::of(order_.tables, table));
     }
     void set_up(int index, int sub, std::uint32_t value, std::uint32_t other, int bytes) {
         expect(index, sub, one_.write(index, sub, value, bytes), other_.write(index, sub, other, bytes));
     }
-    /// Two words for the outputs and the relay's state by RPDO1, two states by RPDO4, three extra values by RPDO2 or 3.
+    /// Sends an RPDO: RPDO1 has two words for the outputs and the state of the relay, RPDO4 two states, RPDO2 and 3
+    /// three extra values.
     void rpdo(int number, const std::vector<int>& values) {
         std::vector<int> others{values};
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -190,7 +191,7 @@ class Mirrored {
                                       fmt::join(list(other_, 1), " "));
         }
     }
-    /// TPDO1 and TPDO2 have a word of each output, and the others the same bytes here and there.
+    /// Compares the frames: TPDO1 and TPDO2 have one word per output; the others have the same bytes in both devices.
     void compare_frames() {
         for (auto& frame : other_.said) {
             if (frame.id == 0x1FF || frame.id == 0x2FF) {

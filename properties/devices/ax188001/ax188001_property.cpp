@@ -1,5 +1,5 @@
-// Laws of the whole AX188001: its frames against a naive model of limits and delays, and whatever the moments at which
-// it is asked to advance (1.1, 3.3.6, 3.4.13 to 3.4.16).
+// Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on when
+// it is advanced (1.1, 3.3.6, 3.4.13 to 3.4.16).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@ int any(int low, int high) {
     return *rc::gen::inRange(low, high + 1);
 }
 
-/// A limit as the model sees it: which of the readings pass it, and which end its fault.
+/// A limit in the model: the readings that exceed it, and those that end its fault.
 struct ModelLimit {
     int set_c;
     int clear_c;
@@ -31,7 +31,8 @@ struct ModelLimit {
     bool ended(double celsius) const { return high ? celsius <= clear_c : celsius >= clear_c; }
 };
 
-/// When the fault of one limit is told (true) and cleared (false), in ms, for readings every 165 ms from 0 on.
+/// Returns when the fault of one limit is reported (true) and cleared (false), in ms, for readings every 165 ms from 0
+/// on.
 std::vector<std::pair<int, bool>> history(const ModelLimit& limit, const std::vector<double>& readings, int delay_ms) {
     std::vector<std::pair<int, bool>> events;
     std::optional<int> since;
@@ -62,7 +63,7 @@ std::vector<std::pair<int, bool>> history(const ModelLimit& limit, const std::ve
     return events;
 }
 
-/// The emergency messages of all limits together, `ms:frame`.
+/// Returns the emergency messages of all limits together, as `ms:frame`.
 Frames messages(const std::vector<ModelLimit>& limits, const std::vector<double>& readings, int delay_ms) {
     std::multimap<int, std::pair<std::size_t, bool>> events;
     for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -97,13 +98,13 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     const int high = low + any(10, 100);
     const int shutdown = high + any(10, 60);
     const int delay_ms = *rc::gen::element(0, any(0, 1000), any(0, 10) * 165, 60000);
-    // Half degrees lie half a degree from every threshold: neither quantisation nor rounding decides.
+    // Half degrees are half a degree away from every threshold: neither quantisation nor rounding decides.
     const auto degrees = *rc::gen::container<std::vector<int>>(rc::gen::inRange(low - 12, shutdown + 12));
 
     TcsBench bench;
     bench.power_on();
-    // A start within all limits, so that nothing waits or is told yet; then the thresholds, in an order in which each
-    // write keeps 10 degC to its neighbours.
+    // Starts within all limits, so that no fault is pending or reported; then sets the thresholds, in an order in which
+    // each write keeps 10 degC to its neighbours.
     bench.heat(1, low + 5.5);
     bench.settle();
     const auto threshold = [&](int index, int celsius) {

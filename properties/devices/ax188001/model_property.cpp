@@ -1,5 +1,5 @@
-// The AX188001 beside a naive model of the whole device: whatever is written, commanded, wired and heated, it sends and
-// shows what the model does, at every moment (manual, chapters 1 and 3).
+// Compares the AX188001 with a naive model of the whole device: after any writes, commands, wiring and heating it sends
+// and shows the same as the model, at every moment (manual, chapters 1 and 3).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -29,7 +29,7 @@ naive_tcs::Terminals terminals_of(const ax188001::Inputs& inputs) {
     return at;
 }
 
-/// Device and model, moment by moment.
+/// Runs device and model side by side.
 class Pair {
   public:
     Pair() {
@@ -37,7 +37,7 @@ class Pair {
         compare();
     }
 
-    /// The first thing happens; then time passes. A reading that is due when the next thing happens may be left to it.
+    /// Performs an action, then lets time pass. A reading that is due at the next action may be left to that action.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";
@@ -71,7 +71,7 @@ class Pair {
     std::uint32_t read(unsigned index, unsigned sub) const {
         return rig_.bench.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
     }
-    /// Frames of one moment as they win arbitration, also when the model made them in two steps.
+    /// Returns the frames of one moment in the order of arbitration, also when the model sent them in two steps.
     static TimedFrames in_order(const TimedFrames& frames) {
         TimedFrames all = frames;
         for (std::size_t i = 1; i < all.size(); ++i) {
@@ -99,7 +99,7 @@ class Pair {
                 RC_ASSERT(std::pair(index, read(index, channel + 1)) ==
                           std::pair(index, model_.value(index, channel + 1)));
             }
-            // 2010h is a whole number: beside a half the device's own digits decide.
+            // 2010h is an integer: near a half the rounding of the device decides.
             const auto shown = static_cast<double>(static_cast<std::int32_t>(read(0x2010, channel + 1)));
             RC_ASSERT(std::fabs(shown - model_.scanner().shown(channel).uv) <= 0.5 + 1e-5);
         }

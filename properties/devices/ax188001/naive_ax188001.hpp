@@ -1,6 +1,6 @@
-// The whole AX188001 at node-ID 127, straight from the manual's sentences, on a clock of milliseconds: measurement,
-// faults, emergency messages, states, self-start, TPDOs, storing. Without guarding, heartbeats and inhibit times,
-// which have models of their own. Knows nothing of the firmware.
+// Naive model of the whole AX188001 at node-ID 127, written from the sentences of the manual, on a clock of
+// milliseconds: measurement, faults, emergency messages, states, self-start, TPDOs, storing. Guarding, heartbeats and
+// inhibit times have models of their own. Shares no code with the firmware.
 #pragma once
 
 #include <map>
@@ -38,18 +38,18 @@ class Ax188001 {
         messages_.set(overrun_error, at.overrun);
         keep_sent();
     }
-    /// An NMT command on the bus; `node` 0 means all.
+    /// Receives an NMT command; `node` 0 addresses all.
     void command(unsigned specifier, unsigned node) {
         if (one_of(specifier, {0x01, 0x02, 0x80, 0x81, 0x82}) != 0) {
             return;
         }
-        others_at_.reset();  // there is a master
+        others_at_.reset();  // a master is present
         if (!is_off() && (node == 0 || node == 127)) {
             obey(specifier);
         }
         keep_sent();
     }
-    /// A download of up to four bytes.
+    /// Performs a download of up to four bytes.
     void write(unsigned index, unsigned sub, std::uint32_t bits) {
         if (state_ == State::stopped || is_off()) {
             return;
@@ -78,7 +78,7 @@ class Ax188001 {
     const Messages& messages() const { return messages_; }
     const Application& application() const { return application_; }
 
-    /// The bits of an object that can be mapped (3.3, 3.4).
+    /// Returns the bits of an object that can be mapped (3.3, 3.4).
     std::uint32_t value(unsigned index, unsigned sub) const {
         const Shown average = scanner_.average(application_);
         switch (index) {
@@ -142,7 +142,7 @@ class Ax188001 {
             }
         }
     }
-    /// 3.2.13: as soon as a fault is told the node obeys 1029h.
+    /// Reports faults; the node then follows 1029h (3.2.13).
     void tell_faults() {
         for (std::size_t i = 0; i < 8; ++i) {
             tell(first_channel_error + i, scanner_.faults[i / 4][i % 4].told, 2);
@@ -182,7 +182,7 @@ class Ax188001 {
     }
     bool is_off() const { return at_.can >= 3; }
     bool may_tell() const { return state_ != State::stopped && !is_off(); }
-    /// Bus-off is a communication error of 1029h:1 (TCS-D-030).
+    /// Checks for bus-off, a communication error of 1029h:1 (TCS-D-030).
     void watch() {
         if (std::exchange(fails_, is_off()) != is_off() && is_off()) {
             react(communication_.reaction[1]);
@@ -235,7 +235,8 @@ class Ax188001 {
         fails_ = false;
         boot();
     }
-    /// Boot-up message, pre-operational, then what 5555h and the faults that last say (1.4, 3.2.13, 3.4.22).
+    /// Boots: boot-up message, pre-operational, then the state required by 5555h and the active faults (1.4, 3.2.13,
+    /// 3.4.22).
     void boot() {
         messages_.allow(false);
         state_ = State::stopped;
@@ -315,7 +316,7 @@ class Ax188001 {
         }
         return 0;
     }
-    /// The manual's steps: nothing is mapped until sub-index 0 is set again.
+    /// Maps by the steps of the manual: nothing is mapped until sub-index 0 is set again.
     void map(Tpdo& tpdo, unsigned sub, std::uint32_t bits) {
         if (sub != 0) {
             entries_[sub - 1] = Tpdo::Mapped{bits >> 16U, (bits >> 8U) & 0xFFU, (bits & 0xFFU) / 8U};
@@ -324,7 +325,8 @@ class Ax188001 {
         tpdo.mapped.assign(entries_.begin(), entries_.begin() + bits);
     }
 
-    /// Frames of one moment leave in the order in which they win arbitration, but none before a boot-up message.
+    /// Moves sent frames to the result: frames of one moment in the order of arbitration, but none before a boot-up
+    /// message.
     void keep_sent() {
         std::multimap<std::string, std::string> waiting;
         for (const auto& text : sent_) {

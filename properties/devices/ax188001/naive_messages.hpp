@@ -1,5 +1,5 @@
-// Errors of the AX188001 as chapter 3.2.4 tells them: 1001h, 1003h and emergency messages with code, channel and
-// description. Knows nothing of the firmware.
+// Errors of the AX188001 as in chapter 3.2.4: 1001h, 1003h and emergency messages with code, channel and description.
+// Shares no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct ErrorKind {
 constexpr std::size_t overrun_error = 0;
 constexpr std::size_t first_channel_error = 1;  ///< open, high, low, shutdown of channel 1, then of channel 2
 constexpr std::size_t first_unit_error = 9;     ///< FD1 to FD3
-constexpr std::size_t bus_off_over = 12;        ///< announced, never lasting
+constexpr std::size_t bus_off_over = 12;        ///< reported once, never active
 constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
                                                  {0xF001, 1, 0x00},
                                                  {0xF011, 1, 0x10},
@@ -40,7 +40,7 @@ constexpr std::array<ErrorKind, 13> error_kinds{{{0x8110, 0, 0x00},
 
 class Messages {
   public:
-    /// What is sent, as text; the messages of node 127.
+    /// Writes sent messages as text to `sent`; they are those of node 127.
     explicit Messages(std::vector<std::string>& sent) : sent_{&sent} {}
 
     void forget_all() {
@@ -76,7 +76,7 @@ class Messages {
     void empty_list() { list_.clear(); }
 
     unsigned error_register() const { return std::find(active_.begin(), active_.end(), true) != active_.end() ? 1 : 0; }
-    /// 1003h, the latest first.
+    /// Returns 1003h predefined error field, the latest error first.
     const std::deque<std::uint32_t>& list() const { return list_; }
 
   private:
@@ -85,7 +85,7 @@ class Messages {
         bool cured;
     };
 
-    /// What waits (in stopped) says of each error how it was first and how it is now, no more.
+    /// Queues a message. In stopped, at most two messages of an error wait: its first state and its present state.
     void announce(const Waiting& told) {
         std::vector<std::size_t> same;
         for (std::size_t i = 0; i < waiting_.size(); ++i) {

@@ -1,5 +1,5 @@
-// The parameters of the AX188001 by the manual's chapters 3.2 to 3.4: what each write does to them and which are
-// refused. Knows nothing of the firmware.
+// The parameters of the AX188001 by chapters 3.2 to 3.4 of the manual: the effect of each write and the refused writes.
+// Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Channel {
     unsigned delay_ms{5000};
 };
 
-/// What a TPDO is made of, as far as this model goes: no inhibit time.
+/// The parameters of a TPDO, as far as this model covers them: no inhibit time.
 struct Tpdo {
     struct Mapped {
         unsigned index;
@@ -93,7 +93,7 @@ inline std::uint32_t keep_real(float& target, std::uint32_t bits, float limit) {
     return keep(std::isfinite(value) ? within(value, -limit, limit) : refused_range, target, value);
 }
 
-/// 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16: objects with a sub-index for each channel.
+/// Writes the objects with a sub-index per channel: 3.3.2 to 3.3.5, 3.4.1, 3.4.13 to 3.4.16.
 inline std::uint32_t write_channel(Channel& one, unsigned index, std::uint32_t bits) {
     const int number = static_cast<std::int16_t>(bits);
     switch (index) {
@@ -118,7 +118,7 @@ inline std::uint32_t write_channel(Channel& one, unsigned index, std::uint32_t b
     }
 }
 
-/// 3.4.18 to 3.4.21: FD1 by temperature, FD2 above and FD3 below a voltage.
+/// Writes the fault detection (3.4.18 to 3.4.21): FD1 by temperature, FD2 above and FD3 below a voltage.
 inline std::uint32_t write_fault_detection(Application& all, unsigned index, unsigned sub, std::uint32_t bits) {
     auto& set = all.fd_set;
     auto& clear = all.fd_clear;
@@ -143,7 +143,7 @@ inline std::uint32_t write_fault_detection(Application& all, unsigned index, uns
     }
 }
 
-/// An object of 2000h to 6FFFh that can be written.
+/// Writes a writable object of 2000h to 6FFFh.
 inline std::uint32_t write_application(Application& all, unsigned index, unsigned sub, std::uint32_t bits) {
     switch (index) {
         case 0x2020:

@@ -1,5 +1,5 @@
-// The measuring part of the AX188001 as the manual describes it (1.1 to 1.4, 3.3, 3.4): nothing is kept but the last
-// reading and the faults; whatever happens, everything is computed anew. Knows nothing of the firmware.
+// Naive measurement of the AX188001 as in the manual (1.1 to 1.4, 3.3, 3.4): it keeps only the last reading and the
+// faults, and computes everything else each time. Shares no code with the firmware.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct Terminals {
     unsigned can{0};  ///< 0 active, 1 warning, 2 passive, 3 bus-off
 };
 
-/// A fault that is told when it has lasted for its delay, and cleared at once (3.4.16, 3.4.21).
+/// A fault that is reported when it has lasted for its delay, and cleared at once (3.4.16, 3.4.21).
 struct Fault {
     std::optional<std::uint64_t> since;
     bool told{false};
@@ -44,11 +44,11 @@ struct Fault {
     }
 };
 
-/// In the order in which they are told.
+/// The faults of a channel in the order in which they are reported.
 enum ChannelFault : unsigned { open_circuit, high_warning, low_warning, shutdown };
 
 struct Shown {
-    double uv{0.0};  ///< before it is rounded for 2010h
+    double uv{0.0};  ///< before rounding for 2010h
     float celsius{0.0F};
     bool valid{false};
     std::int16_t process{0};
@@ -56,12 +56,13 @@ struct Shown {
 
 class Scanner {
   public:
-    /// What the device shows as a temperature: the last digits of a REAL32 are its own.
+    /// Returns the temperature that the device shows: the last digits of its REAL32 are taken from the device.
     using Observe = std::function<float(unsigned channel)>;
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}
 
-    /// The converters settle on what is at the terminals: from the finest gain to the coarsest, each four readings.
+    /// Settles the converters on the voltage at the terminals: from the finest gain to the coarsest, four readings
+    /// each.
     void restart(const Application& all, const Terminals& at) {
         *this = Scanner{observe_};
         for (int reading = 0; reading < 9; ++reading) {
@@ -84,7 +85,7 @@ class Scanner {
             one.restart_filter();
         }
     }
-    /// Values and faults of the last reading by the parameters as they are.
+    /// Computes values and faults of the last reading with the present parameters.
     void evaluate(const Application& all, std::uint64_t now) {
         for (std::size_t i = 0; i < 2; ++i) {
             evaluate_channel(i, all.channel[i], now);
@@ -95,7 +96,7 @@ class Scanner {
         judge_unit(1, all, voltage > all.fd_set[1], voltage <= all.fd_clear[1], now);
         judge_unit(2, all, voltage < all.fd_set[2], voltage >= all.fd_clear[2], now);
     }
-    /// Faults whose delay ends now are told.
+    /// Reports faults whose delay ends now.
     void expire(const Application& all, std::uint64_t now) {
         for (std::size_t i = 0; i < 2; ++i) {
             for (Fault& one : faults[i]) {
@@ -113,11 +114,11 @@ class Scanner {
     std::int16_t cold_junction_process(const Application& all) const {
         return scaled(cold_junction_c_, all.cj_factor, all.cj_offset);
     }
-    /// Tenths of a degree and tenths of a volt (3.4.17).
+    /// Returns a fault detection value in tenths of a degree or of a volt (3.4.17).
     double fd_value(std::size_t which) const {
         return std::round(10.0 * static_cast<double>(which == 0 ? cpu_c_ : supply_v_));
     }
-    /// 1.2: the sum of the valid channels divided by their number.
+    /// Returns the average: the sum of the valid channels divided by their number (1.2).
     Shown average(const Application& all) const {
         double sum = 0.0;
         int count = 0;
@@ -137,7 +138,7 @@ class Scanner {
         }
         return mean;
     }
-    /// Table 7, the gravest first.
+    /// Returns the status of a channel by Table 7, the worst first.
     unsigned status(std::size_t channel) const {
         const auto& has = faults[channel];
         if (has[open_circuit].told) {
@@ -163,7 +164,7 @@ class Scanner {
         const double value = static_cast<double>(celsius) * static_cast<double>(factor) + static_cast<double>(offset);
         return static_cast<std::int16_t>(std::min(std::max(std::round(value), -32768.0), 32767.0));
     }
-    /// -1 and -512 have a meaning of their own: a measured value gives way.
+    /// Returns a measured value; it avoids -1 and -512, which are reserved.
     static std::int16_t measured(float celsius, float factor, float offset) {
         const std::int16_t value = scaled(celsius, factor, offset);
         return static_cast<std::int16_t>(value == disabled_value || value == open_value ? value + 1 : value);

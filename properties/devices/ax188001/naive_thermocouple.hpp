@@ -1,5 +1,5 @@
-// What one channel of the AX188001 reads, straight from the manual (1.1, 1.3, appendix A): the converter with its gains
-// and its filter, and the temperature of a voltage by halving an interval. Knows nothing of the firmware.
+// Naive reading of one channel of the AX188001 as in the manual (1.1, 1.3, appendix A): the converter with its gains
+// and its filter, and the temperature of a voltage by bisection. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -43,12 +43,12 @@ inline Sensor sensor(unsigned type) {
     return {&test::its90_types()[0], 0, 0, 0};
 }
 
-/// Voltage of a junction at `celsius` against one at 0 degC.
+/// Returns the voltage of a junction at `celsius` against one at 0 degC.
 inline double uv_of(unsigned type, double celsius) {
     return static_cast<double>(sensor(type).curve->mv(static_cast<long double>(celsius))) * 1000.0;
 }
 
-/// Temperature of a voltage, held at the ends of the type's range.
+/// Returns the temperature of a voltage, clamped to the range of the type.
 inline double celsius_of(unsigned type, double uv) {
     const Sensor wanted = sensor(type);
     double low = wanted.lowest_c;
@@ -66,7 +66,7 @@ inline double celsius_of(unsigned type, double uv) {
     return (low + high) / 2.0;
 }
 
-/// More than 10 uV beyond the range of appendix A.
+/// Returns whether a voltage is more than 10 uV beyond the range of appendix A.
 inline bool is_above(unsigned type, double uv) {
     return uv > sensor(type).highest_uv + 10.0;
 }
@@ -121,7 +121,8 @@ class Converter {
     bool open_{false};
 };
 
-/// What of a mains hum is left behind the filter (1.1: 110 dB; a sinc filter of fourth order elsewhere).
+/// Returns the fraction of mains hum behind the filter (1.1: 110 dB; a sinc filter of fourth order at other
+/// frequencies).
 inline double hum_left(unsigned filter_hz, unsigned mains_hz) {
     if (mains_hz != 50 && mains_hz != 60) {
         return 0.0;

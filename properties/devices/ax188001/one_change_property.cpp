@@ -1,6 +1,5 @@
-// One thing changes at a time on a running AX188001: what it then shows is what a device shows that was switched on
-// with it. What was computed before and kept must not be used for another type, voltage or cold junction (1.1, 3.3,
-// 3.4).
+// Changes one thing at a time on a running AX188001 and compares it with a device that was switched on with this state.
+// Values computed before the change must not be used for another type, voltage or cold junction (1.1, 3.3, 3.4).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -13,14 +12,14 @@ namespace canproof::test {
 
 namespace {
 
-/// All that the values of a device depend on.
+/// Everything that the values of a device depend on.
 struct TcsState {
     std::array<unsigned, 2> type{1, 2};
     std::array<unsigned, 2> enabled{1, 1};
     std::array<unsigned, 2> compensated{1, 1};
     std::array<int, 2> factor{16, 18};
     std::array<int, 2> offset{4368, 320};
-    std::array<int, 2> high_c{200, 300};  ///< 10 degC below the shutdown, 1 degC or more beside any temperature
+    std::array<int, 2> high_c{200, 300};  ///< 10 degC below the shutdown, at least 1 degC away from any temperature
     std::array<double, 2> uv{4000.0, 9000.0};
     std::array<unsigned, 2> open{0, 0};
     double cold_junction_c{25.0};
@@ -45,7 +44,7 @@ void put(TcsBench& bench, const TcsState& state) {
     bench.inputs.supply = static_cast<float>(state.supply_v);
 }
 
-/// Writes what differs from a device that stands at `before`.
+/// Writes the values that differ from those of a device in the state `before`.
 void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     const auto change = [&](int index, int sub, int size, auto old_value, auto value) {
         if (old_value != value) {
@@ -75,12 +74,12 @@ void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     change(0x5041, 1, 2, before.fd_high, after.fd_high);
 }
 
-/// Four readings of a new filter, and four of each change of gain on the way to an open circuit.
+/// Waits for four readings of a new filter, and four of each gain change on the way to an open circuit.
 void settle(TcsRig& rig) {
     rig.bench.pass(13 * TcsBench::period_ms);
 }
 
-/// A device with wide limits and no delays, at a state from its start on.
+/// Starts a device with wide limits and no delays in a state.
 void start(TcsRig& rig, const TcsState& state) {
     const TcsState shipped{{1, 1}, {1, 1}, {1, 1}, {16, 16}, {4368, 4368}, {125, 125}};
     put(rig.bench, state);
@@ -94,7 +93,7 @@ void start(TcsRig& rig, const TcsState& state) {
     settle(rig);
 }
 
-/// A single thing of a state gets another value.
+/// Changes a single value of a state.
 void change_one(TcsState& state, unsigned which, unsigned number) {
     const std::size_t i = number % 2;
     const unsigned rest = number / 2;
@@ -138,7 +137,7 @@ void change_one(TcsState& state, unsigned which, unsigned number) {
     }
 }
 
-/// What is shown of a state that has settled: all but 6150h, which may depend on where a temperature came from.
+/// Returns the values shown in a settled state: all but 6150h, which may depend on the previous temperature.
 std::vector<std::uint32_t> shown(const TcsRig& rig) {
     const auto read = [&](int index, int sub) {
         return rig.bench.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));

@@ -1,4 +1,4 @@
-// A reset of the AX188001 leaves nothing of its state: properties/support/reset_law.hpp.
+// Checks that a reset of the AX188001 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"

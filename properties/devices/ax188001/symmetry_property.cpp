@@ -1,5 +1,5 @@
-// The channels of the AX188001 are alike and independent (1.1, appendix A): with parameters and terminals of the two
-// exchanged, everything that is sent and shown is exchanged, and nothing else changes.
+// Checks that the channels of the AX188001 are equal and independent (1.1, appendix A): with the parameters and
+// terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -25,14 +25,14 @@ TcsAction exchanged(TcsAction action) {
     return action;
 }
 
-/// The text between two places before the one between two others.
+/// Swaps two adjacent parts of the same length in a text.
 std::string turned(const std::string& text, std::size_t from, std::size_t length) {
     return text.substr(0, from) + text.substr(from + length, length) + text.substr(from, length) +
            text.substr(from + 2 * length);
 }
 
-/// A frame of the device with exchanged channels: byte 3 of their emergency messages, the halves of TPDO1 and TPDO3,
-/// the first two bytes of TPDO4, the sub-index of an SDO answer.
+/// Returns a frame of the device with exchanged channels: byte 3 of their emergency messages, the halves of TPDO1 and
+/// TPDO3, the first two bytes of TPDO4, the sub-index of an SDO answer.
 std::string exchanged(const std::string& frame) {
     const std::string id = frame.substr(0, 3);
     if (id == "0FF" && (frame.substr(4, 4) == "01F0" || frame.substr(4, 4) == "11F0")) {
@@ -54,8 +54,8 @@ std::string exchanged(const std::string& frame) {
     return frame;
 }
 
-/// Frames of one moment in an order that does not depend on which channel is looked at first, and without 1001h in
-/// emergency messages, which does.
+/// Sorts the frames of one moment independently of the order of the channels, and without 1001h in emergency messages,
+/// which depends on that order.
 TimedFrames sorted(TimedFrames frames) {
     for (auto& [ms, frame] : frames) {
         frame = frame.rfind("0FF#", 0) == 0 ? frame.replace(8, 2, "..") : frame;
@@ -81,7 +81,7 @@ void compare(const TcsRig& rig, const TcsRig& other) {
     RC_ASSERT(rig.bench.device->state() == other.bench.device->state());
 }
 
-/// Entries of 1003h, with the channel exchanged where they are a channel's.
+/// Returns the entries of 1003h, with the channel exchanged in errors of a channel.
 std::vector<std::uint32_t> listed(const TcsRig& rig, bool is_exchanged) {
     std::vector<std::uint32_t> all;
     const auto& objects = rig.bench.device->objects();
@@ -100,13 +100,13 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
     verifies<req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_003, req::TCS_VAL_001, req::TCS_ERR_001, req::TCS_PDO_001>(
         "property");
     auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(50, rc::gen::inRange(0U, 1000000U)));
-    setup.reaction[1] = 1;  // which fault of a moment stops the node first depends on the order of the channels
+    setup.reaction[1] = 1;  // otherwise the order of the channels decides which fault of a moment stops the node first
     const auto steps = *rc::gen::resize(
         50,
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     TcsRig rig;
     TcsRig other;
-    bool is_full = false;  // of ten errors the oldest is lost: of one moment, that of the channel that is told first
+    bool is_full = false;  // of ten errors the oldest is lost: at one moment that of the channel reported first
     const auto happen = [&](const TcsAction& action) {
         play(rig, action);
         play(other, exchanged(action));

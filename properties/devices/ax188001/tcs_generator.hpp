@@ -1,11 +1,12 @@
-// Actions for an AX188001 out of any numbers, and a configuration in which the two channels differ in every parameter.
+// Generates actions for an AX188001 from any numbers, and a configuration in which the two channels differ in every
+// parameter.
 #pragma once
 
 #include "properties/devices/ax188001/tcs_scenario.hpp"
 
 namespace canproof::test {
 
-/// How the channels and the unit are set before anything happens.
+/// The settings of channels and unit before the first action.
 struct TcsSetup {
     std::array<unsigned, 2> type{1, 2};
     std::array<int, 2> low_c{-40, -20};
@@ -55,7 +56,7 @@ inline std::uint32_t tenths(int celsius) {
     return static_cast<std::uint32_t>(celsius * 10) & 0xFFFFU;
 }
 
-/// Writes of the setup in an order in which each is accepted, on a device as shipped.
+/// Returns the writes of the setup in an order in which each is accepted, for a device with default parameters.
 inline std::vector<TcsAction> writes_of(const TcsSetup& setup) {
     std::vector<TcsAction> all;
     for (int sub = 1; sub <= 2; ++sub) {
@@ -74,7 +75,7 @@ inline std::vector<TcsAction> writes_of(const TcsSetup& setup) {
     return all;
 }
 
-/// All four TPDOs, remapped in the manual's steps (3.2.15), and 1029h.
+/// Returns the writes that remap all four TPDOs by the steps of the manual (3.2.15), and 1029h.
 inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     const std::array<std::vector<std::uint32_t>, 4> mapped{{{0x71300110, 0x71300210},
                                                             {0x21300010, 0x31300010},
@@ -100,7 +101,8 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     return all;
 }
 
-/// 5555h and 5556h, which act with the next boot, and a boot with all that was written or the NMT command start.
+/// Returns the writes of 5555h and 5556h, which act at the next boot-up, and a boot-up with all stored or the NMT
+/// command start.
 inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
     if (setup.is_stored) {
@@ -113,7 +115,7 @@ inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     return all;
 }
 
-/// A pause: none, to around a reading, or to around a delay.
+/// Returns a pause: none, until about a reading, or until about a delay.
 inline std::uint64_t wait_of(const TcsSetup& setup, unsigned number) {
     const unsigned rest = number / 8;
     const unsigned delay = rest % 2 == 0 ? setup.delay_ms[rest / 2 % 2] : setup.fd_delay_ms[rest / 2 % 2];
@@ -137,7 +139,7 @@ inline std::uint64_t wait_of(const TcsSetup& setup, unsigned number) {
     }
 }
 
-/// Temperatures around the limits of the channel, and at the ends of its type's range.
+/// Returns a temperature near a limit of the channel or an end of the range of its type.
 inline double celsius_near(const TcsSetup& setup, std::size_t i, unsigned number) {
     const double aside = static_cast<double>(number / 8 % 41) / 10.0 - 2.05;
     switch (number % 8) {
@@ -160,7 +162,7 @@ inline double celsius_near(const TcsSetup& setup, std::size_t i, unsigned number
     }
 }
 
-/// One parameter of one channel, or of the unit.
+/// Returns a write of one parameter of a channel or of the unit.
 inline TcsAction write_of(const TcsSetup& setup, unsigned which, unsigned number) {
     const int sub = 1 + static_cast<int>(number % 2);
     const auto i = static_cast<std::size_t>(sub - 1);

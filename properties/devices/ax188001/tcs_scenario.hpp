@@ -1,5 +1,5 @@
-// What can happen to an AX188001 in a law: its parameters, its terminals and time, made of plain numbers that a
-// generator chooses, and the device to which it happens.
+// Actions on an AX188001 in a property: its parameters, its terminals and time, made of plain numbers that a generator
+// chooses; and the device that gets them.
 #pragma once
 
 #include <rapidcheck.h>
@@ -12,7 +12,7 @@
 
 namespace canproof::test {
 
-/// One thing that happens, and how long the device is left alone afterwards.
+/// One action, and the time that passes after it.
 struct TcsAction {
     enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, can, write, command, power_cycle };
     Kind kind{heat};
@@ -54,7 +54,7 @@ inline TcsAction written_real(int index, int sub, float value, std::uint64_t wai
     return written(index, sub, 4, bits, wait_ms);
 }
 
-/// A thermocouple of the type that the channel is set to.
+/// Returns the voltage of a thermocouple of the type that the channel is set to.
 inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     const auto type = static_cast<unsigned>(bench.device->objects().read(0x6110, static_cast<std::uint8_t>(channel)));
     const bool compensated = bench.device->objects().read(0x2000, static_cast<std::uint8_t>(channel)) != 0;
@@ -62,7 +62,7 @@ inline float terminal_uv(const TcsBench& bench, int channel, double celsius) {
     return static_cast<float>(naive_tcs::uv_of(type, celsius) - (compensated ? cold_uv : 0.0));
 }
 
-/// Changes the inputs of the bench by an action that is one of the terminals.
+/// Changes the inputs of the bench by an action on the terminals.
 inline void put_inputs(TcsBench& bench, const TcsAction& action) {
     const auto at = static_cast<std::size_t>(action.channel - 1);
     const auto value = static_cast<float>(action.value);
@@ -103,7 +103,7 @@ inline void put_inputs(TcsBench& bench, const TcsAction& action) {
     }
 }
 
-/// The frame of a write or a command.
+/// Returns the frame of a write or a command.
 inline std::string frame_of(const TcsAction& action) {
     if (action.kind == TcsAction::command) {
         return fmt::format("000#{:02X}{:02X}", static_cast<int>(action.value), action.sub);
@@ -114,7 +114,7 @@ inline std::string frame_of(const TcsAction& action) {
 
 using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
 
-/// The device with its clock and all that it sent.
+/// The device with its clock and all frames that it sent.
 class TcsRig {
   public:
     TcsRig() { note(bench.power_on()); }
@@ -129,7 +129,7 @@ class TcsRig {
             note(bench.set_inputs());
         }
     }
-    /// To the next deadline, or to `end_ms` when there is none before.
+    /// Advances to the next deadline, or to `end_ms` when there is no deadline before.
     void go_on(std::uint64_t end_ms) {
         const Instant end = Instant{} + milliseconds(end_ms);
         const Instant next = earliest(bench.device->next_deadline(), end);
@@ -137,7 +137,7 @@ class TcsRig {
         if (bench.device->next_deadline() <= bench.now) {
             bench.device->advance(bench.now);
             note(bench.sent());
-            RC_ASSERT(bench.device->next_deadline() > bench.now);  // what is due gets done
+            RC_ASSERT(bench.device->next_deadline() > bench.now);  // due work is done
         }
     }
     std::uint64_t now_ms() const { return bench.now.us / 1000; }
@@ -156,7 +156,7 @@ class TcsRig {
     TimedFrames seen_;
 };
 
-/// Lets all of an action happen.
+/// Performs an action completely.
 inline void play(TcsRig& rig, const TcsAction& action) {
     rig.happen(action);
     for (const std::uint64_t end = rig.now_ms() + action.wait_ms; rig.now_ms() < end || rig.is_due();) {
@@ -164,7 +164,7 @@ inline void play(TcsRig& rig, const TcsAction& action) {
     }
 }
 
-/// Numbers of a generator as actions: four for each.
+/// Numbers of a generator for actions: four for each.
 using TcsNumbers = std::vector<std::array<unsigned, 4>>;
 
 }  // namespace canproof::test

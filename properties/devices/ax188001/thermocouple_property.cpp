@@ -1,4 +1,4 @@
-// Laws of the thermocouple scanner's blocks (AX188001, 1.1 to 1.3, appendix A).
+// Properties of the blocks of the thermocouple scanner (AX188001, 1.1 to 1.3, appendix A).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -29,7 +29,7 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// A number from low to high, in 2^30 steps.
+/// Returns a number from low to high, in 2^30 steps.
 double between(double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, (1 << 30) + 1) / static_cast<double>(1 << 30);
 }
@@ -66,7 +66,7 @@ RC_GTEST_PROP(ThermocoupleLaw, VoltageWithinTheRangeEqualsThatOfItsTemperature, 
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
     const double mv = between(low, static_cast<double>(type.mv(type.highest())));
     const double celsius = exact_celsius(curve_of(type), mv);
-    // 0.02 degC are worth at least 5 nV anywhere; the inversion is far better.
+    // 0.02 degC are at least 5 nV everywhere; the inversion is far more exact.
     RC_ASSERT(std::fabs(static_cast<double>(type.mv(celsius)) - mv) < 5e-6);
 }
 
@@ -76,7 +76,7 @@ RC_GTEST_PROP(GainRangingLaw, EveryVoltageIsReadWithinNineConversions, ()) {
     for (int i = *rc::gen::inRange(0, 30); i > 0; --i) {
         adc.convert(between(-100000.0, 100000.0), circuit);
     }
-    // Settled on whatever came last, then a jump.
+    // The converter has settled on any voltage, then the voltage jumps.
     const double before = between(-100000.0, 100000.0);
     for (int i = 0; i < 18; ++i) {
         adc.convert(before, circuit);
@@ -128,7 +128,7 @@ RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
 
 RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedOnceTheLimitWasPassedForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_002>("property");
-    // A naive model: the history of readings, every 165 ms; limit 100 degC, clear at 99.
+    // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));
     const std::uint64_t delay_ms = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
     DelayedFault fault;

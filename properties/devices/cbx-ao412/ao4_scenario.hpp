@@ -1,4 +1,4 @@
-// What can happen to a CAN-CBX-AO412 in a law, made of plain numbers that a generator chooses.
+// Actions on a CAN-CBX-AO412 in a property, made of plain numbers that a generator chooses.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-/// One thing that happens, and how long the device is left alone afterwards.
+/// One action, and the time that passes after it.
 struct Ao4Action {
     enum Kind { write, frame, remote, terminal, power_cycle };
     Kind kind{write};
@@ -63,7 +63,7 @@ inline std::vector<unsigned> little_endian_bytes(std::uint32_t value, unsigned c
     return bytes;
 }
 
-/// Identifier and data of what goes over the bus, for a node of this node-ID.
+/// Identifier and data of a frame on the bus, for a node with this node-ID.
 struct Ao4Frame {
     unsigned id;
     std::vector<unsigned> data;
@@ -90,7 +90,7 @@ inline Ao4Frame frame_of(const Ao4Action& action, unsigned node) {
     return {action.id + (action.own ? node : 0U), action.data, action.kind == Ao4Action::remote};
 }
 
-/// Terminals by number: switches High, Low and Baud, CAN state, lost frames, failed software, failed hardware.
+/// Sets a terminal by number: switches High, Low and Baud, CAN state, lost frames, software failure, hardware failure.
 inline void put_terminal(cbx_ao412::Inputs& inputs, unsigned number, std::uint32_t value) {
     const auto octet = static_cast<std::uint8_t>(value);
     switch (number) {
@@ -120,7 +120,7 @@ inline void put_terminal(cbx_ao412::Inputs& inputs, unsigned number, std::uint32
 
 using Ao4Numbers = std::array<unsigned, 4>;
 
-/// A write of any parameter: `which` and two numbers.
+/// Returns a write of any parameter from `which` and a number.
 inline Ao4Action ao4_write_of(unsigned which, unsigned number) {
     const unsigned sub = 1 + number % 4;
     const unsigned rest = number / 4;

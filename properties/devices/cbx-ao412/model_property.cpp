@@ -1,5 +1,5 @@
-// The CAN-CBX-AO412 beside a naive model of the whole device: whatever is written, sent, switched and broken, it sends
-// and shows what the model does, at every moment (manual, chapters 3 and 7).
+// Compares the CAN-CBX-AO412 with a naive model of the whole device: after any writes, frames, switching and failures
+// it sends and shows the same as the model, at every moment (manual, chapters 3 and 7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@ naive_ao4::Terminals terminals_of(const cbx_ao412::Inputs& inputs) {
             inputs.can_overrun, inputs.internal_fault, inputs.hardware_fault};
 }
 
-/// Device and model, moment by moment.
+/// Runs device and model side by side.
 class Pair {
   public:
     Pair() {
@@ -70,10 +70,10 @@ class Pair {
     void go_on(Instant end) {
         const Instant next = earliest(bench_.device->next_deadline(), end);
         bench_.now = next < bench_.now ? bench_.now : next;
-        if (bench_.device->next_deadline() <= bench_.now) {  // what it does not wait for it does not do
+        if (bench_.device->next_deadline() <= bench_.now) {  // nothing is done before its deadline
             bench_.device->advance(bench_.now);
             note(bench_.sent());
-            RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // what is due gets done
+            RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // due work is done
         }
         model_.pass(now_ms() - model_.now());
     }
@@ -142,13 +142,13 @@ RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     const auto steps = *rc::gen::resize(80, rc::gen::container<std::vector<Ao4Numbers>>(
                                                 rc::gen::container<Ao4Numbers>(rc::gen::inRange(0U, 1000000U))));
     Pair pair;
-    for (unsigned sub = 1; sub <= 4; ++sub) {  // a start with four different outputs
+    for (unsigned sub = 1; sub <= 4; ++sub) {  // starts with four different outputs
         pair.happen(ao4_write(0x6443, sub, 1, sub % 3));
         pair.happen(ao4_write(0x6444, sub, 4, 0x10005000U * sub));
         pair.happen(ao4_write(0x6411, sub, 2, 0x0777U * sub));
     }
     pair.happen(ao4_write(0x1016, 1, 4, 0x310000U | *rc::gen::inRange(30U, 500U)));
-    if (*rc::gen::arbitrary<bool>()) {  // with a self-start at each boot
+    if (*rc::gen::arbitrary<bool>()) {  // with a self-start at each boot-up
         pair.happen(ao4_write(0x1F80, 0, 4, 8));
         pair.happen(ao4_write(0x1F91, 1, 2, *rc::gen::inRange(1U, 300U)));
         pair.happen(ao4_write(0x1010, 1, 4, 0x65766173));

@@ -10,7 +10,7 @@ unsigned word(const std::vector<unsigned>& data, std::size_t at) {
     return data[at] | (data[at + 1] << 8U);
 }
 
-/// Frames of one moment leave in the order in which they win arbitration.
+/// Moves the frames of one moment in the order of arbitration.
 void drain(std::multimap<std::string, std::string>& waiting, std::uint64_t now,
            std::vector<std::pair<std::uint64_t, std::string>>& to) {
     for (const auto& [id, text] : waiting) {
@@ -29,7 +29,7 @@ std::string Device::text_of(unsigned id, const std::vector<unsigned>& data) {
     return text;
 }
 
-/// 3.3, 7.5: the switches as they stand now.
+/// Reads the present positions of the switches (3.3, 7.5).
 void Device::power_on(const Terminals& at, std::uint64_t now) {
     now_ = now;
     node_ = 16 * at.high + at.low;
@@ -85,7 +85,7 @@ void Device::receive(unsigned id, const std::vector<unsigned>& data) {
     keep_sent();
 }
 
-/// 7.9.10, 7.7.2.
+/// Answers a remote frame (7.9.10, 7.7.2).
 void Device::ask(unsigned id) {
     if (!runs_ || is_off()) {
         return;
@@ -236,7 +236,7 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// 7.9.21: heartbeat, guarding and bus-off. What the node does then is 1029h's, what the outputs do 6443h's.
+/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h the outputs.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);
@@ -314,7 +314,7 @@ void Device::enlist(Error error) {
     list_.resize(std::min<std::size_t>(list_.size(), 10));
 }
 
-/// What waits says of each error how it was first and how it is now (AO4-D-073).
+/// Queues a message: at most two messages of an error wait, its first state and its present state (AO4-D-073).
 void Device::announce(const Waiting& told) {
     const auto same = [&](const Waiting& one) { return one.error == told.error; };
     const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(), same);
@@ -339,7 +339,8 @@ void Device::flush() {
     }
 }
 
-/// Nothing waits in front of a boot-up message; nothing leaves a controller that is off.
+/// Moves sent frames to the result. No frame precedes a waiting boot-up message; no frame leaves a controller in
+/// bus-off.
 void Device::keep_sent() {
     std::multimap<std::string, std::string> waiting;
     const std::string boot_up = text_of(0x700 + node_, {0});

@@ -1,6 +1,6 @@
-// The whole CAN-CBX-AO412, straight from the manual's sentences, on a clock of milliseconds: outputs, errors and
-// emergency messages, states, self-start, heartbeat and guarding, LEDs, switches, storing. Knows nothing of the
-// firmware.
+// Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, on a clock of milliseconds:
+// outputs, errors and emergency messages, states, self-start, heartbeat and guarding, LEDs, switches, storing. Shares
+// no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,12 +29,12 @@ struct Terminals {
     bool hardware{false};
 };
 
-/// 7.9.4, in the order in which they are told.
+/// The errors of 7.9.4, in the order in which they are reported.
 enum Error : std::size_t { overrun, passive, guard, sync_length, software, hardware, bus_off_over, error_count };
 constexpr std::array<unsigned, error_count> codes{0x8110, 0x8120, 0x8130, 0x8240, 0x6110, 0x5000, 0x8140};
 constexpr std::array<unsigned, error_count> bits{0x11, 0x11, 0x11, 0x11, 0x01, 0x01, 0x00};
 
-/// What 1010h keeps.
+/// The parameters that 1010h stores.
 struct Settings {
     std::array<OutputSettings, 4> outputs{};
     unsigned consumer_node{0};
@@ -49,7 +49,7 @@ struct Settings {
     unsigned start_ms{100};
 };
 
-/// Only 1000h to 1FFFh of a set.
+/// Copies only 1000h to 1FFFh of a set.
 inline void take_communication(Settings& to, const Settings& from) {
     const auto outputs = to.outputs;
     to = from;
@@ -60,7 +60,7 @@ class Device {
   public:
     using Sent = std::vector<std::pair<std::uint64_t, std::string>>;
 
-    /// A device with the calibration of the factory.
+    /// Makes a device with the factory calibration.
     Device(const std::array<int, 4>& offset, const std::array<int, 4>& gain) {
         for (std::size_t i = 0; i < 4; ++i) {
             shipped_.outputs[i].offset = offset[i];
@@ -71,9 +71,9 @@ class Device {
 
     void power_on(const Terminals& at, std::uint64_t now);
     void set_terminals(const Terminals& at);
-    /// A frame of the bus: identifier and data.
+    /// Receives a frame: identifier and data.
     void receive(unsigned id, const std::vector<unsigned>& data);
-    /// A remote frame.
+    /// Receives a remote frame.
     void ask(unsigned id);
     void pass(std::uint64_t ms);
 
@@ -93,7 +93,7 @@ class Device {
     }
     const std::deque<unsigned>& list() const { return list_; }
     std::uint32_t rate() const { return bit_rate(baud_); }
-    /// E, S, M and P (3.2).
+    /// Returns the states of the LEDs E, S, M and P (3.2).
     std::array<bool, 4> leds() const {
         return {is_lit(can_light(), true, now_), is_lit(status_light(), false, now_), is_lit(error_light(), true, now_),
                 is_lit(runs_ ? Light::on : Light::off, false, now_)};

@@ -1,4 +1,4 @@
-// What a download does to the objects of the CAN-CBX-AO412 (7.9 to 7.11).
+// Effects of a download on the objects of the CAN-CBX-AO412 (7.9 to 7.11).
 #include "properties/devices/cbx-ao412/naive_cbx_ao412.hpp"
 
 namespace canproof::naive_ao4 {

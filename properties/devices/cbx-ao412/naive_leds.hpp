@@ -1,5 +1,5 @@
 // The LEDs and coding switches of the CAN-CBX-AO412 by Tables 5 to 11 of its manual (3.2, 3.3), on a clock of
-// milliseconds. Knows nothing of the firmware.
+// milliseconds. Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace canproof::naive_ao4 {
 
-/// Table 5: off, on, blinking, or so many flashes.
+/// The states of Table 5: off, on, blinking, or a number of flashes.
 enum class Light { off, on, blinking, one_flash, two_flashes, three_flashes };
 
 inline bool flashes(std::uint64_t at_ms, unsigned count, unsigned pause_ms) {
@@ -16,7 +16,7 @@ inline bool flashes(std::uint64_t at_ms, unsigned count, unsigned pause_ms) {
     return within < 200U * (2U * count - 1U) && within / 200U % 2U == 0;
 }
 
-/// Whether an LED is lit; the red ones run 200 ms behind the green ones.
+/// Returns whether an LED is lit; the red LEDs are 200 ms behind the green ones.
 inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
     constexpr std::uint64_t rounds_ms = 16000;  // a whole number of rounds of each pattern
     const std::uint64_t at = red ? now_ms + rounds_ms - 200U : now_ms + rounds_ms;
@@ -37,7 +37,7 @@ inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
     }
 }
 
-/// Table 11 in bit/s.
+/// Returns the bit rate of Table 11 in bit/s.
 inline std::uint32_t bit_rate(unsigned setting) {
     constexpr std::array<std::uint32_t, 16> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                                   66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};

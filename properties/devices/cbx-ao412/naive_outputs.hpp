@@ -1,5 +1,5 @@
-// The four outputs of the CAN-CBX-AO412: from 6411h, calibration and error mode to a voltage (4.3.1, 7.10, 7.11).
-// Knows nothing of the firmware.
+// The four outputs of the CAN-CBX-AO412: voltage from 6411h, calibration and error mode (4.3.1, 7.10, 7.11). Shares no
+// code with the firmware.
 #pragma once
 
 #include <array>
@@ -16,14 +16,15 @@ struct OutputSettings {
     int gain{0};                  ///< 2405h
 };
 
-/// Steps of the converter that an output may show.
+/// The steps of the converter that an output may show.
 struct Steps {
     int low;
     int high;
 };
 
-/// 7.10.2.2, 7.11: gain, offset, the nearest step of eight with halves upwards, at most 4095. Beside the border of two
-/// steps a calibrated output may show either: how exactly it computes is its own.
+/// Returns the allowed steps (7.10.2.2, 7.11): gain, offset, the nearest step of eight with halves rounded up, at most
+/// 4095. Near the border of two steps a calibrated output may show either step, because the precision of its
+/// calculation is not specified.
 inline Steps steps_of(const OutputSettings& set, int value) {
     const double full_scale_v = 4.096 * 30.9 / 12.4;
     const double gain = 1.0 + set.gain / 262144.0;
@@ -42,7 +43,7 @@ class Output {
         driven_ = true;
         held_ = value;
     }
-    /// 7.10.3: 0 V, the error value, or as it is.
+    /// Applies the error mode: 0 V, the error value, or the present value (7.10.3).
     void fail(const OutputSettings& set) {
         if (set.error_mode == 0) {
             driven_ = false;

@@ -1,5 +1,5 @@
-// One thing changes at a time on a running CAN-CBX-AO412: its outputs are then those of a device that was given all of
-// it from the start (4.3.1, 7.10, 7.11).
+// Changes one thing at a time on a running CAN-CBX-AO412 and compares its outputs with those of a device that had all
+// values from the start (4.3.1, 7.10, 7.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-// Laws of the voltage output (CAN-CBX-AO412, 7.10.2.2 and 7.11).
+// Properties of the voltage output (CAN-CBX-AO412, 7.10.2.2 and 7.11).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

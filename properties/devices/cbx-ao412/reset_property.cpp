@@ -1,4 +1,4 @@
-// A reset of the CAN-CBX-AO412 leaves nothing of its state: properties/support/reset_law.hpp.
+// Checks that a reset of the CAN-CBX-AO412 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
@@ -19,7 +19,8 @@ struct CbxAo412Reset : UsualTraits {
     using FactoryData = cbx_ao412::FactoryData;
     static constexpr std::size_t memory_size = 1024;
 
-    /// 7.10.3: 6443h = 2 leaves an output as it is while an internal failure lasts, a reset of the node included.
+    /// Returns whether an output keeps its value: 6443h error mode = 2 keeps it during an internal failure, a reset
+    /// node included (7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t output = 1; output <= 4; ++output) {

@@ -1,5 +1,5 @@
-// The outputs of the CAN-CBX-AO412 are alike and independent (2.4, 7.10, 7.11): with parameters, values and factory
-// calibration of the four exchanged, everything that is sent and shown is exchanged, and nothing else changes.
+// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11): with parameters, values and
+// factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>
@@ -14,7 +14,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Which output stands in the place of each one.
+/// The output that takes the place of each output.
 using Places = std::array<unsigned, 4>;
 
 bool has_outputs(unsigned index) {
@@ -35,7 +35,7 @@ Ao4Action exchanged(Ao4Action action, const Places& places) {
     return action;
 }
 
-/// What the device with exchanged outputs sends instead: the answer to a write, and to a remote frame on RPDO2.
+/// Returns what the device with exchanged outputs sends: the answer to a write, and to a remote frame on RPDO2.
 std::string exchanged(const std::string& text, const Places& places) {
     const unsigned id = static_cast<unsigned>(std::stoi(text.substr(0, 3), nullptr, 16));
     std::string result = text;
@@ -62,7 +62,7 @@ void put_factory(cbx_ao412::FactoryData& factory, const Places& places) {
     }
 }
 
-/// What happens to one of the two devices; everything that it sends.
+/// Performs an action on one of the two devices and returns all frames that it sends.
 Frames happen(CbxBench& bench, const Ao4Action& action) {
     Frames all;
     if (action.kind == Ao4Action::power_cycle) {

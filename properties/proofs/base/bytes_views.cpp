@@ -1,4 +1,4 @@
-// Views of bytes: nothing outside is read or written, for memory of any size, any position and any count.
+// Views of bytes read and write nothing outside, for memory of any size, any position and any count.
 #include "firmware/base/bytes.hpp"
 #include "properties/proofs/support/proof.hpp"
 

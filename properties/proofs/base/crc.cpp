@@ -1,4 +1,4 @@
-// The check sums against the definition of a cyclic redundancy check, one bit at a time, for every state and every
+// Compares the checksums with the definition of a cyclic redundancy check, one bit at a time, for every state and every
 // byte.
 #include "firmware/base/crc16.hpp"
 #include "firmware/base/crc32.hpp"
@@ -8,7 +8,7 @@ namespace canproof::proofs {
 
 namespace {
 
-/// One byte through a register of 16 bits: polynomial 1021h, most significant bit first.
+/// Adds one byte to a 16-bit CRC: polynomial 1021h, most significant bit first.
 std::uint16_t crc16_by_definition(const std::uint16_t state, const std::uint8_t byte) {
     std::uint32_t remainder = state;
     for (std::uint32_t bit = 8U; bit > 0U; --bit) {
@@ -27,8 +27,8 @@ std::uint32_t reversed(const std::uint32_t word) {
     return result;
 }
 
-/// One byte through a register of 32 bits: polynomial 04C11DB7h, most significant bit first, the bits of the byte and
-/// of the register mirrored.
+/// Adds one byte to a 32-bit CRC: polynomial 04C11DB7h, most significant bit first, with the bits of the byte and of
+/// the CRC mirrored.
 std::uint32_t crc32_by_definition(const std::uint32_t state, const std::uint8_t byte) {
     std::uint32_t remainder = reversed(state);
     for (std::uint32_t bit = 0U; bit < 8U; ++bit) {
@@ -39,7 +39,7 @@ std::uint32_t crc32_by_definition(const std::uint32_t state, const std::uint8_t 
     return reversed(remainder);
 }
 
-/// Any check sum that can be: its register has 16 bits.
+/// Returns any possible checksum: its state has 16 bits.
 Crc16 any_crc16() {
     Crc16 crc{};
     crc.swapped_ = any<std::uint16_t>();
@@ -76,7 +76,7 @@ void crc16_of_two_bytes_is_that_of_each() {
     claim(both <= 0xFFFFU);
 }
 
-// Each step is that of two bytes, which the theorem above shows to be two steps of one byte.
+// Each step takes two bytes; the theorem above shows that this equals two steps of one byte.
 void crc16_of_a_segment_is_that_of_its_bytes() {
     shows("CRC-16 takes the seven bytes of a segment as three pairs and one byte, the least significant first");
     Crc16 crc = any_crc16();

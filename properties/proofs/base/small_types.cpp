@@ -1,4 +1,4 @@
-// Results, time, sequence numbers, slots, rows of tables, commit markers: every function, for all arguments.
+// Results, time, sequence numbers, slots, rows of tables, commit markers: all functions, for all arguments.
 #include "firmware/base/commit_marker.hpp"
 #include "firmware/base/result.hpp"
 #include "firmware/base/sequence_number.hpp"

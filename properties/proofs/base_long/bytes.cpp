@@ -1,4 +1,4 @@
-// What takes longer of the bytes: longer numbers, counts that are open, whole copies, CRC-16 of more than one byte.
+// Theorems on bytes that take longer: longer numbers, open counts, whole copies, CRC-16 of more than one byte.
 #include "firmware/base/bytes.hpp"
 
 #include "firmware/base/crc16.hpp"

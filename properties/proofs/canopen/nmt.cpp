@@ -1,4 +1,4 @@
-// NMT and COB-IDs: for any frame, any node-ID, any value.
+// NMT and COB-IDs for any frame, any node-ID and any value.
 #include "firmware/canopen/nmt.hpp"
 
 #include "firmware/canopen/cob_id.hpp"
@@ -9,14 +9,14 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Any frame that a controller can deliver: at most eight bytes.
+/// Returns any frame that a controller can deliver: at most eight bytes.
 Frame any_frame() {
     const Frame frame = any<Frame>();
     assume(frame.length <= max_frame_length);
     return frame;
 }
 
-/// The commands of CiA 301, 7.2.8.3.1: 1, 2, 128, 129 and 130.
+/// Returns whether a specifier is a command of CiA 301, 7.2.8.3.1: 1, 2, 128, 129 and 130.
 bool is_command(const std::uint8_t specifier) {
     return (specifier == 1U) || (specifier == 2U) || ((specifier >= 128U) && (specifier <= 130U));
 }

@@ -1,4 +1,4 @@
-// Numbers in memory as their definition says: byte by byte.
+// Numbers in memory by their definition: byte by byte.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -8,12 +8,12 @@ namespace canproof::proofs {
 
 constexpr std::size_t longest = 8U;
 
-/// Byte `at` of a number.
+/// Returns byte `at` of a number.
 inline std::uint8_t byte_of(const std::uint64_t number, const std::size_t at) {
     return static_cast<std::uint8_t>((number >> (8U * at)) & 0xFFU);
 }
 
-/// What memory holds there: a byte of the number where it was put, and what it held before elsewhere.
+/// The expected content of memory: a byte of the number where it was written, and the previous byte elsewhere.
 struct Looked {
     std::uint8_t* memory;
     std::size_t size;
@@ -43,7 +43,7 @@ void put_and_look() {
     claim_put(looked, at, N, value);
 }
 
-/// The number that bytes from a position make; those beyond the view count as zero.
+/// Returns the number of the bytes from a position on; bytes beyond the view count as zero.
 inline std::uint64_t number_at(const ByteView bytes, const std::size_t at, const std::size_t count) {
     std::uint64_t number{0U};
     for (std::size_t i = 0U; i < longest; ++i) {

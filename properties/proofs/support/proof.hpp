@@ -1,12 +1,12 @@
-// What a proof's harness says: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
-// for every value left open, and that nothing on the way is undefined behaviour. src/host/prove/README.md says how.
+// Elements of a proof harness: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
+// for every open value, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
-// The prover answers these; replay.cpp does when a counterexample runs natively.
+// The prover implements these functions; replay.cpp implements them when a counterexample runs natively.
 extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
@@ -19,34 +19,34 @@ void canproof_proves(const char* requirement) noexcept;
 
 namespace canproof::proofs {
 
-/// Says in a sentence what the theorem shows.
+/// States in a sentence what the theorem shows.
 inline void shows(const char* const statement) noexcept {
     canproof_shows(statement);
 }
 
-/// Says that the theorem shows these requirements; one that is retired or misspelt does not compile.
+/// Names the requirements that the theorem shows; a retired or misspelt one does not compile.
 template <typename... Requirements>
 void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes values for which this does not hold.
+/// Excludes values for which the condition is false.
 inline void assume(const bool holds) noexcept {
     canproof_assume(holds);
 }
 
-/// Must hold. `line` is that of the claim.
+/// Claims that the condition holds. `line` is the line of the claim.
 inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
     canproof_claim(holds, line);
 }
 
-/// Gives an object any value: each byte is open but those of addresses that it holds; a bool is 0 or 1.
+/// Gives an object any value: each byte is open except those of addresses in it; a bool is 0 or 1.
 template <typename T>
 void leave_open(T& object) noexcept {
     canproof_any_state(&object, sizeof(T));
 }
 
-/// Any value of a type: of a number every bit is open.
+/// Returns any value of a type: every bit of a number is open.
 template <typename T>
 T any() noexcept {
     T value{};
@@ -62,13 +62,13 @@ T any() noexcept {
     return value;
 }
 
-/// Memory of `size` (at most 2^32) bytes, each of any value; `size` may be open itself.
+/// Returns memory of `size` (at most 2^32) bytes of any value; `size` may be open itself.
 inline std::uint8_t* any_memory(const std::size_t size) noexcept {
     return canproof_any_memory(size);
 }
 constexpr std::size_t most_memory = std::size_t{1U} << 32U;
 
-/// A size that memory can have.
+/// Returns a size that memory can have.
 inline std::size_t any_size() noexcept {
     const std::size_t size = any<std::size_t>();
     assume(size <= most_memory);

@@ -1,5 +1,5 @@
-// Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with a line for each value that
-// the harness leaves open, its bytes as numbers; -1 leaves a byte as it is.
+// Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
+// the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -51,7 +51,7 @@ void canproof_any_state(void* at, std::size_t bytes) noexcept {
     put(static_cast<std::uint8_t*>(at), bytes);
 }
 
-// Left to the end of the program, which is one theorem long.
+// The memory is released at the end of the program, which runs one theorem.
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
     constexpr std::size_t room = 16;
     auto* const memory = static_cast<std::uint8_t*>(std::calloc(bytes == 0 ? room : bytes, 1));
@@ -60,7 +60,7 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return bytes == 0 ? memory + room : memory;  // without bytes the first one lies outside already
+    return bytes == 0 ? memory + room : memory;  // without bytes the first one is outside already
 }
 
 void canproof_assume(bool holds) noexcept {
