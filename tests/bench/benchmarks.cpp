@@ -1,5 +1,5 @@
-// Times, by Google Benchmark: the transactions of tests/bench/count, and what a node and the tools around it cost as a
-// whole. tests/bench/compare holds a run against the baseline.
+// Measures times with Google Benchmark: the transactions of tests/bench/count, and the cost of a whole node and of the
+// tools. tests/bench/compare compares a run with the baseline.
 #include <benchmark/benchmark.h>
 
 #include "devices/catalogue.hpp"
@@ -27,7 +27,7 @@ void tick_idle(benchmark::State& state) {
     }
 }
 
-/// Every table, logic and math block has a source that moves, and output 1 follows table 10.
+/// Gives every table, logic and math block a source that changes; output 1 follows table 10.
 void configure(Fleet& fleet) {
     const auto write = [&fleet](unsigned index, unsigned subindex, unsigned value) {
         char text[32];
@@ -73,7 +73,7 @@ void power_on(benchmark::State& state) {
     }
 }
 
-/// A second of 127 nodes on one bus, all operational with their PDOs as shipped.
+/// Simulates a second of 127 nodes on one bus, all operational with their default PDOs.
 void bus_of_127(benchmark::State& state) {
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
     host::ArbitratedBus bus{"bench", 1000000, host::BusFaultRates{}};

@@ -1,6 +1,6 @@
-// Instructions of each transaction, of a node and of the floor. Run by itself it only checks that the transactions
-// work; under callgrind, told to collect in receive(), pump() and change() of both, each leaves a dump named after it,
-// of which tests/bench/count makes the table.
+// Runs each transaction for a node and for the floor. Alone it only checks that the transactions work. Under callgrind,
+// with collection limited to receive(), pump() and change() of both, each transaction leaves a dump of its name, from
+// which tests/bench/count makes the table.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -12,7 +12,7 @@ namespace {
 
 void count(const canproof::bench::Transaction& transaction, canproof::bench::Server& server, const std::string& name) {
     transaction.prepare(server);
-    transaction.run(server);  // warm: statics are made, the branch is taken once
+    transaction.run(server);  // warm-up: initialises static objects and branch prediction
     CALLGRIND_ZERO_STATS;
     transaction.run(server);
     CALLGRIND_DUMP_STATS_AT(name.c_str());

@@ -1,4 +1,4 @@
-// Many AX130751 at once, each in virtual time of its own: what a simulation costs that is driven by deadlines.
+// Simulates many AX130751, each in its own virtual time: the cost of a simulation driven by deadlines.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace canproof::bench {
 
-/// Devices as shipped, node-IDs 1 to 127 over and over. They share no bus: a bus of 1 Mbit/s holds 127.
+/// Devices with default parameters and node-IDs 1 to 127, repeated. They share no bus: a bus of 1 Mbit/s has at most
+/// 127.
 class Fleet {
   public:
     explicit Fleet(std::size_t size, bool operational = true) {
@@ -29,7 +30,7 @@ class Fleet {
             device->receive(frame, now_);
         }
     }
-    /// Runs every device until `length` later, each from deadline to deadline. Frames sent in that time.
+    /// Runs every device for `length`, from deadline to deadline. Returns the number of frames sent in that time.
     std::size_t run(Duration length) {
         const Instant end = now_ + length;
         std::size_t frames = 0;

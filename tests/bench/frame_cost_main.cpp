@@ -1,5 +1,6 @@
-// Replays a fuzz target's corpus and leaves, under callgrind with --collect-atstart=no, one dump for each frame that
-// the target gives to a device: NAME_cost FILE|FOLDER... Of the dumps tests/bench/frame_cost finds the dearest frame.
+// Replays the corpus of a fuzz target and leaves, under callgrind with --collect-atstart=no, one dump for each frame
+// that the target gives to a device: NAME_cost FILE|FOLDER... From the dumps tests/bench/frame_cost finds the most
+// expensive frame.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -62,7 +63,7 @@ std::vector<std::filesystem::path> files_of(const std::vector<std::string>& argu
 int main(int argc, char** argv) {
     const auto files = files_of({argv + 1, argv + argc});
     if (!files.empty()) {
-        replay(files.front());  // what is done once in a process is no work of its first frame
+        replay(files.front());  // excludes work that is done once per process from its first frame
     }
     canproof::fuzz::frame_probe = {frame_begins, frame_ends};
     for (const auto& file : files) {

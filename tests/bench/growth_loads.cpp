@@ -33,7 +33,8 @@ void expect(bool holds, const std::string& what) {
     }
 }
 
-/// A log of one frame each millisecond: heartbeats and process data of a hundred others, each hundredth a request.
+/// Returns a log of one frame per millisecond: heartbeats and process data of a hundred other nodes, and a request in
+/// every hundredth line.
 std::string log_of(std::size_t lines) {
     std::string text;
     for (std::size_t n = 0; n < lines; ++n) {
@@ -59,7 +60,7 @@ std::function<void()> replay_of(std::size_t lines) {
     };
 }
 
-/// An EDS of that many entries with two bytes each, and with different limits.
+/// Returns an EDS with that many entries of two bytes and with different limits.
 std::string sheet_of(std::size_t entries) {
     constexpr std::size_t of_an_object = 8;
     const std::size_t objects = (entries + of_an_object - 1) / of_an_object;
@@ -97,7 +98,7 @@ std::function<void()> start_up_of(std::size_t entries) {
     };
 }
 
-/// As many requests for objects that are not there as the dictionary has entries.
+/// Sends as many requests for absent objects as the dictionary has entries.
 std::function<void()> missing_objects_of(std::size_t entries) {
     auto device = std::make_shared<host::GenericSimulation>(part_of(sheet_of(entries)));
     device->set_node_id(5);
@@ -121,12 +122,12 @@ std::shared_ptr<host::RunSession> session_of(std::vector<std::unique_ptr<host::D
     auto session = std::make_shared<host::RunSession>(std::move(bus), std::move(nodes), std::move(stimuli),
                                                       host::SessionOutputs{});
     session->power_on();
-    session->advance_to(Instant{50000});  // the boot-up messages are through
+    session->advance_to(Instant{50000});  // the boot-up messages have been sent
     expect(session->put(parse_frame("000#0100", "start")), "the bus takes a frame");
     return session;
 }
 
-/// Eight RPDOs of one byte each, with identifiers from `first` on.
+/// Returns the text of eight RPDOs of one byte each, with identifiers from `first` on.
 std::string sheet_of_rpdos(unsigned first) {
     std::string text =
         "[DeviceInfo]\nProductName=Receiver\nBaudRate_1000=1\n[2000]\nParameterName=Output\nObjectType=7\n"
@@ -144,7 +145,7 @@ std::string sheet_of_rpdos(unsigned first) {
     return text;
 }
 
-/// Each of so many RPDOs is sent once; eight belong to a node.
+/// Sends each of `count` RPDOs once; a node has eight of them.
 std::function<void()> rpdos_of(std::size_t count) {
     constexpr unsigned first_identifier = 0x181;
     std::vector<std::unique_ptr<host::DeviceNode>> nodes;
@@ -169,8 +170,8 @@ std::function<void()> rpdos_of(std::size_t count) {
     };
 }
 
-/// AX130751 on one bus of 125 kbit/s, their rate as shipped, for 80 ms in which each sends one of its ten TPDOs a
-/// second, operational as shipped. Their supply has another value each millisecond.
+/// Runs AX130751 on one bus of 125 kbit/s, the default bit rate, for 80 ms. In that time each sends one of its ten
+/// TPDOs per second, in operational with default parameters. The supply voltage changes every millisecond.
 std::function<void()> busy_bus_of(std::size_t count) {
     constexpr std::uint64_t begin_ms = 240;  // operational from 50 ms on: the TPDOs are due at 250 ms
     constexpr std::uint64_t measured_ms = 80;
@@ -197,7 +198,7 @@ std::function<void()> busy_bus_of(std::size_t count) {
     };
 }
 
-/// The same for 10 ms, without a bus.
+/// Runs the same for 10 ms, without a bus.
 std::function<void()> fleet_of(std::size_t count) {
     auto fleet = std::make_shared<Fleet>(count);
     fleet->run(milliseconds(95));

@@ -1,6 +1,6 @@
-// Instructions of work of growing size: under callgrind, told to begin without instrumentation, each leaves a dump
-// named `load<TAB>size`, of which tests/bench/growth makes the table. By itself the program only checks that the work
-// is done. With an argument it takes the loads in full alone.
+// Runs work of growing size: under callgrind, started without instrumentation, each run leaves a dump named
+// `load<TAB>size`, from which tests/bench/growth makes the table. Alone the program only checks that the work is done.
+// With an argument it runs only the full loads.
 #include <valgrind/callgrind.h>
 
 #include <cstdio>

@@ -1,7 +1,7 @@
-// How many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, operational as shipped, through
-// a hundred seconds of virtual time and leaves a table, a plot and their description there, as an exhibit of the pack
-// (src/host/assess/evidence/exhibit.hpp). Ends with 1 when 1,000 are slower than real time, or a device of many costs
-// more than three times a device of a hundred. Times are of the processor, not of the clock on the wall.
+// Measures how many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, in operational with
+// default parameters, through a hundred seconds of virtual time. It writes a table, a plot and their description as an
+// exhibit of the pack (src/host/assess/evidence/exhibit.hpp). Exits with status 1 when 1,000 are slower than real time,
+// or when a device of many costs more than three times a device of a hundred. Times are CPU times.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ Measured measure(std::size_t size) {
     return {size, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, frames};
 }
 
-/// The table, the plot and what they say, in `folder`. True when the goals are met.
+/// Writes the table, the plot and their description to `folder`. Returns true when the goals are met.
 bool write_exhibit(const std::vector<Measured>& all, const std::filesystem::path& folder) {
     std::string csv = "devices,simulated s,processor s,frames,times real time,us of processor per device and second\n";
     canproof::host::Curve curve{"as shipped, operational", {}};

@@ -1,5 +1,5 @@
-// What a transaction is tried on: something that answers frames. What is counted goes through receive(), pump() and
-// change(): from the frame or event that the server gets to the frames that are taken from its queue.
+// A server for transactions: it answers frames. Counting covers receive(), pump() and change(): from the received frame
+// or event to the frames that are taken from the queue.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,16 @@ class Server {
 
     /// Gives one frame to the server; its answers are taken from the queue and counted.
     virtual void receive(const Frame& frame) = 0;
-    /// Lets a block upload send what is due.
+    /// Lets a block upload send its due segments.
     virtual void pump() = 0;
-    /// The device gave an entry a new value. How many frames that caused.
+    /// Sets an entry to a new value, as the device does. Returns the number of frames that this causes.
     virtual std::size_t change(std::uint16_t index, std::uint8_t subindex) = 0;
 
-    /// Set-up: 5F02h:1…4 come in the RPDO with this identifier from now on, or leave in this TPDO when they change.
+    /// Set-up: maps 5F02h:1…4 into the RPDO with this identifier, or into this TPDO, which is sent when they change.
     virtual void receive_words(std::uint32_t identifier) = 0;
     virtual void send_words(std::uint32_t identifier) = 0;
 
-    /// The last frame that was taken from the queue.
+    /// Returns the last frame that was taken from the queue.
     const Frame& last() const { return last_; }
 
   protected:

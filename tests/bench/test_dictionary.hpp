@@ -1,5 +1,5 @@
-// The dictionary that the transactions run on: the AX130751's 1,100 entries, and a few more that it lacks (a DOMAIN of
-// 64 KiB, a string of 64 bytes, words that PDOs may carry).
+// The dictionary of the transactions: the 1,100 entries of the AX130751, and a few more that it lacks (a DOMAIN of 64
+// KiB, a string of 64 bytes, words that PDOs may carry).
 #pragma once
 
 #include <stdexcept>

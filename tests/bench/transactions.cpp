@@ -25,7 +25,7 @@ void expect(bool holds, const char* what) {
     }
 }
 
-/// One request whose answer begins with `command`.
+/// Sends one request and checks that its answer begins with `command`.
 void exchange(Server& server, const Frame& request, std::uint8_t command) {
     server.receive(request);
     expect(server.last().data[0] == command, "unexpected SDO answer");
@@ -42,7 +42,7 @@ void segmented_upload(Server& server) {
     exchange(server, odd, 0x1D);  // one byte, the last segment
 }
 
-/// 64 KiB in sub-blocks of 127 segments.
+/// Data of 64 KiB in sub-blocks of 127 segments.
 struct BlockData {
     std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(domain_size);
     std::vector<Frame> segments;
@@ -112,7 +112,7 @@ void receive_same_words(Server& server) {
     server.receive(words);
 }
 
-/// All four are others than before.
+/// Receives four words that differ from the previous ones.
 void receive_new_words(Server& server) {
     static Frame words = frame_of("205#0000000000000000");
     for (std::size_t i = 0; i < words.length; ++i) {

@@ -1,5 +1,5 @@
-// Whole transactions of a node, from the frame that is received to the frame that is handed over for sending. Each is
-// set up once and can then be repeated.
+// Whole transactions of a node, from the received frame to the frame that is handed over for transmission. Each is set
+// up once and can then be repeated.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace canproof::bench {
 
-/// A node of the test dictionary with its bus side.
+/// A node with the test dictionary and its bus side.
 class TestNode final : public Server {
   public:
     TestNode();
@@ -35,15 +35,15 @@ class TestNode final : public Server {
     Instant now_{};
 };
 
-/// The floor (floor/floor.hpp) with the entries of the same dictionary.
+/// Returns the floor (floor/floor.hpp) with the entries of the same dictionary.
 std::unique_ptr<Server> make_floor();
 
 struct Transaction {
     std::string name;
-    double limit;        ///< instructions that a node may take, with link-time optimisation
-    double plain_limit;  ///< and without
+    double limit;        ///< instructions allowed for a node, with link-time optimisation
+    double plain_limit;  ///< the same without link-time optimisation
     std::function<void(Server&)> prepare;
-    std::function<void(Server&)> run;  ///< throws when the server did not do what it should
+    std::function<void(Server&)> run;  ///< throws when the server gave a wrong result
 };
 
 const std::vector<Transaction>& transactions();

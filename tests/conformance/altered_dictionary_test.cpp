@@ -1,5 +1,5 @@
-// Dictionaries that none of the four devices has: objects left out, shipped values that could not be written, entries
-// of other types. The services answer as CiA 301 says; node 5.
+// Tests dictionaries that none of the four devices has: absent objects, default values that could not be written,
+// entries of other types. The services answer as CiA 301 requires; node 5.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of a range.
+/// A range end without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -29,8 +29,8 @@ TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
     send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
     send("000#0105");
     send("710#05");
-    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: pre-operational
-    // where there is no 1029h.
+    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: without 1029h the
+    // node enters pre-operational.
     EXPECT_EQ(pass(100), Frames{"100:085#3081110100000000"});
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);
 }
@@ -117,7 +117,7 @@ TEST_F(AlteredDictionary, NinthPdoIsServedAsAPlainObject) {
 TEST_F(AlteredDictionary, AbsentObjectInADefaultMappingIsAGapOfZeros) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
     ship(0x1A00, 0, 3);
-    ship(0x1A00, 2, 0x29990008);  // there is no 2999h
+    ship(0x1A00, 2, 0x29990008);  // 2999h is absent
     ship(0x1A00, 3, 0x20010208);
     power_on();
     EXPECT_EQ(send("000#0105"), Frames{"185#000000"});
@@ -127,7 +127,7 @@ TEST_F(AlteredDictionary, AbsentObjectInADefaultMappingIsAGapOfZeros) {
 
 TEST_F(AlteredDictionary, AbsentSubindexInADefaultMappingIsAGapBesideItsObject) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
-    ship(0x1A00, 1, 0x20016308);  // there is no 2001h:99
+    ship(0x1A00, 1, 0x20016308);  // 2001h:99 is absent
     ship(0x1A00, 2, 0x20010108);
     power_on();
     send("000#0105");
@@ -214,9 +214,9 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
         ship(0x1600, line, 0x00010001);  // a dummy BOOLEAN
     }
     power_on();
-    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // RPDO1 is looked at anew
+    EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // the mapping of RPDO1 is evaluated again
     send("000#0105");
-    send("205#0100000000000000");  // which has no room for 65 bits
+    send("205#0100000000000000");  // 65 bits do not fit
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
     send("305#1122334455667788");
     EXPECT_EQ(send("605#4000210100000000"), Frames{"585#4B00210111220000"});
@@ -263,7 +263,7 @@ TEST_F(AlteredDictionary, Real32MayHaveOneLimitOnly) {
 
 TEST_F(AlteredDictionary, OctetStringMayBeShorterAndMayContainZeros) {
     verifies<req::CO_SDO_010, req::CO_SDO_002>();
-    entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, shipped as abc
+    entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, default abc
     power_on();
     EXPECT_EQ(send("605#4000230000000000"), Frames{"585#4100230028000000"});
     EXPECT_EQ(send("605#2F00230041000000"), Frames{"585#6000230000000000"});
@@ -308,13 +308,13 @@ TEST_F(AlteredDictionary, EntryLongerThanTheServerBufferUsesTheMemoryOfTheDevice
 
 TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
-    entry(0x2302, 0).size = 64;  // "A value of …"
+    entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
-    device->lend(0x2302, 0, 2);  // needed by longer ones only
+    device->lend(0x2302, 0, 2);  // needed by longer values only
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});
-    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // as it was when the upload began
+    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // the value at the start of the upload
     EXPECT_EQ(send("605#2102230040000000"), Frames{"585#6002230000000000"});
 }
 
@@ -354,7 +354,7 @@ TEST_F(AlteredDictionary, EntryThatFitsTheServerBufferNeedsNoMemoryOfTheDevice) 
 
 TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
-    EntryRow& first = entry(0x2000, 0);  // made a value like any other, as shipped 0
+    EntryRow& first = entry(0x2000, 0);  // made an ordinary value with default 0
     first.rights = rights::read | rights::write;
     first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
     description.rows.layout.image.push_back(0);
@@ -380,7 +380,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
 TEST_F(AlteredDictionary, ManufacturerParametersAreStoredByAnySubindexFromFourOn) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
-    entry(0x1010, 3).subindex = 4;  // so that 3 is not the last
+    entry(0x1010, 3).subindex = 4;  // then sub-index 3 is not the last
     power_on();
     send("605#2F00200111000000");
     EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});

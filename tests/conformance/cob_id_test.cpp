@@ -1,5 +1,5 @@
-// COB-IDs and the node-ID in each device (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805, 4.2.14): what
-// nobody has set follows the node-ID although 1010h has stored it; what a user has set holds.
+// COB-IDs and the node-ID in each device (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805, 4.2.14): a
+// default COB-ID follows the node-ID even when 1010h has stored it; a COB-ID set by the user is kept.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/support/device_by_sdo.hpp"
@@ -9,11 +9,11 @@ namespace canproof::test {
 
 namespace {
 
-/// Begins as node 3 and looks at the first RPDO that each device has.
+/// Starts as node 3 and uses the first RPDO of each device.
 class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
   protected:
     std::uint32_t cob_id() { return unit.read(index, 1); }
-    /// By way of an RPDO that is not valid.
+    /// Sets the COB-ID while the RPDO is not valid.
     void set_cob_id(std::uint32_t value) {
         ASSERT_TRUE(unit.write(index, 1, 4, cob_id() | 0x80000000U));
         ASSERT_TRUE(unit.write(index, 1, 4, value));

@@ -1,4 +1,4 @@
-// What the CAN controller is at power-on (CiA 301, 7.2.7.1): what the boot finds is reported when there is a bus.
+// State of the CAN controller at power-on (CiA 301, 7.2.7.1): errors found at boot-up are reported when the bus works.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/lss_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class ControllerAtPowerOn : public testing::Test, public LssBench {
   protected:
-    /// Node 5, whose stored LSS configuration cannot be read: 6300h, a generic error.
+    /// Starts node 5, whose stored LSS configuration cannot be read: 6300h, a generic error.
     Frames start_damaged() { return start({5, 125000, true}); }
     Frames recover() {
         device->node().set_controller(0, overrun, now);
@@ -19,13 +19,13 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 }  // namespace
 
-/// The boot-up message is lost, what the boot found is not.
+/// The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_017>();
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
     EXPECT_EQ(pass(1000), Frames{});
-    // 6300h and passive (8120h) wait, with both in the list and both in 1001h; then 8140h, the third; then 8120h ends.
+    // 6300h and error passive (8120h) wait, both in the list and in 1001h; then 8140h, the third; then 8120h ends.
     EXPECT_EQ(recover(),
               (Frames{"085#0063110200000000", "085#2081110200000000", "085#4081110300000000", "085#0000010300000000"}));
     EXPECT_EQ(pass(1000), Frames{});
@@ -61,7 +61,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
     EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
 }
 
-/// The same device, off in bus-off and on with a working bus.
+/// The same device is switched off in bus-off and on with a working bus.
 TEST_F(ControllerAtPowerOn, BusOffOfThePreviousPowerCycleIsOver) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);

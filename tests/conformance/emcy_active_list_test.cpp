@@ -1,4 +1,4 @@
-// The error list of the Axiomatic devices: what is active, with description and channel (AX188001, 3.2.4).
+// The error list of the Axiomatic devices: active errors, with description and channel (AX188001, 3.2.4).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/shows_rule.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and an EMCY service of its own; two errors of two channels.
+/// A dictionary with the list and its own EMCY service; two errors of two channels.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;
@@ -88,10 +88,10 @@ TEST_F(ActiveList, WaitingMessagesAreKeptApartByTheirError) {
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // takes back the end of its own, the one before the last
+    emcy.set(channel_1, true, Instant{});  // withdraws its end, the last message but one
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both last: 81h
+    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both are active: 81h
 }
 
 TEST_F(ActiveList, SentMessageIsNotSentAgain) {
@@ -111,7 +111,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it does not last: 1001h reads 00h
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it is not active: 1001h reads 00h
 }
 
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
@@ -125,7 +125,7 @@ TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     EXPECT_EQ(listed(), order);
     EXPECT_EQ(objects.read(0x1001, 0), 0x81U);
     objects.write(0x1003, 0, 0);
-    emcy.after_write(objects.lookup(0x1003, 0));  // a user empties it
+    emcy.after_write(objects.lookup(0x1003, 0));  // the user clears the list
     objects.load_defaults(ParameterGroup::communication, 5);
     emcy.refresh();
     EXPECT_TRUE(listed().empty());
@@ -167,7 +167,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
     emcy.enable(false, Instant{});
     emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 91h
     emcy.set(channel_1, true, Instant{});
-    EXPECT_TRUE(emcy.take_register_change());  // whether messages go out or not
+    EXPECT_TRUE(emcy.take_register_change());  // whether messages are sent or not
 }
 
 TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
@@ -210,7 +210,7 @@ TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// 1014h as a stored set may bring it back: messages are switched off.
+/// 1014h as loaded from a stored set: messages are disabled.
 TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});

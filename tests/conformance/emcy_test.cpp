@@ -60,14 +60,14 @@ TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
-    EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun lasts
+    EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun is still active
     inputs.internal_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#1061110300000000"}));
-    EXPECT_TRUE(can_state(1).empty());  // the warning limit is no error yet
+    EXPECT_TRUE(can_state(1).empty());  // the warning limit is not yet an error
     EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
 }
 
-// 7.9.4 lists 5000h beside 6110h: two failures, told apart
+// 7.9.4 lists 5000h beside 6110h: two separate failures
 TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
     verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
@@ -76,7 +76,7 @@ TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
     inputs.internal_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#1061010200000000"}));
     inputs.hardware_fault = false;
-    EXPECT_EQ(set_inputs(), (Frames{"083#0000010200000000"}));  // that of the software lasts
+    EXPECT_EQ(set_inputs(), (Frames{"083#0000010200000000"}));  // the software failure is still active
     EXPECT_EQ(error_register(), "01");
     inputs.internal_fault = false;
     EXPECT_EQ(set_inputs(), (Frames{"083#0000000200000000"}));
@@ -170,7 +170,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty again
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
 }
 
 TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
@@ -181,7 +181,7 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // 8120h and the ends of 8110h and 8120h, all with the 00h and the two entries of now
+    // 8120h and the ends of 8110h and 8120h, all with the present 00h and two entries
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
@@ -202,15 +202,15 @@ TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
 
 TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     verifies<req::CO_EMCY_005>();
-    write("603#2314100083000000");  // its own identifier changes nothing
+    write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
     EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
     EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // bit 11
-    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is kept for SDO
+    EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is reserved for SDO
     write("603#2314100083000080");
     write("603#2314100084000000");
     EXPECT_EQ(overrun(true), (Frames{"084#1081110100000000"}));
-    write("603#2314100085000080");  // what switches them off may name another identifier
+    write("603#2314100085000080");  // disabling may set another identifier
     write("603#2314100085000000");
     EXPECT_EQ(overrun(false), (Frames{"085#0000000100000000"}));
 }
@@ -220,7 +220,7 @@ TEST_F(Errors, ResetCommunicationEmptiesTheErrorHistory) {
     overrun(true);
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100001000000"}));
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
-    EXPECT_EQ(error_register(), "11");  // the error lasts
+    EXPECT_EQ(error_register(), "11");  // the error is still active
     EXPECT_EQ(send("603#4003100000000000"), (Frames{"583#4F03100000000000"}));
 }
 
@@ -229,7 +229,7 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Both passive (8120h) and overrun (8110h) arose while nothing could be sent; they come first, with two in the
+    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent; they are sent first, with two in the
     // list, then 8140h, the third, then the end of 8120h.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
@@ -279,7 +279,7 @@ TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
         overrun(true);
         overrun(false);
     }
-    // It came and went: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
+    // It began and ended: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

@@ -10,7 +10,7 @@ namespace canproof::test {
 
 using ErrorControlService = CbxTest;
 
-/// Node 5, whose 1016h has four entries without a range.
+/// Node 5, whose 1016h has four entries without limits.
 class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
 TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
@@ -36,7 +36,7 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
 
 TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
     verifies<req::CO_HB_001>();
-    write("603#2B17100064000000");  // 100 ms; those of 100, 200 and 300 ms are due when time is told again
+    write("603#2B17100064000000");  // 100 ms; heartbeats are due at 100, 200 and 300 ms at the next call
     now = now + milliseconds(350);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"703#7F"}));
@@ -102,7 +102,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
 TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
     verifies<req::CO_EMCY_016, req::CO_HB_002, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms
-    EXPECT_TRUE(pass(1000).empty());  // nothing heard yet, nothing watched
+    EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
     EXPECT_TRUE(pass(199).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
@@ -145,9 +145,9 @@ TEST_F(ErrorControlService, IncompleteEntriesOf1016hMonitorNoNode) {
 TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));  // node 31h, 200 ms
-    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry anew
+    EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
-    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it watches nobody
+    EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
 }
 
@@ -195,7 +195,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
     EXPECT_EQ(send("703#R1"), (Frames{"703#05"}));
     EXPECT_EQ(send("703#R1"), (Frames{"703#85"}));
     send("000#8203");
-    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit begins anew
+    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit restarts at 0
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
@@ -246,7 +246,7 @@ TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
         EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
         EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
         EXPECT_TRUE(pass(1000).empty()) << off;
-        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h begin anew
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h are cleared
     }
 }
 
@@ -285,7 +285,7 @@ TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestri
 
 namespace {
 
-/// The state after a heartbeat error with this value of 1029h:1, begun in a state.
+/// Returns the state after a heartbeat error with this value of 1029h:1, from a start state.
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -315,7 +315,7 @@ TEST_F(ErrorControlService, BusOffChangesTheStateBy1029h) {
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    // What arose in bus-off is told as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    // Errors of bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
     inputs.can_state = 0;
     EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

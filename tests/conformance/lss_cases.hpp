@@ -1,5 +1,5 @@
-// The slave that the LSS tests talk to: the conformance slave, node 5, with vendor-ID 0000005Fh, product code
-// AA020301h, revision 00010002h and serial number 20261121h. Requests are 7E5#…, answers 7E4#….
+// The slave of the LSS tests: the conformance slave, node 5, with vendor-ID 0000005Fh, product code AA020301h, revision
+// 00010002h and serial number 20261121h. Requests are 7E5#…, answers 7E4#….
 #pragma once
 
 #include "tests/support/exchange.hpp"
@@ -13,13 +13,13 @@ class Lss : public testing::Test, public LssBench {
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<LssBench&>(*this), table); }
 };
 
-/// Four frames of the slave's own address.
+/// The four frames with the address of the slave.
 inline const std::vector<Exchange> own_address{{"7E5#405F000000000000", {}},
                                                {"7E5#41010302AA000000", {}},
                                                {"7E5#4202000100000000", {}},
                                                {"7E5#4321112620000000", {"7E4#4400000000000000"}}};
 
-/// Starts without a node-ID.
+/// A slave that starts without a node-ID.
 class Unconfigured : public Lss {
   protected:
     Unconfigured() : first_frames{start({255, 125000})} {}

@@ -45,13 +45,13 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     verifies<req::CO_LSS_011>();
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
-          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active one
+          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active node-ID
           {"605#4000180100000000", {"585#4300180185010000"}},  // TPDO1 180h + 5
           {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY 80h + 5
-          {"7E5#0400000000000000", {}},                        // no reset by itself
+          {"7E5#0400000000000000", {}},                        // no reset without a command
           {"605#4014100000000000", {"585#4314100085000000"}},
           {"60A#4014100000000000", {}},
-          {"000#820A", {}},  // not yet its node-ID
+          {"000#820A", {}},  // not its node-ID yet
           {"000#8205", {"70A#00"}},
           {"605#4014100000000000", {}},
           {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY 80h + 10
@@ -96,7 +96,7 @@ TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-// AX130751, Table 22: 666 kbit/s where CiA has 800
+// AX130751, Table 22: 666 kbit/s where CiA has 800 kbit/s
 TEST_F(Lss, BitRatesComeFromTheTableOfTheDevice) {
     verifies<req::CO_LSS_012>();
     resets_itself = true;
@@ -120,7 +120,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-// 6.4.4; heartbeats each 30 ms show whether the node may speak
+// 6.4.4; heartbeats every 30 ms show whether the node may send
 TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
@@ -248,17 +248,17 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     EXPECT_EQ(state(), NmtState::operational);
     const Frames told = pass(1);
     ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // and the error is not forgotten
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the error is not lost
 }
 
-// CiA 301, 7.2.8.2.2: node 31h, 100 ms, falls silent while the bit rate is switched
+// CiA 301, 7.2.8.2.2: node 31h, 100 ms, stops its heartbeat while the bit rate is switched
 TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
     verifies<req::CO_LSS_015>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // 150 ms
-          {"731#05", {}}});              // not heard any more
+          {"731#05", {}}});              // not received any more
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
@@ -282,7 +282,7 @@ TEST_F(Lss, PowerOnEndsTheSwitchDelays) {
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
     pass(50);
-    device->power_on({5, 125000}, now);  // the same device, off and on again
+    device->power_on({5, 125000}, now);  // the same device, switched off and on
     EXPECT_EQ(sent(), (Frames{"705#00"}));
     EXPECT_EQ(pass(200), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
@@ -333,7 +333,7 @@ TEST_F(Lss, ResetNodeStartsWithTheStoredConfiguration) {
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1700000000000000", {"7E4#1700000000000000"}},
-          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // not stored any more
+          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // no longer stored
           {"7E5#1300030000000000", {"7E4#1300000000000000"}},
           {"000#8105", {"720#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);

@@ -1,4 +1,4 @@
-// LSS, who is there (CiA 305, 6.5 to 6.7): inquiry, identification, Fastscan.
+// LSS inquiry, identification and Fastscan (CiA 305, 6.5 to 6.7).
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -18,18 +18,18 @@ TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// 6.6.2: revision and serial number are ranges, their bounds included
+// 6.6.2: revision and serial number are ranges that include their bounds
 TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4802000100000000", {}},  // both bounds its own
+          {"7E5#4802000100000000", {}},  // both bounds equal its revision
           {"7E5#4902000100000000", {}},
           {"7E5#4A21112620000000", {}},
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4800000000000000", {}},  // all there are
+          {"7E5#4800000000000000", {}},  // all serial numbers
           {"7E5#49FFFFFFFF000000", {}},
           {"7E5#4A00000000000000", {}},
           {"7E5#4BFFFFFFFF000000", {"7E4#4F00000000000000"}}});
@@ -44,7 +44,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
     const std::vector<std::pair<std::size_t, const char*>> misfits{
         {0, "7E5#465E000000000000"},   // another vendor
         {1, "7E5#4702030200000000"},   // another product
-        {1, "7E5#47FFFFFFFF000000"},   // which need not be a lower number
+        {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
         {2, "7E5#4803000100000000"},   // revisions from 00010003h
         {3, "7E5#4901000100000000"},   // revisions to 00010001h
         {4, "7E5#4A22112620000000"},   // serial numbers from 20261122h
@@ -65,7 +65,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
     std::vector<Exchange> whole = fitting;
     whole[5].answers = {"7E4#4F00000000000000"};
     talk(whole);
-    talk({{"7E5#4B22112620000000", {}}});  // the last frame alone is none
+    talk({{"7E5#4B22112620000000", {}}});  // the last frame alone identifies nothing
 }
 
 TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
@@ -88,7 +88,7 @@ TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}}});  // its active node-ID is 5 still
+          {"7E5#4C00000000000000", {}}});  // its active node-ID is still 5
 }
 
 TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
@@ -97,32 +97,31 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
           {"7E5#0401000000000000", {}},
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#1107000000000000", {"7E4#1100000000000000"}},
-          {"7E5#4C00000000000000", {}},  // one is pending
+          {"7E5#4C00000000000000", {}},  // a node-ID is pending
           {"7E5#0400000000000000", {"707#00"}},
           {"7E5#4C00000000000000", {}}});
 }
 
-// -- Fastscan, 6.7: 51h, number (32 bit), bit check, which of the four (0 to 3), which is next
-// --------------------------
+// -- Fastscan, 6.7: 51h, number (32 bit), bit check, number selected (0 to 3), next number ------------------------
 
 TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
     verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_053, req::CO_LSS_054, req::CO_E_LSS_NUMBER,
              req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};
-    talk({{"7E5#5100000000800000", yes},  // who is there?
+    talk({{"7E5#5100000000800000", yes},  // asks for any unconfigured slave
           {"7E5#51000000001F0000", yes},  // vendor-ID, bit 31 is 0
-          {"7E5#51000000801F0000", {}},   // it is not 1
+          {"7E5#51000000801F0000", {}},   // bit 31 is not 1
           {"7E5#5100000000070000", yes},  // bits 31 to 7 are 0 (5Fh = 0101 1111b)
-          {"7E5#5100000000060000", {}},   // bit 6 is not
+          {"7E5#5100000000060000", {}},   // bit 6 is not 0
           {"7E5#5140000000060000", yes},
           {"7E5#5140000000050000", yes},
           {"7E5#5140000000040000", {}},
           {"7E5#515E000000010000", yes},
           {"7E5#515E000000000000", {}},   // the last bit is 1
-          {"7E5#515F000000000000", yes},  // all bits, but the scan stays here
-          {"7E5#51010302AA000101", {}},   // not asked for yet
+          {"7E5#515F000000000000", yes},  // all bits match, and the scan stays at this number
+          {"7E5#51010302AA000101", {}},   // not selected yet
           {"7E5#515F000000000001", yes},  // confirmed, product code next
-          {"7E5#515F000000000001", {}},   // the vendor-ID is done with
+          {"7E5#515F000000000001", {}},   // the vendor-ID is confirmed already
           {"7E5#51000000001F0101", {}},   // AA020301h: bit 31 is 1
           {"7E5#51000000801F0101", yes},
           {"7E5#51010302AA000102", yes},
@@ -170,7 +169,7 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5121112620000303", yes}},  // the last is not left: nothing is confirmed
+         {"7E5#5121112620000303", yes}},  // the last number is not left: nothing is confirmed
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
@@ -180,9 +179,9 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
          {"7E5#5102000100000203", yes},
          {"7E5#5122112620000300", {}}},  // another unit
         {{"7E5#515F000000000001", yes},
-         {"7E5#5100000080010103", {}},  // a mismatch moves nothing …
+         {"7E5#5100000080010103", {}},  // a mismatch changes nothing …
          {"7E5#5121112620000300", {}},
-         {"7E5#51000000801F0103", yes},  // … nor does a match of some bits
+         {"7E5#51000000801F0103", yes},  // … and a match of some bits changes nothing
          {"7E5#5121112620000300", {}}}};
     for (const auto& conversation : shortcuts) {
         talk({{"7E5#5100000000800000", yes}});
@@ -206,15 +205,15 @@ TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
 TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
     verifies<req::CO_LSS_051>();
     const Frames yes{"7E4#4F00000000000000"};
-    talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is asked for
+    talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is selected
           {"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},
           {"7E5#5102000100000203", yes},
-          {"7E5#51FFFFFFFF800203", yes},  // whatever else it says
+          {"7E5#51FFFFFFFF800203", yes},  // the other fields do not matter
           {"7E5#5121112620000300", {}},   // the scan is at the vendor-ID
           {"7E5#515F000000000003", yes},
           {"7E5#5121112620000300", yes}});
-    EXPECT_FALSE(is_configuring());  // product code and revision are forgotten
+    EXPECT_FALSE(is_configuring());  // product code and revision are cleared
 }
 
 TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
@@ -256,8 +255,8 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
           {"7E5#0401000000000000", {}},
-          {"7E5#0400000000000000", {}},  // no node-ID was given: nothing is reset
-          {"7E5#515F000000000001", {}},  // the product code is asked for
+          {"7E5#0400000000000000", {}},  // no node-ID was given: no reset
+          {"7E5#515F000000000001", {}},  // the product code is selected
           {"7E5#51010302AA000102", yes}});
 }
 
@@ -286,7 +285,7 @@ TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
           {"7E5#0401000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
           {"7E5#0400000000000000", {}},
-          {"7E5#5100000000800000", {}}});  // its active node-ID is 5 still
+          {"7E5#5100000000800000", {}}});  // its active node-ID is still 5
 }
 
 TEST_F(Unconfigured, FastscanNeedsLssWaitingAndNoPendingNodeId) {

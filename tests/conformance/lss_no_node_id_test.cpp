@@ -1,4 +1,4 @@
-// LSS of a node without a node-ID (CiA 305, 6.4.2): what it serves, how it gets a node-ID.
+// LSS of a node without a node-ID (CiA 305, 6.4.2): which services it has and how it gets a node-ID.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -66,7 +66,7 @@ TEST_F(Unconfigured, LeavingConfigurationWithoutANodeIdChangesNothing) {
           {"7E5#0400000000000000", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1120000000000000", {"7E4#1100000000000000"}},
-          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // taken back
+          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // removed again
           {"7E5#0400000000000000", {}}});
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(state(), NmtState::initialising);
@@ -82,7 +82,7 @@ TEST_F(Unconfigured, SelfResettingDeviceSendsNothingWithoutANodeId) {
 
 TEST_F(Lss, NodeIdCanBeRemovedByLss) {
     verifies<req::CO_LSS_010, req::CO_LSS_030>();
-    talk({{"605#2B1710000A000000", {"585#6017100000000000"}},  // heartbeat each 10 ms
+    talk({{"605#2B1710000A000000", {"585#6017100000000000"}},  // heartbeat every 10 ms
           {"7E5#0401000000000000", {}},
           {"7E5#11FF000000000000", {"7E4#1100000000000000"}},
           {"7E5#0400000000000000", {}}});

@@ -1,5 +1,5 @@
-// The session of the Axiomatic manuals' screen capture, played as a log to each device that prints it: AX130751 3.1.3,
-// AX188001 3.1.1.2, AX060805 4.1.1.2.
+// Replays the session of the screen capture in the Axiomatic manuals as a log to each device: AX130751 3.1.3, AX188001
+// 3.1.1.2, AX060805 4.1.1.2.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -14,8 +14,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Frames that the tool sent, 44.248 s after 11:42 being second 0: 95 (11:42:45.248), 96 (54.468), 98 (58.687), 99
-/// (11:43:16.579) and 101 (23.017).
+/// Frames that the tool sent; second 0 is 11:42:44.248: 95 (11:42:45.248), 96 (54.468), 98 (58.687), 99 (11:43:16.579)
+/// and 101 (23.017).
 const char* const captured =
     "(1.000000) can0 7E5#0401\n"
     "(10.220000) can0 7E5#130003\n"
@@ -23,8 +23,8 @@ const char* const captured =
     "(32.331000) can0 7E5#17\n"
     "(38.769000) can0 7E5#0400\n";
 
-/// Frames 97, 100 and 102, after the boot-up of power-on. The capture's device took 328 ms to store; a replay has no
-/// such time.
+/// Frames 97, 100 and 102, after the boot-up message of power-on. The device of the capture took 328 ms to store; a
+/// replay does not model this time.
 const char* const answered =
     "(0.000000) can0 750#00\n"
     "(10.220000) can0 7E4#130000\n"
@@ -65,7 +65,7 @@ TEST_P(LssReplay, ConfigurationStoredInTheSessionIsUsedAfterPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-// Power fails after activate, before store: the node comes back at 125 kbit/s.
+// Power fails after activate and before store: the node boots at 125 kbit/s.
 TEST_P(LssReplay, SessionWithoutStoreIsLostAtPowerOn) {
     verifies<req::CO_LSS_017>();
     const auto device = host::make_device(GetParam());

@@ -1,4 +1,4 @@
-// LSS of devices that reset themselves when they leave LSS configuration, as the Axiomatic manuals say.
+// LSS of devices that reset themselves when they leave LSS configuration, as in the Axiomatic manuals.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -7,7 +7,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device that ships as AX130751 3.1 and its siblings say.
+/// A device with the default settings of AX130751 3.1, AX188001 and AX060805.
 class AxLss : public Lss {
   protected:
     AxLss() {

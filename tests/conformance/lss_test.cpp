@@ -1,4 +1,4 @@
-// LSS as CiA 305 asks it of a slave: its states and its frames.
+// LSS states and frames of a slave by CiA 305.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -12,7 +12,7 @@ namespace canproof::test {
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     verifies<req::CO_LSS_001, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID>();
-    talk({{"7E5#5E00000000000000", {}},  // waiting at first: no inquiry
+    talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0401000000000000", {}},  // again: nothing changes
@@ -54,22 +54,22 @@ TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4320112620000000", {}}},  // another unit
-                                                    {{"7E5#41010302AA000000", {}},   // no vendor
+                                                    {{"7E5#41010302AA000000", {}},   // no vendor-ID
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#405F000000000000", {}},  // one left out
+                                                    {{"7E5#405F000000000000", {}},  // one number left out
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#405F000000000000", {}},  // two the wrong way round
+                                                    {{"7E5#405F000000000000", {}},  // two numbers in the wrong order
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#41010302AA000000", {}},  // twice
+                                                     {"7E5#41010302AA000000", {}},  // one number twice
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#4321112620000000", {}}}};  // the last alone
+                                                    {{"7E5#4321112620000000", {}}}};  // the last number alone
     for (const auto& conversation : others) {
         talk(conversation);
         EXPECT_FALSE(is_configuring());
@@ -84,7 +84,7 @@ TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
           {"7E5#41010302AA000000", {}},
           {"7E5#4202000100000000", {}},
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
-    talk({{"7E5#0400000000000000", {}}, {"7E5#4060000000000000", {}}});  // another slave first …
+    talk({{"7E5#0400000000000000", {}}, {"7E5#4060000000000000", {}}});  // first another slave …
     talk(own_address);                                                   // … then this one
 }
 
@@ -101,7 +101,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
           {"7E5#4321112620000000", {"7E4#4400000000000000"}}});
 }
 
-// 6.3: NMT resets are resets of LSS as well
+// 6.3: NMT resets also reset LSS
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     verifies<req::CO_LSS_004>();
     for (const char* reset : {"000#8105", "000#8205"}) {
@@ -119,7 +119,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
               {"7E5#4902000100000000", {}},
               {"7E5#4A21112620000000", {}},
               {"7E5#4B21112620000000", {}}});
-        // Nor does a sequence begin behind its first frame.
+        // A sequence without its first frame does not select either.
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
         talk({{"7E5#405F000000000000", {}}, {"7E5#465F000000000000", {}}, {reset, {"705#00"}}});
         talk({{"7E5#41010302AA000000", {}}, {"7E5#4202000100000000", {}}, {"7E5#4321112620000000", {}}});
@@ -134,7 +134,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// CO-T-LSS, cell by cell: which service works in LSS waiting, in LSS configuration, and there in NMT operational
+// CO-T-LSS, cell by cell: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_T_LSS>();
     struct Row {
@@ -172,14 +172,14 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     for (const Row& row : rows) {
         EXPECT_EQ(send(row.request), row.operational) << "operational: " << row.request;
     }
-    // Selection in configuration leaves nothing behind for the time after it.
+    // Selection in LSS configuration has no effect afterwards.
     send("7E5#0400");
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
 
 TEST_F(Lss, SelectiveFramesInLssConfigurationAreNotCounted) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
-    // Each of the four in turn is sent while the slave is configured, and so is missing.
+    // Each of the four in turn is sent while the slave is in LSS configuration, and is therefore missing.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
         for (std::size_t i = 0; i < own_address.size(); ++i) {
             send(i == early ? "7E5#0401" : "7E5#0400");
@@ -216,7 +216,7 @@ TEST_F(Lss, LssConfiguresNothingInOperational) {
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(device->stored().node_id, 5);
-    // What was refused there is not done later either.
+    // A request refused there is not executed later.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
 }
@@ -260,7 +260,7 @@ TEST_F(Lss, FrameNeedsTheBytesOfItsServiceAndIsAnsweredWithAsMany) {
           {"7E5#5EFFFFFFFFFFFF", {"7E4#5E05"}},
           {"7E5#5EFFFFFFFFFFFFFF", {"7E4#5E05000000000000"}},
           {"7E5#15", {}},
-          {"7E5#1500", {}}});  // too short: no silence follows
+          {"7E5#1500", {}}});  // too short: no switch delays follow
     EXPECT_EQ(bit_rate(), 125000U);
     talk({{"7E5#5E", {"7E4#5E05"}}, {"7E5#04", {}}, {"7E5#5E", {"7E4#5E05"}}, {"7E5#150000", {}}});
     EXPECT_EQ(bit_rate(), 250000U);
@@ -272,7 +272,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
-         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence goes on
+         {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence continues
          {"7E5#41010302AA", {}},         {"7E5#42020001", {}},   {"7E5#4202000100", {}}, {"7E5#43211126", {}},
          {"7E5#4321112620", {"7E4#44"}}, {"7E5#465F000000", {}}, {"7E5#47010302", {}},   {"7E5#47010302AA", {}},
          {"7E5#48020001", {}},           {"7E5#4802000100", {}}, {"7E5#49020001", {}},   {"7E5#4902000100", {}},
@@ -312,7 +312,7 @@ TEST_F(Lss, FramesOfOtherIdentifiersOrFormatsAreNoLssRequests) {
     }
 }
 
-// CBX-AO412, 7.5: no LSS among its identifiers
+// CBX-AO412, 7.5: its identifiers do not include LSS
 TEST_F(CbxTest, DeviceWithoutLssIgnoresLssFrames) {
     verifies<req::CO_LSS_064>();
     for (const char* frame : {"7E5#0401000000000000", "7E5#5E00000000000000", "7E5#110A000000000000",

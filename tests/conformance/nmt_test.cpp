@@ -1,4 +1,4 @@
-// NMT as CiA 301, 7.2.8 and 7.3.2 ask it of a slave; run on a CAN-CBX-AO412 as node 3.
+// NMT of a slave by CiA 301, 7.2.8 and 7.3.2, on a CAN-CBX-AO412 as node 3.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/shows_rule.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 class Nmt : public CbxTest {
   protected:
-    /// The state as node guarding tells it (CiA 301, 7.2.8.2.2), without the toggle bit.
+    /// Returns the state by node guarding (CiA 301, 7.2.8.2.2), without the toggle bit.
     std::string state() {
         const std::string answer = send("703#R").at(0);
         const unsigned octet = static_cast<unsigned>(std::stoul(answer.substr(4), nullptr, 16)) & 0x7FU;
@@ -95,11 +95,11 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-// CO-T-SERVICES, each cell by what the node does (CiA 301, 7.3.2.3)
+// CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
 TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_SDO_017>();
     write("603#2305100080000040");  // produce SYNC …
-    write("603#2306100010270000");  // … each 10 ms
+    write("603#2306100010270000");  // … every 10 ms
     // pre-operational: SDO, SYNC, EMCY; no PDO
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));

@@ -1,4 +1,4 @@
-// What the node itself keeps between frames: the state after a reset, times that are due, and what a silence ends.
+// State that the node keeps between frames: after a reset, deadlines, and the effects of LSS switch delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 class NodeService : public Lss {
   protected:
     NmtState state() const { return device->node().state(); }
-    /// Operational, until node 10h, which is heard once, is silent for 100 ms.
+    /// Enters operational, then lets the heartbeat of node 10h, received once, stop for 100 ms.
     void lose_producer() {
         EXPECT_EQ(send("605#2316100164001000"), Frames{"585#6016100100000000"});
         send("000#0105");
@@ -27,7 +27,7 @@ class NodeService : public Lss {
     }
 };
 
-/// Resets its communication at each switch from LSS configuration to LSS waiting.
+/// A device that resets its communication at each switch from LSS configuration to LSS waiting.
 class SelfResetting : public NodeService {
   protected:
     SelfResetting() {
@@ -82,7 +82,7 @@ TEST_F(SelfResetting, SelfStartDoesNotOutliveAReset) {
     EXPECT_EQ(state(), NmtState::pre_operational);
 }
 
-/// The device was busy when the time-out ended: it is served before the frame.
+/// The device was busy when the time-out ended: the time-out is handled before the frame.
 TEST_F(NodeService, DueWorkIsDoneBeforeALateFrameIsHandled) {
     verifies<req::CO_SDO_014>();
     send("605#4008100000000000");
@@ -159,7 +159,7 @@ TEST_F(NodeService, ProducerNoLongerMonitoredHasNoDeadline) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-/// 1401h:1 is 300h + node-ID by default. Each save keeps the node-ID under which the communication was saved.
+/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID under which the communication was saved.
 TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
     verifies<req::CO_PDO_035, req::CO_STORE_003>();
     const std::string saved_communication = "585#6010100200000000";

@@ -74,7 +74,7 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     EXPECT_EQ(output(1), "0000");
     disable_rpdo2();
     write("603#2F01160000000000");
-    write("603#2F01160001000000");  // the first entry, 6411h:1, alone
+    write("603#2F01160001000000");  // only the first entry, 6411h:1
     enable_rpdo2();
     send("303#3412FFFFFFFF");
     EXPECT_EQ(output(1), "3412");
@@ -100,13 +100,13 @@ TEST_F(Pdo, IdentifierChangesOnlyWhileThePdoIsNotValid) {
     write("603#2301140133020000");
     send("233#0100000000000000");
     EXPECT_EQ(output(1), "0100");
-    // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are kept for others
+    // CiA 301, 7.3.5: 0, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-7FFh are restricted
     for (const char* id :
          {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
         write("603#2301140133020080");
         EXPECT_EQ(send(std::string{"603#23011401"} + id + "0000"), (Frames{"583#8001140130000906"})) << id;
     }
-    // the neighbours of those ranges are free
+    // the identifiers next to those ranges are allowed
     for (const char* id : {"8000", "0001", "8101", "8005", "0006", "8006", "DF06", "0007"}) {
         write("603#2301140133020080");
         write(std::string{"603#23011401"} + id + "0000");

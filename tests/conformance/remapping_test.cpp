@@ -1,5 +1,5 @@
-// The parameters of PDOs and the order in which one is mapped anew (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to
-// e) of the manuals), held against the conformance slave, node 5. Receive and transmit PDOs obey the same rules.
+// The parameters of PDOs and the order of remapping (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to e) of the
+// manuals), on the conformance slave, node 5. The same rules apply to receive and transmit PDOs.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/exchange.hpp"
 #include "tests/support/slave_bench.hpp"
@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One direction, as its objects go on the bus: index with the lower byte first.
+/// One direction with its objects as on the bus: index with the lower byte first.
 struct Direction {
     const char* name;
     std::string parameters;  ///< 1400h or 1800h
@@ -25,7 +25,7 @@ const Direction transmit{"TPDO", "0018", "001A", "8501", "9501", "08030120", "08
 
 class Remapping : public testing::TestWithParam<Direction>, public SlaveBench {
   protected:
-    /// An SDO download, and the abort code it gets: "" when it is done.
+    /// An SDO download and its abort code: "" when it is accepted.
     struct Write {
         std::string object;  ///< index and sub-index
         std::string data;
@@ -120,7 +120,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 or the foreign direction: a BOOLEAN has one bit
         {line("01"), "40000722", cannot_be_mapped},  // 64 of 32 bits
-        {line("01"), "00000000", ""},                // nothing
+        {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},
         {line("09"), "20000722", subindex_missing},  // eight entries exist
@@ -203,7 +203,7 @@ TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
     for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06",
                            "0107", "7F07", "8007", "FF07"}) {
         hold({{parameter("01"), std::string{id} + "0000", out_of_range}});
-        hold({{parameter("01"), std::string{id} + "0080", ""}});  // what is not in use may be anything
+        hold({{parameter("01"), std::string{id} + "0080", ""}});  // an identifier not in use may have any value
     }
     for (const char* id : {"8101", "8005", "8006", "DF06"}) {
         hold({{parameter("01"), std::string{id} + "0000", ""}, {parameter("01"), std::string{id} + "0080", ""}});
@@ -217,7 +217,7 @@ TEST_P(Remapping, TpdoIdentifierInUseByAnotherPdoIsRefused) {
         {parameter("01"), "85010000", GetParam().parameters == "0018" ? "" : incompatible},  // 185h: TPDO1
         {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
-        {parameter("01"), "85020080", ""},            // not valid: no matter
+        {parameter("01"), "85020080", ""},            // not valid: no conflict
         {parameter("01"), "85030000", ""},            // 385h: TPDO3 is not valid
         {parameter("01"), "85030080", ""},
         {parameter("01"), "05030000", GetParam().parameters == "0018" ? incompatible : ""},  // 305h: RPDO2

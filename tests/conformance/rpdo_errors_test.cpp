@@ -1,4 +1,4 @@
-// Errors and times of several receive PDOs: each has its own (CiA 301, 7.2.7.1, 7.5.2.35).
+// Errors and times of several receive PDOs are separate (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -55,7 +55,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     send("605#2B0014050A000000");  // 10 ms
     send("205#1122");
     EXPECT_TRUE(pass(9).empty());
-    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC has come
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC was received
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 

@@ -1,4 +1,4 @@
-// Receive PDOs with a value that is refused: no reception, and told by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
+// A receive PDO with a refused value counts as not received and is reported by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/altered_slave.hpp"
 #include "tests/support/rpdo_bench.hpp"
@@ -18,12 +18,12 @@ TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     map_rpdo3({"10000022"});                     // 2200h: -100 … 100
     send("605#2B02140532000000");                // 50 ms
     EXPECT_TRUE(send("405#6500").size() == 1U);  // 101: 8200h
-    EXPECT_TRUE(pass(1000).empty());             // no reception yet that begins the monitoring
+    EXPECT_TRUE(pass(1000).empty());             // no reception yet that starts the monitoring
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
     EXPECT_EQ(send("405#6500"), (Frames{"085#0082110200000000"}));
-    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the good one: 8250h
-    EXPECT_TRUE(send("405#9BFF").empty());                     // refused: the time-out lasts
+    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the valid one: 8250h
+    EXPECT_TRUE(send("405#9BFF").empty());                     // refused: the time-out continues
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
     EXPECT_EQ(send("405#6300"), (Frames{"085#0000110300000000", "085#0000000300000000"}));  // 99
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100000000000"}));
@@ -35,11 +35,11 @@ TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
     talk(*this, {
                     {"605#2F02140201000000", {"585#6002140200000000"}},  // type 1
                     {"405#3200", {}},                                    // 50 waits
-                    {"405#6500", {"085#0082110100000000"}},              // 101: told when it comes
+                    {"405#6500", {"085#0082110100000000"}},              // 101: reported on reception
                     {"605#4000220000000000", {"585#4B00220007000000"}},  // the default
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220032000000"}},
-                    {"605#4001100000000000", {"585#4F01100011000000"}},  // the last that came was refused
+                    {"605#4001100000000000", {"585#4F01100011000000"}},  // the latest one was refused
                     {"405#3300", {"085#0000000100000000"}},
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220033000000"}},
@@ -57,7 +57,7 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"405#6500", {"085#0082110100000000"}},
                     {"505#0000807F", {}},                    // infinity
                     {"405#6400", {}},                        // RPDO4 is still wrong
-                    {"505#0000", {"085#1082110200000000"}},  // too short: another error beside it
+                    {"505#0000", {"085#1082110200000000"}},  // too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},
                     {"405#6500", {"085#0082110300000000"}},
                     {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},  // a write ends it
@@ -65,7 +65,7 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
     EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1
 }
 
-// 2200h may be -100 to the value of 2100h:1, which moves between the reception and the SYNC.
+// The limits of 2200h are -100 and the value of 2100h:1, which changes between the reception and the SYNC.
 TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
     verifies<req::CO_PDO_033, req::CO_PDO_034>();
     limit(0x2200, 0, {{LimitKind::value, 0xFF9C, 0}, {LimitKind::entry, 0x210001, 0}});
@@ -83,8 +83,8 @@ TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
                     {"405#3200", {}},                                    // 50 waits
                     {"605#2B00210128000000", {"585#6000210100000000"}},  // at most 40
                     {"080#", {"085#0082110100000000"}},
-                    {"605#4000220000000000", {"585#4B00220007000000"}},  // as shipped
-                    {"080#", {}},                                        // nothing waits any more
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // the default
+                    {"080#", {}},                                        // nothing waits
                     {"405#2800", {"085#0000000100000000"}},              // 40
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220028000000"}},

@@ -1,4 +1,4 @@
-// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35), held against the conformance slave of support/rpdo_bench.hpp.
+// Receive PDOs (CiA 301, 7.2.2, 7.5.2.35) on the conformance slave of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -40,7 +40,7 @@ TEST_F(Rpdo, Types0To240WaitForTheSyncAndTakeTheLastValues) {
                         {"080#", {}},
                         {"605#4000200100000000", {"585#4F002001" + last + "000000"}},
                         {"605#2F00200100000000", {"585#6000200100000000"}},
-                        {"080#", {}},  // nothing new has come
+                        {"080#", {}},  // no new RPDO was received
                         {"605#4000200100000000", {"585#4F00200100000000"}},
                     });
     }
@@ -123,7 +123,7 @@ TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
                     {"405#026500", {"085#0082110100000000"}},  // 101: 8200h, bits 0 and 4 of 1001h, one listed
-                    {"405#029BFF", {}},                        // -101: it lasts
+                    {"405#029BFF", {}},                        // -101: the error continues
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
                     {"405#029CFF", {"085#0000000100000000"}},  // -100
@@ -141,8 +141,8 @@ TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     talk(*this, {
                     {"405#00002041", {}},  // 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#01002041", {"085#0082110100000000"}},  // the next one above
-                    {"405#0000C07F", {}},                        // not a number
+                    {"405#01002041", {"085#0082110100000000"}},  // the next number above
+                    {"405#0000C07F", {}},                        // NaN
                     {"405#0000807F", {}},                        // infinity
                     {"605#4002220000000000", {"585#4302220000002041"}},
                     {"405#000020C1", {"085#0000000100000000"}},  // -10.0
@@ -211,7 +211,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
                     {"00000205#1122", {}},  // 29 bits
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
-                    {"205#R2", {}},    // nobody asks a receive PDO
+                    {"205#R2", {}},    // a receive PDO is not requested
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     {"605#2300140105020080", {"585#6000140100000000"}},  // bit 31
                     {"205#1122", {}},
@@ -245,7 +245,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
                     {"605#2B00140532000000", {"585#6000140500000000"}},  // 50 ms
                 });
-    EXPECT_TRUE(pass(1000).empty());  // the first reception begins it
+    EXPECT_TRUE(pass(1000).empty());  // the first reception starts it
     EXPECT_TRUE(send("205#1122").empty());
     EXPECT_TRUE(pass(49).empty());
     EXPECT_TRUE(send("205#1122").empty());
@@ -253,7 +253,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     EXPECT_TRUE(pass(1000).empty());
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
-    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, and not a reception
+    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, not a reception
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
@@ -327,7 +327,7 @@ TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     send("000#8005");
     send("000#0105");
     EXPECT_TRUE(send("305#0100020003000400").empty());
-    EXPECT_TRUE(pass(99).empty());  // RPDO1 has not come again since
+    EXPECT_TRUE(pass(99).empty());  // RPDO1 was not received since
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
@@ -337,7 +337,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
     send("605#2B0014050A000000");
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
-    // timer off: the error goes with the monitoring
+    // timer off: the error ends with the monitoring
     EXPECT_EQ(send("605#2B00140500000000"), (Frames{"085#0000000100000000", "585#6000140500000000"}));
     send("205#1122");
     EXPECT_TRUE(pass(100).empty());

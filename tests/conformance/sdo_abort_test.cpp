@@ -1,5 +1,5 @@
-// Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that provoke it on the conformance slave, node 5, as
-// whole conversations; the last answer is the abort. Codes that nothing provokes stand below with the reason.
+// Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that cause it on the conformance slave, node 5, as
+// whole exchanges; the last answer is the abort. Codes that nothing causes are listed with the reason.
 #include <fmt/format.h>
 
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 
 class SdoAbort : public testing::Test, public SlaveBench {};
 
-/// One code: what is asked, and the abort at the end.
+/// One code: the requests, and the abort as the last answer.
 struct Case {
     std::uint32_t code;
     std::string when;
@@ -176,7 +176,7 @@ TEST_F(SdoAbort, TestedAndNeverSentCodesTogetherAreAllCodesOfCiA301) {
 
 TEST_F(SdoAbort, NoSingleRequestCausesACodeListedAsNeverSent) {
     verifies<req::CO_SDO_036>();
-    // Every first byte, on every object of the slave and beside it, with the numbers that are most often at a limit.
+    // Every first byte, on every object of the slave and on absent ones, with the most frequent limit values.
     std::set<std::uint32_t> seen;
     const auto ask = [&](const std::string& request) {
         for (const auto& answer : send(request)) {
@@ -200,7 +200,7 @@ TEST_F(SdoAbort, NoSingleRequestCausesACodeListedAsNeverSent) {
             }
         }
     }
-    EXPECT_GE(seen.size(), 10U);  // the walk does provoke aborts
+    EXPECT_GE(seen.size(), 10U);  // the search does cause aborts
 }
 
 }  // namespace canproof::test

@@ -1,4 +1,4 @@
-// SDO block transfers that break off: requests out of turn, aborts, silence of the client, resets.
+// Interrupted SDO block transfers: requests out of turn, aborts, time-outs of the client, resets.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -30,7 +30,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
                     {"605#0011223344556677", {refused}},
                     {initiate, initiated},
                     {"605#C100000000000000", {refused}},
-                    // segments are out
+                    // segments are being sent
                     {initiate, initiated},
                     {start, segments},
                     {start, {refused}},
@@ -40,7 +40,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
                     {initiate, initiated},
                     {start, segments},
                     {"605#7000000000000000", {refused}},
-                    // the end is out
+                    // the end was sent
                     {initiate, initiated},
                     {start, segments},
                     {acknowledge, ended},
@@ -181,11 +181,11 @@ TEST_F(SdoBlock, StalledDownloadIsAborted) {
     send("605#C600240009000000");
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), timed_out);
-    // the segment marked as the last is lost: neither side can know
+    // the segment marked as the last is lost: neither side can detect it
     send("605#C600240009000000");
     pass(900);
     send("605#0131323334353637");
-    EXPECT_TRUE(pass(999).empty());  // a segment starts the time-out anew
+    EXPECT_TRUE(pass(999).empty());  // a segment restarts the time-out
     EXPECT_EQ(pass(1), timed_out);
     send("605#C600240009000000");
     send("605#0131323334353637");
@@ -204,7 +204,7 @@ TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
                     {"000#0205", {}},
                     {"605#8238390000000000", {}},
                     {"000#8005", {}},
-                    {"605#8238390000000000", {}},  // ccs 4: an abort, of nothing
+                    {"605#8238390000000000", {}},  // ccs 4: an abort without a transfer
                     {"605#D5C3310000000000", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},

@@ -1,5 +1,5 @@
-// The slave of the block transfer tests (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): the conformance slave, node 5. 2400h is its
-// DOMAIN of 64 KiB. "123456789" has the CRC 31C3h.
+// The slave of the block transfer tests (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): the conformance slave, node 5. Its DOMAIN
+// of 64 KiB is 2400h. The CRC of "123456789" is 31C3h.
 #pragma once
 
 #include "tests/support/exchange.hpp"
@@ -9,7 +9,7 @@
 namespace canproof::test {
 
 inline const Bytes nine{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-inline const std::string stray = "585#8000000001000405";  // 05040001h, and no object to name
+inline const std::string stray = "585#8000000001000405";  // 05040001h, without an object
 
 class SdoBlock : public testing::Test, public SlaveBench {
   protected:
@@ -19,7 +19,7 @@ class SdoBlock : public testing::Test, public SlaveBench {
     }
     void hold(const Bytes& bytes) { device->fill(program_index, 0, bytes); }
 
-    /// The segments that leave when nothing is lost: the first eight at once, the rest as the queue empties.
+    /// Returns the segments of an upload without losses: the first eight at once, the rest as the queue empties.
     Frames all_segments(const std::string& request) {
         Frames frames = send(request);
         for (const auto& later : pass(0)) {

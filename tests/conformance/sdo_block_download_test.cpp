@@ -1,4 +1,4 @@
-// SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11): whole conversations, and a device without block transfer.
+// SDO block download (CiA 301, 7.2.4.3.8 to 7.2.4.3.11): whole exchanges, and a device without block transfer.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -69,8 +69,8 @@ TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
                     {"605#030F101112131415", {}},  // the second was lost
                     {"605#84161718191A1B1C", {"585#A2017F0000000000"}},
                     {"605#0108090A0B0C0D0E", {}},                        // it becomes number 1
-                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now the next one was lost
-                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // and again
+                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now the next segment was lost
+                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // lost again
                     {"605#010F101112131415", {}},
                     {"605#82161718191A1B1C", {"585#A2027F0000000000"}},
                     {crc, {"585#A100000000000000"}},
@@ -141,13 +141,13 @@ TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
     verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034>();
     talk(*this, {
                     {"605#C600100004000000", {"585#8000100002000106"}},
-                    {"605#C602240004000000", {"585#8002240002000106"}},  // a DOMAIN to read
+                    {"605#C602240004000000", {"585#8002240002000106"}},  // a read-only DOMAIN
                     {"605#C634120004000000", {"585#8034120000000206"}},
                     {"605#C600220104000000", {"585#8000220111000906"}},
                     {"605#C600220003000000", {"585#8000220012000706"}},  // three bytes for an INTEGER16
                     {"605#C600240001000100", {"585#8000240012000706"}},  // 65,537 bytes
                     {"605#C6002400FFFFFFFF", {"585#8000240012000706"}},
-                    {"605#C601240004000000", {"585#8001240005000405"}},  // no memory to gather in
+                    {"605#C601240004000000", {"585#8001240005000405"}},  // no memory to collect it
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -168,7 +168,8 @@ TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
 
 TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
     verifies<req::CO_SDO_010>();
-    // 2300h holds 40 bytes: five segments are 35, a sixth may be its last with 2 unused, a seventh is too much
+    // 2300h takes 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
+    // much
     talk(*this, {
                     {"605#C400230000000000", {"585#A40023007F000000"}},
                     {"605#0141414141414141", {}},
@@ -184,7 +185,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
 
 TEST_F(SdoBlock, SegmentPairs1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026>();
-    // each pair ends a sub-block of which one segment was in order
+    // each pair ends a sub-block with one segment in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
     for (int pair = 0; pair < 6; ++pair) {
         talk(*this, {{"605#0141414141414141", {}}, {"605#7F42424242424242", {"585#A2017F0000000000"}}});
@@ -210,7 +211,7 @@ TEST_F(SdoBlock, SequenceNumberZeroAbortsTheDownload) {
                     {"605#0031323334353637", {"585#8000240003000405"}},
                     {"605#0131323334353637", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
-                    {"605#8000240000000008", {}},  // 80h: the client's abort
+                    {"605#8000240000000008", {}},  // 80h: the abort of the client
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -224,7 +225,7 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
                     {"605#2F01220008000000", {}},                        // number 47
                     {"605#C600240009000000", {"585#A2017F0000000000"}},  // number 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
-                    // the last one is in: from here on an initiate is an initiate
+                    // the last one was received: from here on an initiate counts as an initiate
                     {"605#4000100000000000", {"585#4300100078563412"}},
                     {"605#D5C3310000000000", {stray}},
                 });
@@ -281,7 +282,7 @@ TEST_F(SdoWithoutBlock, BlockRequestsAreUnknownCommands) {
                     {"603#C017100000000000", {"583#8017100001000405"}},
                     {"603#C1ABCD0000000000", {refused}},
                     {"603#0131323334353637", {refused}},
-                    // one that comes during a transfer ends it
+                    // a block request during a transfer ends it
                     {"603#4008100000000000", {"583#410810000D000000"}},
                     {"603#A300000000000000", {"583#8008100001000405"}},
                     {"603#6000000000000000", {refused}},

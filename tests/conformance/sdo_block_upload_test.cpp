@@ -1,4 +1,4 @@
-// SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16): whole conversations.
+// SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16): whole exchanges.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/sdo_block_cases.hpp"
@@ -79,17 +79,19 @@ TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
     const Bytes bytes = counting(21);  // three full segments
     hold(bytes);
     const Frames whole{"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"};
-    talk(*this, {
-                    {"605#A40024007F000000", {"585#C600240015000000"}},
-                    {"605#A300000000000000", whole},
-                    {"605#A2007F0000000000", whole},                                             // none came
-                    {"605#A2017F0000000000", {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the first did
-                    {"605#A201010000000000", {"585#810F101112131415"}},  // the second did; one at a time from now on
-                    {"605#A200010000000000", {"585#810F101112131415"}},
-                    {"605#A201010000000000", {block_end("585", bytes)}},
-                    {"605#A100000000000000", {}},
-                });
-    EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // no byte unused
+    talk(*this,
+         {
+             {"605#A40024007F000000", {"585#C600240015000000"}},
+             {"605#A300000000000000", whole},
+             {"605#A2007F0000000000", whole},                                             // none was received
+             {"605#A2017F0000000000", {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the first was received
+             {"605#A201010000000000",
+              {"585#810F101112131415"}},  // the second was received; one segment per sub-block from now on
+             {"605#A200010000000000", {"585#810F101112131415"}},
+             {"605#A201010000000000", {block_end("585", bytes)}},
+             {"605#A100000000000000", {}},
+         });
+    EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // no unused byte
 }
 
 TEST_F(SdoBlock, RepeatedSegmentCountsOnceInTheCrc) {
@@ -109,7 +111,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
     verifies<req::CO_SDO_023, req::CO_E_ABORT>();
     hold(counting(21));
     talk(*this, {
-                    // three were sent, the last one among them: four is not a success
+                    // three were sent, the last one included: an acknowledgement of four is wrong
                     {"605#A40024007F000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"}},
                     {"605#A2047F0000000000", {"585#8000240003000405"}},
@@ -149,7 +151,7 @@ TEST_F(SdoBlock, SmallValuesSwitchToAPlainUpload) {
                     {"605#A40024007F090000", {"585#4100240009000000"}},
                     {"605#6000000000000000", {"585#0031323334353637"}},
                     {"605#7000000000000000", {"585#1B38390000000000"}},
-                    // threshold 8 is below the size, 0 says never
+                    // threshold 8 is below the size, 0 means never
                     {"605#A40024007F080000", {"585#C600240009000000"}},
                     {"605#A40024007F000000", {"585#C600240009000000"}},
                     // one to four bytes: expedited
@@ -190,15 +192,16 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
                     {"605#A40010017F000000", {"585#8000100111000906"}},
                     {"605#A40522007F000000", {"585#8005220001000106"}},
-                    {"605#A40024007F000000", {"585#8000240024000008"}},  // nothing was ever put there
-                    {"605#A40124007F000000", {"585#8001240000000106"}},  // no memory behind it
+                    {"605#A40024007F000000", {"585#8000240024000008"}},  // nothing was ever written there
+                    {"605#A40124007F000000", {"585#8001240000000106"}},  // it has no memory
                     {"605#A300000000000000", {stray}},
                 });
 }
 
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE, req::CO_K_SDO_BLOCK_QUEUED>();
-    // A piece at a time: the microcontroller has no room for all of it beside the slave's and the answers.
+    // One piece at a time: the microcontroller has no memory for the whole value beside those of the slave and the
+    // answers.
     const auto piece = [](std::size_t from, std::size_t size) {
         Bytes bytes(size);
         for (std::size_t i = 0; i < size; ++i) {
@@ -215,7 +218,8 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     std::size_t sub_blocks = 0;
     while (from < all) {
         const bool last = all - from <= 7 * 127;
-        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one more: block_segment marks the last
+        const Bytes bytes =
+            piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: block_segment marks the last
         Frames expected;
         for (unsigned sequence = 1; sequence <= 127 && (sequence - 1) * 7 < bytes.size(); ++sequence) {
             expected.push_back(block_segment("585", sequence, bytes, (sequence - 1) * 7));
@@ -242,7 +246,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(device->next_deadline().us, now.us);  // room again: due at once
     device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
-    // the time-out counts from the last segment queued, however slowly the bus takes them
+    // the time-out starts at the last queued segment, however slowly the bus takes them
     now = now + milliseconds(900);
     EXPECT_EQ(sent().size(), 8U);
     device->advance(now);
@@ -285,7 +289,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"
     EXPECT_EQ(send("605#A402230001000000"), (Frames{"585#C602230048000000"}));
     EXPECT_EQ(send("605#A300000000000000"), (Frames{"585#01412076616C7565"}));
-    // and cannot be gathered anywhere
+    // it cannot be downloaded in segments or blocks either
     EXPECT_EQ(send("605#2002230000000000"), (Frames{"585#8002230005000405"}));
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }
@@ -300,7 +304,7 @@ TEST_F(SdoBlock, ShortValueIsSentAsOfTheStartOfTheUpload) {
                     {"605#A40121017F000000", {"585#C601210102000000"}},  // 2101h:1 = 0
                     {"605#A300000000000000", {"585#8100000000000000"}},
                 });
-    device->objects().write(0x2101, 1, 0x1234);  // the device changes it
+    device->objects().write(0x2101, 1, 0x1234);  // changed by the device
     EXPECT_EQ(send("605#A2007F0000000000"), (Frames{"585#8100000000000000"}));
     EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));  // five unused, CRC of 0000h
 }

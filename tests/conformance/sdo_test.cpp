@@ -161,7 +161,7 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     set_inputs();
     inputs.can_state = 0;
     set_inputs();
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is none any more
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is no transfer any more
 }
 
 TEST_F(Sdo, EachUploadSegmentRestartsTheTimeOut) {
@@ -209,10 +209,10 @@ TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
 TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
     verifies<req::CO_SDO_018>();
     talk(*this, {
-                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the initiate that it refuses
+                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the refused initiate
                     {"605#4008100000000000", {"585#4108100011000000"}},
-                    {"605#7000000000000000", {"585#8008100000000305"}},  // the transfer that it ends
-                    {"605#7000000000000000", {"585#8000000001000405"}},  // neither
+                    {"605#7000000000000000", {"585#8008100000000305"}},  // the ended transfer
+                    {"605#7000000000000000", {"585#8000000001000405"}},  // no transfer
                     {"605#00AAAAAAAAAAAAAA", {"585#8000000001000405"}},  // bytes 1 to 3 of a segment are data
                     {"605#2100230005000000", {"585#6000230000000000"}},
                     {"605#6000000000000000", {"585#8000230001000405"}},
@@ -246,7 +246,7 @@ TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte came
+                    {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte was received
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
 }
@@ -254,7 +254,7 @@ TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
 TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
     verifies<req::CO_SDO_003, req::CO_SDO_010>();
     talk(*this, {
-                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 hold no size
+                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 have no size
                     {"605#0D78000000000000", {"585#2000000000000000"}},  // "x", last
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                 });
@@ -305,11 +305,11 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
 
 TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
-    // as many as overran a buffer elsewhere, and more
+    // more than would overrun the buffer
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }
-    // nor behind the last segment of a transfer that is over
+    // and not after the last segment of a finished transfer
     talk(*this, {
                     {"605#2100230002000000", {"585#6000230000000000"}},
                     {"605#0B68690000000000", {"585#2000000000000000"}},
@@ -339,7 +339,7 @@ TEST_F(SlaveSdo, ShortFrameIsNotCompletedFromThePreviousFrame) {
                     {"605#40", {}},
                     {"605#40012200000000", {}},
                     {"605#2100230002000000", {"585#6000230000000000"}},
-                    {"605#0B6869", {}},  // the transfer goes on
+                    {"605#0B6869", {}},  // the transfer continues
                     {"605#0B68690000000000", {"585#2000000000000000"}},
                 });
 }
@@ -350,7 +350,7 @@ TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
                     {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
                     {"605#40001000FFFFFFFF", {"585#4300100078563412"}},
                     {"605#3F01220008000000", {"585#6001220000000000"}},  // 2Fh with bit 4
-                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one that counts
+                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one of the value
                     {"605#4001220000000000", {"585#4F01220002000000"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#6FFFFFFFFFFFFFFF", {"585#00436F6E666F726D"}},

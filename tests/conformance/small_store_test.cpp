@@ -1,6 +1,6 @@
-// Store and restore where little is stored (CiA 301, 7.5.2.13): each byte of the memory and each access to it counts.
-// The slave as node 5 with one stored value, the 4 bytes of 2207h: a bank has a header of 16, the value and a CRC of 4,
-// 24 bytes in all; there are two.
+// Store and restore with a small stored set (CiA 301, 7.5.2.13): each byte of the memory and each access to it is
+// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h: a bank has a header of 16 bytes, the value and
+// a CRC of 4 bytes, 24 bytes in total; there are two banks.
 #include <algorithm>
 #include <numeric>
 
@@ -82,7 +82,7 @@ TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
     power_on_with(faulty);
     set_value("11223344");
     EXPECT_EQ(save(), saved);
-    faulty.fail_read(1);  // the header of the first bank; that of the second is blank
+    faulty.fail_read(1);  // the header of the first bank; that of the second bank is blank
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
@@ -96,7 +96,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     faulty.fail_read(0);
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
-    faulty.fail_read(faulty.reads);  // the last one: the value, after the headers and the check of the CRC
+    faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
 }
@@ -130,7 +130,7 @@ TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
 
 TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // void, header, value, CRC, committed
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // invalidate, header, value, CRC, commit
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);
@@ -145,9 +145,9 @@ TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
     set_value("11223344");
     EXPECT_EQ(save(), saved);
     set_value("55667788");
-    faulty.fail_write(6);  // the last one: the new set is committed
+    faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // nor did its byte arrive
+    faulty.sound.bytes()[3] = 'S';  // its byte did not arrive either
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }
@@ -156,7 +156,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
     verifies<req::CO_STORE_001>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
-    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 bytes and 8; no more
+    faulty.fail_read(3);  // the new bank is read back in two pieces, 16 and 8 bytes; nothing else is read
     EXPECT_EQ(save("02"), "585#6010100200000000");
     EXPECT_EQ(faulty.reads, 2U);
 }
@@ -182,7 +182,7 @@ TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
 }
 
-// The value is the node-ID of the node that saved: by chance, for its default has no node-ID in it.
+// The value equals the node-ID of the node that saved by chance; its default has no node-ID in it.
 TEST_F(SmallStore, StoredValueWithoutANodeIdInItsDefaultDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();

@@ -1,4 +1,4 @@
-// What the tests of storing share: a CAN-CBX-AO412, node 3, one value of each group of parameters, its memory.
+// Shared by the tests of storing: a CAN-CBX-AO412, node 3, one value of each group of parameters, and its memory.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class Store : public CbxTest {
         }
         return all;
     }
-    /// A device on a memory of its own.
+    /// Powers on a device with another memory.
     Frames power_on_with(NonVolatileMemory& other) {
         queue = TransmitQueue{};
         device = std::make_unique<cbx_ao412::Device>(other, queue, factory);
@@ -32,7 +32,7 @@ class Store : public CbxTest {
     }
     std::string save() { return send("603#2310100173617665").at(0); }
 
-    // Of the header, little-endian numbers.
+    // Offsets in the header, whose numbers are little-endian.
     static constexpr std::size_t magic_at = 0;
     static constexpr std::size_t layout_at = 4;
     static constexpr std::size_t sequence_at = 8;
@@ -40,14 +40,14 @@ class Store : public CbxTest {
     static constexpr const char* saved = "583#6010100100000000";
     static constexpr const char* hardware_error = "583#8010100100000606";
 
-    /// Where the second bank begins, which is the size of one: each begins with "COP" and its marker.
+    /// Returns the start of the second bank, which is the size of one bank: each begins with "COP" and its marker.
     std::size_t bank_size() {
         const std::array<std::uint8_t, 3> magic{'C', 'O', 'P'};
         const auto& bytes = memory.bytes();
         return static_cast<std::size_t>(std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end()) -
                                         bytes.begin());
     }
-    /// Commits the bank of `size` bytes at `at` with another number in its header and the CRC-32 that goes with it.
+    /// Commits the bank of `size` bytes at `at` with another number in its header and a matching CRC-32.
     void set_header(std::size_t at, std::size_t size, std::size_t offset, std::uint32_t number) {
         memory.bytes()[at + 3] = 'S';
         put(at + offset, number);

@@ -1,4 +1,4 @@
-// Storing on a memory that fails, loses power or holds something else (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
+// Storing on a memory that fails, loses power or has other content (CiA 301, 7.5.2.13, 7.5.2.14), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/conformance/store_cases.hpp"
@@ -32,10 +32,10 @@ TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
         old_sets += found == "1111 1111 1111 " ? 1 : 0;
     }
     EXPECT_EQ(old_sets,
-              size_of_save - 1);  // the last byte but one commits the new set, the last makes the old one void
+              size_of_save - 1);  // the last byte but one commits the new set, the last one invalidates the old set
 }
 
-/// The last byte but one commits a set; each number is later than the one before.
+/// The last byte but one commits a set; each number is higher than the previous one.
 TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
@@ -53,7 +53,7 @@ TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     }
 }
 
-/// A bit of the marker fell over: the CRC says that the set is whole.
+/// A bit of the marker has flipped: the CRC shows that the set is complete.
 TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("3412");
@@ -70,7 +70,7 @@ TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
         power_on();
         set_values("3412");
         EXPECT_EQ(save(), saved);
-        EXPECT_EQ(save(), saved);  // the first is void now
+        EXPECT_EQ(save(), saved);  // the first set is invalid now
         const std::size_t size = bank_size();
         memory.bytes()[3] = memory.bytes()[size + 3];
         memory.bytes()[damaged * size + 40] ^= 0x01;
@@ -101,8 +101,8 @@ TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
     set_header(size, size, sequence_at, 0xFFFFFFFF);
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     set_values("3412");
-    // Power fails before the last byte, which would make the older set void: both are committed.
-    memory.cut_power_after(size + 2);  // one byte makes the bank void, `size` fill it, one commits it
+    // Power fails before the last byte, which would invalidate the older set: both are committed.
+    memory.cut_power_after(size + 2);  // one byte invalidates the bank, `size` bytes fill it, one commits it
     EXPECT_EQ(save(), saved);
     memory.restore_power();
     power_on();
@@ -214,7 +214,7 @@ TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
     }
     power_on_with(faulty);
     faulty.fail_read(0);
-    write("603#2310100273617665");  // communication parameters anew, the others copied from the old bank
+    write("603#2310100273617665");  // new communication parameters, the others are copied from the old bank
     const std::size_t of_save = faulty.reads;
     const auto sound = faulty.sound.bytes();
     for (std::size_t n = 1; n <= of_save; ++n) {

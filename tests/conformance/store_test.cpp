@@ -74,7 +74,7 @@ TEST_F(Store, SaveIsRefusedInOperational) {
     set_values("3412");
     send("000#0103");
     EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100122000008"}));
-    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));  // defaults may be asked for
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));  // defaults may be requested
     power_on();
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
@@ -88,7 +88,7 @@ TEST_F(Store, StoreCapabilityIsOnCommandOnly) {
 
 TEST_F(Store, EveryWritableParameterIsStored) {
     verifies<req::AO4_STORE_003>();
-    // object, length specifier, a value that it takes and that is not its default
+    // object, length specifier, an accepted value that is not its default
     struct Case {
         const char* object;
         const char* specifier;
@@ -120,7 +120,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
                                   {"042404", "2B", "06000000"},
                                   {"052401", "2B", "07000000"},
                                   {"052404", "2B", "08000000"},
-                                  // last, for a change of other configuration sets 1020h to zero
+                                  // last, because a change of other configuration clears 1020h
                                   {"201001", "23", "11223344"},
                                   {"201002", "23", "55667700"}};
     for (const auto& one : cases) {
@@ -143,7 +143,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
-    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh was stored as it stood: it follows
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh was stored unchanged: it follows
     const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
     EXPECT_EQ(cob_id(), "93000000");
     EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5

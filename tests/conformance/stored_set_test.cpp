@@ -1,6 +1,6 @@
-// Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7;
-// AX188001, 3.2.7; AX060805, 4.2.7): told from a save that was cut short, and never answered by an older set. What is
-// stored is 1017h, as shipped 0.
+// Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
+// 3.2.7; AX060805, 4.2.7): it is distinguished from an interrupted save and never leads to an older set. The stored
+// value is 1017h, default 0.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/device_by_sdo.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t no_error = 0;
 
-/// Node 5 of the catalogue.
+/// A device of the catalogue as node 5.
 class Stored : public DeviceBySdo {
   public:
     explicit Stored(const std::string& name)
@@ -23,10 +23,11 @@ class Stored : public DeviceBySdo {
         ASSERT_TRUE(save());
     }
     std::uint32_t value() { return read(0x1017, 0) & 0xFFFFU; }
-    /// The code of the latest error in 1003h while 1001h tells one.
+    /// Returns the code of the latest error in 1003h while 1001h is not 0.
     std::uint32_t error() { return (read(0x1001, 0) & 0xFFU) == 0 ? no_error : read(0x1003, 1) & 0xFFFFU; }
     std::vector<std::uint8_t>& bytes() { return device->memory().bytes(); }
-    /// Bytes of one of the two banks, the first of which begins at 0. Both begin with "COP" once each has been written.
+    /// Returns the size of one of the two banks, the first of which starts at 0. Both begin with "COP" once each has
+    /// been written.
     std::size_t bank_size() {
         const std::string magic = "COP";
         return static_cast<std::size_t>(std::search(bytes().begin() + 1, bytes().end(), magic.begin(), magic.end()) -
@@ -37,7 +38,7 @@ class Stored : public DeviceBySdo {
 
 class StoredSetOfTheDevice : public testing::TestWithParam<const char*> {};
 
-/// Places in a bank: all of its header, some of its values, all of its CRC.
+/// Returns offsets in a bank: all of its header, some of its values, all of its CRC.
 std::vector<std::size_t> places(std::size_t bank_size) {
     std::vector<std::size_t> all;
     for (std::size_t at = 0; at < bank_size; at += at < 16 || at + 12 > bank_size ? 1 : 11) {
@@ -50,7 +51,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 
 TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOlderSet) {
     verifies<req::CO_STORE_006, req::INC_ERR_012>();
-    for (const int saves : {2, 3}) {  // the newest set in the second bank, in the first
+    for (const int saves : {2, 3}) {  // the newest set is in the second bank, then in the first
         Stored unit{GetParam()};
         for (int n = 1; n <= saves; ++n) {
             unit.save_value(static_cast<std::uint32_t>(1000 * n));
@@ -62,11 +63,11 @@ TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOld
             unit.bytes() = stored;
             unit.bytes()[newest + at] ^= 0xFF;
             unit.power_cycle();
-            const bool is_marker = at == 3;  // the set itself is sound
+            const bool is_marker = at == 3;  // the set itself is valid
             EXPECT_EQ(unit.value(), is_marker ? 1000U * static_cast<unsigned>(saves) : 0U) << at;
             EXPECT_EQ(unit.error(), is_marker ? no_error : unit.code_of_damage) << at;
             unit.bytes() = stored;
-            unit.bytes()[size - newest + at] ^= 0xFF;  // the older set is of no account
+            unit.bytes()[size - newest + at] ^= 0xFF;  // the older set does not matter
             unit.power_cycle();
             EXPECT_EQ(unit.value(), 1000U * static_cast<unsigned>(saves)) << at;
             EXPECT_EQ(unit.error(), no_error) << at;
@@ -100,7 +101,7 @@ TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
     const std::size_t size = unit.bank_size();
     unit.bytes()[size + 20] ^= 0x01;
     const auto damaged = unit.bytes();
-    const std::size_t whole = size + 3;  // void, the bank, committed, and the damaged one void
+    const std::size_t whole = size + 3;  // invalidate, the bank, commit, and invalidate the damaged one
     for (std::size_t cut = 0; cut <= whole; cut += cut < 24 || cut + 20 > whole ? 1 : 17) {
         unit.bytes() = damaged;
         unit.power_cycle();
@@ -139,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::Values("ax060805",
                              return std::string{one.param}.substr(0, 3) + std::to_string(one.index);
                          });
 
-// The CAN-CBX-AO412 has switches in place of LSS.
+// The CAN-CBX-AO412 has switches instead of LSS.
 TEST(StoredNodeIdOfTheDevice, FlippedByteOfTheLatestNodeIdIsReportedAndRestoresNoOlderOne) {
     verifies<req::CO_LSS_065>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {

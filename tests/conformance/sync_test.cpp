@@ -91,7 +91,7 @@ TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 5000 us
     write("603#2305100080000040");
-    now = now + milliseconds(17);  // those of 5, 10 and 15 ms are due
+    now = now + milliseconds(17);  // SYNCs at 5, 10 and 15 ms are due
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"080#"}));
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));

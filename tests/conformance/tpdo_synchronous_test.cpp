@@ -41,7 +41,7 @@ TEST_F(Tpdo, TypeNIsSentAtEveryNthSync) {
                     {"080#", {}},
                     {"000#8005", {}},
                     {"080#", {}},
-                    {"000#0105", {}},  // counted anew
+                    {"000#0105", {}},  // counting restarts
                     {"080#", {}},
                     {"080#", {}},
                     {"080#", {"185#1100"}},
@@ -65,7 +65,7 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
     talk(*this, {
                     {"605#2F1910000A000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 10
                     {"605#2300180185010080", {"585#6000180100000000"}},
-                    {"605#2F00180202000000", {"585#6000180200000000"}},  // each second SYNC
+                    {"605#2F00180202000000", {"585#6000180200000000"}},  // every second SYNC
                     {"605#2F00180604000000", {"585#6000180600000000"}},  // from counter 4 on
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
@@ -200,7 +200,7 @@ TEST_F(Tpdo, Type252IsSentAtNoSync) {
     silence_tpdo2();
     set_type("FC");
     send("000#0105");
-    for (int syncs = 0; syncs < 300; ++syncs) {  // 252 of them, and more
+    for (int syncs = 0; syncs < 300; ++syncs) {  // more than 252 SYNCs
         EXPECT_TRUE(send("080#").empty()) << syncs;
     }
 }

@@ -91,7 +91,7 @@ TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
                     {"405#050011223344", {"385#050011223344"}},
                     {"405#050011223344", {}},  // the same values
                     {"405#050011223345", {"385#050011223345"}},
-                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: nothing is taken or changes
+                    {"405#650011223344", {"085#0082110100000000"}},  // 101 is too high: no value is set or changes
                 });
 }
 
@@ -103,7 +103,7 @@ TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
     EXPECT_LE(device->next_deadline(), now);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0077"}));
-    device->node().process_value_changed(0x2001, 3, now);  // mapped nowhere
+    device->node().process_value_changed(0x2001, 3, now);  // not mapped
     device->node().process_value_changed(0x2101, 1, now);  // TPDO2 is of type 1
     device->advance(now);
     EXPECT_TRUE(sent().empty());
@@ -115,7 +115,7 @@ TEST_F(Tpdo, WritesToOtherParametersKeepTheEventTimerRunning) {
     EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 100 ms
     start();
     EXPECT_TRUE(pass(60).empty());
-    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, as it is
+    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, unchanged
     EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
 }
 
@@ -136,7 +136,7 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
     EXPECT_EQ(pass(1), (Frames{"0:385#00"}));
 }
 
-/// The answer to the SDO, the emergency message and the TPDO leave together.
+/// The answer to the SDO, the emergency message and the TPDO are sent together.
 TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});       // 1001h

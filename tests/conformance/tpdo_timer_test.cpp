@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The TPDO service alone, on the dictionary of the slave.
+/// The TPDO service alone, with the dictionary of the slave.
 class TimeDriven : public Tpdo {
   protected:
     void begin() {
@@ -85,7 +85,7 @@ TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
 TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
-    unused.start(now);  // before reset() no TPDO is known
+    unused.start(now);  // before reset() no TPDO exists
     unused.sync(0);
     unused.value_changed(0x2001, 1, now);
     unused.advance(now);
@@ -101,7 +101,7 @@ TEST_F(Tpdo, InhibitTimeKeepsTransmissionsApart) {
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},
                 });
-    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values of then, once
+    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values at that moment, once
     EXPECT_EQ(send("605#2F01200133000000"), (Frames{"185#3300", "585#6001200100000000"}));
     pass(9);
     EXPECT_EQ(send("605#2F01200144000000"), (Frames{"585#6001200100000000"}));
@@ -122,7 +122,7 @@ TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
     send("605#2B00180519000000");  // 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
-    // an event begins the interval anew
+    // an event restarts the interval
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#1100", "585#6001200100000000"}));
     EXPECT_EQ(pass(30), (Frames{"25:185#1100"}));
 }
@@ -162,7 +162,7 @@ TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
 TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
-    send("605#2F00180202000000");  // at each second SYNC
+    send("605#2F00180202000000");  // every second SYNC
     send("000#0105");
     EXPECT_EQ(send("080#"), Frames{});
     EXPECT_EQ(send("605#2B00180519000000"), (Frames{"585#6000180500000000"}));
@@ -178,7 +178,7 @@ TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
     EXPECT_EQ(pass(10), (Frames{"7:185#0000"}));
     pass(7);
-    now = now + milliseconds(100);  // what was missed is not made up for
+    now = now + milliseconds(100);  // missed transmissions are not sent later
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0000"}));
     device->advance(now);

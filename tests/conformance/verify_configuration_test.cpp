@@ -1,5 +1,5 @@
-// Verify configuration, 1020h (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
-// 1020h can be written, and the three devices whose 1020h tells the age of their software.
+// 1020h verify configuration (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
+// 1020h is writable, and the three devices whose 1020h shows the date of their software.
 #include "devices/catalogue.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
@@ -16,7 +16,7 @@ namespace {
 class VerifyConfiguration : public testing::Test, public SlaveBench {
   protected:
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<SlaveBench&>(*this), table); }
-    /// A tool leaves day 30,000 = 7530h and 43,200,000 ms = 02932E00h.
+    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a tool does.
     void leave_date_and_time() {
         talk({{"605#2320100130750000", {"585#6020100100000000"}}, {"605#23201002002E9302", {"585#6020100200000000"}}});
     }
@@ -82,7 +82,7 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
           {"605#2310100173617665", {"585#6010100100000000"}},    // save
           {"605#4000200100000000", {"585#4F00200100000000"}}});  // a read
     talk(kept);
-    send("080#01");  // a SYNC of wrong length stands in 1003h; the list is no configuration
+    send("080#01");  // a SYNC of wrong length is listed in 1003h; the list is no configuration
     talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});
     talk(kept);
     send("000#0105");
@@ -96,7 +96,7 @@ TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
     leave_date_and_time();
     talk({{"605#2F00200107000000", {"585#6000200100000000"}},    // 2000h:1 = 7, which RPDO1 carries
           {"605#2B00220032000000", {"585#6000220000000000"}},    // 2200h = 50, which an RPDO may carry
-          {"605#2302220000008040", {"585#6002220000000000"}}});  // 2202h = 4.0, likewise
+          {"605#2302220000008040", {"585#6002220000000000"}}});  // 2202h = 4.0, which an RPDO may carry
     talk(kept);
 }
 
@@ -106,8 +106,8 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
 
-// Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
-// 4.2.12
+// Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
+// AX060805 4.2.12
 TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
@@ -125,14 +125,14 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
         const std::string date = send("605#4020100100000000");
         EXPECT_EQ(date.substr(0, 12), "585#43201001") << name;
         EXPECT_NE(date.substr(12), "00000000") << name;
-        EXPECT_EQ(send("605#2B171000E8030000"), "585#6017100000000000") << name;  // heartbeat each second
+        EXPECT_EQ(send("605#2B171000E8030000"), "585#6017100000000000") << name;  // heartbeat every second
         EXPECT_EQ(send("605#4020100100000000"), date) << name;
         EXPECT_EQ(send("605#2320100100000000"), "585#8020100102000106") << name;
         EXPECT_EQ(send("605#4020100100000000"), date) << name;
     }
 }
 
-// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate what 1020h holds
+// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate the content of 1020h
 TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
     verifies<req::CO_VERIFY_002, req::AO4_OD_1020>();
     CbxBench bench;
@@ -142,7 +142,7 @@ TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigur
     bench.write("603#2B116401B33E0000");  // telegram example 1: 3EB3h
     EXPECT_NEAR(bench.volts(1), 5.0F, 0.005F);
     EXPECT_EQ(bench.send("603#4020100100000000"), date);
-    bench.write("603#2B171000E8030000");  // heartbeat each second
+    bench.write("603#2B171000E8030000");  // heartbeat every second
     EXPECT_EQ(bench.send("603#4020100100000000"), Frames{"583#4320100100000000"});
 }
 

@@ -1,7 +1,7 @@
-// The floor: the least that any server must do for the transactions, written by hand for nothing else. A table of all
-// entries behind a hash, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time; no
-// services, no states, no limits, no time. Counted in the same run, with the same flags, it says how much of a figure
-// is ours.
+// The floor: the minimum that any server must do for the transactions, written by hand for this purpose only. It has a
+// hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time; no
+// services, no states, no limits, no time. Counted in the same run with the same flags, it shows which part of a figure
+// is due to the node.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace canproof::bench {
 
 class Floor final : public Server {
   public:
-    /// The entries of `rows`; that of `domain_index` holds `domain`.
+    /// Makes a floor with the entries of `rows`; the entry of `domain_index` has the content `domain`.
     Floor(const host::DictionaryRows& rows, std::uint16_t domain_index, const std::vector<std::uint8_t>& domain)
         : values_{rows.layout.image}, constants_{rows.layout.constants}, domain_{domain}, staging_(domain.size()) {
         values_.resize(values_.size() + expedited);  // a value is read as four bytes, whatever its size
@@ -82,7 +82,7 @@ class Floor final : public Server {
     static constexpr std::uint32_t crowded = 0x0607'0010;  ///< another length than that of the entry
     enum class State { idle, uploading, block_downloading, block_ending, block_uploading, block_sent };
 
-    /// `name` is 0 where a slot is free.
+    /// `name` is 0 in a free slot.
     struct Entry {
         std::uint32_t name{0};
         std::uint32_t size{0};
@@ -95,7 +95,7 @@ class Floor final : public Server {
     };
 
     static constexpr std::uint32_t name_of(std::uint32_t index, std::uint32_t subindex) {
-        return index | (subindex << 16U);  // as bytes 1 to 3 of a request have it
+        return index | (subindex << 16U);  // as in bytes 1 to 3 of a request
     }
     static std::uint64_t word_of(const std::uint8_t* bytes) {
         std::uint64_t word = 0;
@@ -176,7 +176,7 @@ class Floor final : public Server {
                 break;
         }
     }
-    /// The entry that a request names, if it has this right.
+    /// Returns the entry that a request names, if it has this right.
     Entry* allowed(std::uint64_t request, std::uint32_t right) {
         Entry* entry = find((request >> 8U) & 0xFF'FFFFU);
         if (entry == nullptr || (entry->rights & right) == 0) {
@@ -272,7 +272,7 @@ class Floor final : public Server {
                 std::memcpy(staging_.data() + size_, &data, 7);
                 crc_.add_seven(data);
             } else {
-                tail_ = request >> 8U;  // how much of it counts is told at the end
+                tail_ = request >> 8U;  // the number of valid bytes is known at the end
             }
             size_ += 7;
             sequence_ = sequence;

@@ -34,7 +34,7 @@ class FloorCrc {
     std::uint16_t value() const { return swapped(crc_); }
 
   private:
-    // The register has its bytes swapped, as the data has them.
+    // The CRC has its bytes swapped, as in the data.
     static std::uint16_t swapped(std::uint32_t word) {
         return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
     }
@@ -46,7 +46,7 @@ class FloorCrc {
         return static_cast<std::uint32_t>(first_byte_[two & 0xFFU] ^ last_byte_[two >> 8U]);
     }
 
-    std::array<std::uint16_t, 256> first_byte_{};  ///< what a byte before another one adds
+    std::array<std::uint16_t, 256> first_byte_{};  ///< the contribution of the first byte of a pair
     std::array<std::uint16_t, 256> last_byte_{};
     std::uint32_t crc_{0};
 };

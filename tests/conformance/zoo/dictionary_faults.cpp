@@ -1,4 +1,4 @@
-// A dictionary that is other than its data sheet.
+// Faults of a dictionary that differs from its data sheet.
 #include <algorithm>
 
 #include "tests/conformance/zoo/distortions.hpp"

@@ -18,18 +18,18 @@ Distortion says(FrameHook say);
 Distortion hears_and_says(FrameHook hear, FrameHook say);
 Distortion has_dictionary(std::function<void(host::Part&)> alter);
 
-/// Frames that the slave does not hear, or does not send.
+/// Drops frames to the slave, or frames of the slave.
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
-/// Changes what an answer of the SDO server says; segments of a block upload stay as they are.
+/// Changes an answer of the SDO server; segments of a block upload are not changed.
 Distortion answers_otherwise(FrameChange change);
 /// Changes a request to the SDO server.
 Distortion takes_requests_as(FrameChange change);
-/// Gives an abort code for another.
+/// Replaces an abort code by another.
 Distortion aborts_with(std::uint32_t code, std::uint32_t other);
 /// Confirms downloads of these objects that the correct slave refuses with `code`; nothing is written.
 Distortion confirms_refused(ObjectTest which, std::uint32_t code);
-/// Works with another value than was written, and reads back what was written. Expedited transfers.
+/// Uses another value than was written, and reads back the written value. Expedited transfers.
 Distortion works_with(ObjectTest which, ValueChange change);
 
 inline ObjectTest object(std::uint16_t index) {
@@ -38,7 +38,7 @@ inline ObjectTest object(std::uint16_t index) {
 inline ObjectTest entry(std::uint16_t index, std::uint8_t subindex) {
     return [=](std::uint16_t other, std::uint8_t sub) { return other == index && sub == subindex; };
 }
-/// One sub-index of all objects from `first` to `last`.
+/// Selects one sub-index of all objects from `first` to `last`.
 inline ObjectTest entries(std::uint16_t first, std::uint16_t last, std::uint8_t subindex) {
     return [=](std::uint16_t index, std::uint8_t sub) { return index >= first && index <= last && sub == subindex; };
 }
@@ -48,7 +48,7 @@ inline ObjectTest objects(std::uint16_t first, std::uint16_t last) {
 inline ValueChange always(std::uint32_t value) {
     return [value](std::uint32_t) { return value; };
 }
-/// The value times `parts` hundredths, rounded down.
+/// Returns the value times `parts` hundredths, rounded down.
 inline ValueChange percent(std::uint32_t parts) {
     return [parts](std::uint32_t value) { return static_cast<std::uint32_t>(std::uint64_t{value} * parts / 100U); };
 }

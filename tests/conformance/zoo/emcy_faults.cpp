@@ -1,4 +1,4 @@
-// EMCY messages, error register 1001h, error history 1003h.
+// Faults of EMCY messages, error register 1001h and error history 1003h.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -86,7 +86,7 @@ void append_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Enters the end of an error, too.
+/// Also lists the end of an error.
 void list_end(WrongSlave& slave, const Frame& frame) {
     if (is_end_of_error(slave, frame)) {
         const std::uint32_t count = slave.dictionary().read(history, 0);
@@ -100,7 +100,7 @@ void list_end(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Confirms what clears the history.
+/// Confirms a write that clears the history, without clearing it.
 void keep_history(WrongSlave& slave, const Frame& frame) {
     const bool clears = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == history &&
                         sub_of(frame) == 0 && frame.data[4] == 0;

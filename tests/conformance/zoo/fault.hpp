@@ -1,4 +1,4 @@
-// A deliberate fault of a slave: what is wrong, how that is made, and a talk that shows it.
+// A deliberate fault of a slave: its description, its implementation, and an exchange that shows it.
 #pragma once
 
 #include <functional>
@@ -14,24 +14,24 @@ class WrongSlave;
 
 using FrameHook = std::function<void(WrongSlave&, const Frame&)>;
 
-/// Where a fault gets hold of a correct slave. A hook that is empty changes nothing. A copy has a state of its own:
-/// what a hook remembers stands in WrongSlave::notes.
+/// The hooks with which a fault changes a correct slave. An empty hook changes nothing. A copy has its own state: the
+/// state of a hook is in WrongSlave::notes.
 struct Distortion {
     std::function<void(host::Part&)> part;  ///< alters the dictionary before the slave is made
-    FrameHook hear;                         ///< in place of WrongSlave::pass: a frame of the bus
-    FrameHook say;                          ///< in place of WrongSlave::say: a frame of the correct slave
+    FrameHook hear;                         ///< replaces WrongSlave::pass: a frame of the bus
+    FrameHook say;                          ///< replaces WrongSlave::say: a frame of the correct slave
 };
 
 /// One fault of the zoo.
 struct Fault {
     std::string id;       ///< kebab-case, unique
     std::string service;  ///< the group of the cases that must name it: "sdo", "lss"
-    std::string what;     ///< what the slave does wrong; begins with a verb
+    std::string what;     ///< the fault of the slave; begins with a verb
     /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
     std::string talk;
     std::string
-        right;  ///< frames of that talk that the correct slave alone sends; after a wait with its time: `100:705#7F`
-    std::string wrong;  ///< frames that the wrong slave alone sends
+        right;  ///< frames that only the correct slave sends in that exchange; after a wait with its time: `100:705#7F`
+    std::string wrong;  ///< frames that only the wrong slave sends
     Distortion distortion;
 };
 

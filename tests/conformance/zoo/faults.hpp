@@ -1,4 +1,4 @@
-// The zoo's table of faults.
+// The table of all faults of the zoo.
 #pragma once
 
 #include "tests/conformance/zoo/fault.hpp"
@@ -23,7 +23,7 @@ Faults lss_faults();
 Faults lss_setting_faults();
 Faults store_faults();
 
-/// All of them, in that order.
+/// Returns all faults, in that order.
 const Faults& all_faults();
 
 }  // namespace canproof::test::zoo

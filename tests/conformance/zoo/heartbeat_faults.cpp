@@ -1,4 +1,4 @@
-// Heartbeat producer and consumer, and what 1029h makes of a loss.
+// Faults of heartbeat producer and consumer, and of the reaction by 1029h.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -33,7 +33,7 @@ bool is_silent_when_stopped(WrongSlave& slave, const Frame& frame) {
     return is_heartbeat(slave, frame) && frame.data[0] == 4;
 }
 
-/// Once on, the heartbeat stays on.
+/// Keeps the heartbeat on once it was started.
 Frame without_end(WrongSlave& slave, const Frame& frame) {
     if (!is_expedited_download(frame) || index_of(frame) != 0x1017) {
         return frame;
@@ -42,7 +42,7 @@ Frame without_end(WrongSlave& slave, const Frame& frame) {
     return with_value(frame, slave.notes[0]);
 }
 
-/// Watches from the write on, not from the first heartbeat.
+/// Monitors from the write on, not from the first heartbeat.
 void watch_at_once(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool writes = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == 0x1016;

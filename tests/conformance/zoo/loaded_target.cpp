@@ -31,7 +31,7 @@ void LoadedTarget::advance(Instant until) {
     }
 }
 
-/// From 0 to twice the mean.
+/// Returns a random gap from 0 to twice the mean.
 Duration LoadedTarget::random_gap() {
     const double mean_us = mean_bits / static_cast<double>(inner_.bit_rate()) * 1.0e6 / load_;
     return microseconds(1 + draw(static_cast<std::uint64_t>(2.0 * mean_us)));

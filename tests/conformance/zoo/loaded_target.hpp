@@ -1,4 +1,4 @@
-// A slave in virtual time on a bus with foreign frames at random times.
+// A slave in virtual time on a bus with additional frames at random times.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,13 @@
 
 namespace canproof::test::zoo {
 
-/// The frames have identifiers that CiA 301 gives to nobody (7.3.5), so that no slave listens to them: some win over
-/// those of the slave, some do not. The same seed gives the same frames at the same times.
+/// The additional frames have restricted identifiers of CiA 301 that are not assigned (7.3.5), so that no slave accepts
+/// them: some precede those of the slave in arbitration, some do not. The same seed gives the same frames at the same
+/// times.
 class LoadedTarget final : public host::conform::Target {
   public:
-    /// `load`: part of the bus that they take, 0 to 1. Above 0.7 a tester with one queue falls behind.
+    /// `load`: fraction of the bus that the additional frames occupy, 0 to 1. Above 0.7 a tester with one queue falls
+    /// behind.
     LoadedTarget(std::unique_ptr<host::SimulatedDevice> device, std::uint8_t node_id, double load, std::uint64_t seed);
 
     Instant now() const override { return inner_.now(); }

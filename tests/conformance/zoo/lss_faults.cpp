@@ -1,4 +1,4 @@
-// LSS: states, selection, identification.
+// Faults of LSS states, selection and identification.
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/lss_frames.hpp"
 
@@ -20,7 +20,7 @@ bool serve_in_waiting(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Takes any number where frame `command` of switch state selective names one.
+/// Accepts any number in frame `command` of switch state selective.
 Distortion selects_any(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
         if (frame.data[0] != command) {
@@ -31,7 +31,7 @@ Distortion selects_any(unsigned command) {
     });
 }
 
-/// Takes any range of identify remote slave.
+/// Accepts any range of identify remote slave.
 bool identify_always(WrongSlave& slave, const Frame& frame) {
     constexpr unsigned first = 0x46;
     constexpr unsigned numbers[]{0, 1, 2, 2, 3, 3};
@@ -43,7 +43,7 @@ bool identify_always(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Leaves the upper ends of the ranges of identify remote slave out.
+/// Excludes the upper ends of the ranges of identify remote slave.
 bool exclude_upper_end(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x49 && frame.data[0] != 0x4B) {
         return false;
@@ -66,7 +66,7 @@ bool ignore_leaving(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x04 && frame.data[1] == 0;
 }
 
-/// Takes part in Fastscan although it has a node-ID.
+/// Answers Fastscan although it has a node-ID.
 bool scan_configured(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (frame.data[0] == 0x51 && frame.data[5] == 0x80 && slave.node_id() <= 127) {
@@ -83,7 +83,7 @@ bool answer_non_configured(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Goes to LSS configuration after the third number.
+/// Enters LSS configuration after the third number.
 bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool third = frame.data[0] == 0x51 && frame.data[5] == 0 && frame.data[6] == 2 && frame.data[7] == 3;
@@ -93,7 +93,7 @@ bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Finds every number of Fastscan its own.
+/// Accepts every number of Fastscan as its own.
 bool match_any(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x51 || frame.data[6] > 3) {
         return false;
@@ -117,7 +117,7 @@ Faults lss_faults() {
     const std::string inquire = "7E5#5E00000000000000 ";
     const std::string node_5 = "7E4#5E05000000000000";
     const std::string found = "7E4#4F00000000000000";
-    // Takes the node-ID away.
+    // Removes the node-ID.
     const std::string forget = configure + "7E5#11FF000000000000 " + wait + "000#8205 ";
     return {
         {"lss-waiting-answered", "lss", "serves requests of LSS configuration in LSS waiting", inquire, "", node_5,

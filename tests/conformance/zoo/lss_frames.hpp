@@ -1,4 +1,4 @@
-// LSS as the faults look at it.
+// Helpers of the LSS faults.
 #pragma once
 
 #include "tests/conformance/zoo/distortions.hpp"
@@ -20,7 +20,7 @@ inline Frame lss_request(unsigned command, unsigned byte) {
 inline Frame lss_mode(bool configuration) {
     return lss_request(0x04, configuration ? 1 : 0);
 }
-/// One of the four numbers of 1018h in bytes 1 to 4.
+/// Puts one of the four numbers of 1018h into bytes 1 to 4.
 inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned number) {
     Frame own = frame;
     set_field_le<1, 4>(own.data, slave.dictionary().read(0x1018, static_cast<std::uint8_t>(number + 1)));
@@ -32,10 +32,10 @@ constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;
 }
-/// Keeps is_configuring() beside the hooks of `distortion`, which see the mode before their frame.
+/// Updates is_configuring() around the hooks of `distortion`, which see the mode before their frame.
 Distortion follows_lss(Distortion distortion);
 
-/// Serves an LSS request otherwise. `serve` gives false for one that the correct slave shall serve.
+/// Serves an LSS request differently. `serve` returns false for a request that the correct slave shall serve.
 Distortion serves_lss(std::function<bool(WrongSlave&, const Frame&)> serve);
 /// Changes an LSS answer.
 Distortion answers_lss_otherwise(FrameChange change);

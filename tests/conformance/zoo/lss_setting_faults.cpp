@@ -1,4 +1,4 @@
-// LSS: what it sets and stores.
+// Faults of LSS settings and storing.
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/lss_frames.hpp"
 
@@ -6,7 +6,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Gives error code `other` for `error` in answers to `command`.
+/// Returns error code `other` instead of `error` in answers to `command`.
 Distortion tells_error(unsigned command, unsigned error, unsigned other) {
     return answers_lss_otherwise([=](WrongSlave&, const Frame& frame) {
         const bool is_it = frame.data[0] == command && frame.data[1] == error;
@@ -14,7 +14,7 @@ Distortion tells_error(unsigned command, unsigned error, unsigned other) {
     });
 }
 
-/// Confirms a request of LSS configuration and forgets it.
+/// Confirms a request of LSS configuration and ignores it.
 Distortion forgets(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
         const bool known = command != 0x11 || (frame.data[1] >= 1 && frame.data[1] <= 127) || frame.data[1] == 255;
@@ -30,7 +30,7 @@ bool ignore_activation(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x15;
 }
 
-/// Takes the node-ID that LSS sets also at reset node, where the stored one counts.
+/// Uses the node-ID set by LSS also at reset node, where the stored one applies.
 Distortion stores_unasked() {
     return serves_lss([](WrongSlave& slave, const Frame& frame) {
         slave.pass(frame);
@@ -42,7 +42,7 @@ Distortion stores_unasked() {
     });
 }
 
-/// The answer to a store request that nobody made is kept back.
+/// Drops the answer to a store request that no master made.
 Distortion stores_silently() {
     Distortion both = stores_unasked();
     const auto say = [inner = both.say](WrongSlave& slave, const Frame& frame) {

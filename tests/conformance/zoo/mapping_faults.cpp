@@ -1,4 +1,4 @@
-// PDO mapping and how it is changed.
+// Faults of PDO mapping and its changes.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/pdo_frames.hpp"
@@ -32,7 +32,7 @@ Distortion confirms_locked(bool of_valid) {
     });
 }
 
-/// Answers lines with a confirmation, and keeps the old ones.
+/// Confirms writes of mapping entries, and keeps the old entries.
 void keep_lines(WrongSlave& slave, const Frame& frame) {
     const bool writes =
         is_sdo_request(slave, frame) && is_expedited_download(frame) && is_line(index_of(frame), sub_of(frame));
@@ -60,7 +60,7 @@ Distortion packs(Packing packing) {
     });
 }
 
-/// After a change of the mapping the first TPDO carries the bytes of the one before. bytes: of that TPDO.
+/// After a change of the mapping, sends the bytes of the previous mapping in the first TPDO. bytes: of that TPDO.
 Distortion sends_stale_data() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool maps =

@@ -1,4 +1,4 @@
-// NMT commands and boot-up.
+// Faults of NMT commands and boot-up.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -28,7 +28,7 @@ Distortion takes_commands_as(FrameChange change) {
         [change = std::move(change)](WrongSlave& slave, const Frame& frame) { slave.pass(change(slave, frame)); });
 }
 
-/// Does one command for another.
+/// Executes another command.
 Distortion obeys_as(unsigned command, unsigned other) {
     return takes_commands_as([=](WrongSlave& slave, const Frame& frame) {
         return is_command(slave, frame, command) ? with_byte(frame, 0, other) : frame;
@@ -89,7 +89,7 @@ Frame unknown_as_stop(WrongSlave&, const Frame& frame) {
     return is_command(frame) && !known ? with_byte(frame, 0, stop) : frame;
 }
 
-/// Boots up without any value being reset.
+/// Sends the boot-up message without resetting any value.
 void keep_communication(WrongSlave& slave, const Frame& frame) {
     if (!is_command(slave, frame, reset_communication)) {
         slave.pass(frame);

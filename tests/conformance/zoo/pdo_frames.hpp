@@ -1,4 +1,4 @@
-// PDOs as the dictionary of a wrong slave describes them.
+// Reads and builds PDOs according to the dictionary of a wrong slave.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,19 @@ constexpr std::uint16_t rpdo_communication = 0x1400;
 constexpr std::uint16_t tpdo_communication = 0x1800;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// How objects follow each other in a frame.
+/// The order of objects in a frame.
 enum class Packing { right, reversed, bytewise };
 
-/// Sub-index `sub` of the communication parameters of PDO `number` (from 0).
+/// Returns sub-index `sub` of the communication parameters of PDO `number` (from 0).
 std::uint32_t pdo_parameter(WrongSlave& slave, std::uint16_t communication, unsigned number, std::uint8_t sub);
 bool is_valid_pdo(WrongSlave& slave, std::uint16_t communication, unsigned number);
-/// The PDO that has the identifier of `frame`; valid PDOs only, or others only.
+/// Returns the PDO with the identifier of `frame`, among the valid PDOs or among the invalid ones.
 std::optional<unsigned> pdo_of(WrongSlave& slave, std::uint16_t communication, const Frame& frame, bool valid = true);
-/// TPDO `number` with the values of now.
+/// Returns TPDO `number` with the present values.
 Frame tpdo_frame(WrongSlave& slave, unsigned number, Packing packing = Packing::right);
-/// Puts the values of an RPDO into the dictionary without any check. No TPDO notices it.
+/// Writes the values of an RPDO into the dictionary without any check. This triggers no TPDO.
 void apply_rpdo(WrongSlave& slave, unsigned number, const Frame& frame);
-/// Bytes that an RPDO must have.
+/// Returns the length that an RPDO must have, in bytes.
 std::size_t rpdo_length(WrongSlave& slave, unsigned number);
 
 }  // namespace canproof::test::zoo

@@ -1,4 +1,4 @@
-// Receive PDOs: when they are applied, and to what.
+// Faults of receive PDOs: when they are applied, and to which objects.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/pdo_frames.hpp"
@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// The number of the RPDO that `frame` is.
+/// Returns the number of the RPDO in `frame`.
 std::optional<unsigned> rpdo_of(WrongSlave& slave, const Frame& frame, bool valid = true) {
     return frame.remote ? std::nullopt : pdo_of(slave, rpdo_communication, frame, valid);
 }
@@ -26,7 +26,7 @@ void complete_short(WrongSlave& slave, const Frame& frame) {
     slave.pass(is_too_short(slave, frame) ? with_length(frame, 8) : frame);
 }
 
-/// Applies RPDOs in a state that has none.
+/// Applies RPDOs in a state without RPDOs.
 Distortion applies_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const auto number = rpdo_of(slave, frame);
@@ -60,7 +60,7 @@ void take_high_byte_first(WrongSlave& slave, const Frame& frame) {
     slave.pass(swapped);
 }
 
-/// Of several synchronous RPDOs between two SYNCs the first counts.
+/// Keeps the first of several synchronous RPDOs between two SYNCs.
 void keep_first(WrongSlave& slave, const Frame& frame) {
     const auto number = rpdo_of(slave, frame);
     const bool waits = number && pdo_parameter(slave, rpdo_communication, *number, 2) <= 240;
@@ -72,7 +72,7 @@ void keep_first(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Starts the event timers with the start command.
+/// Starts the event timers at the start command.
 void watch_from_start(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (!is_data(frame, 0) || slave.state() != NmtState::operational) {

@@ -1,4 +1,4 @@
-// SDO block transfer.
+// Faults of SDO block transfer.
 #include "firmware/base/crc16.hpp"
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
@@ -20,7 +20,7 @@ bool is_download_initiate(const Frame& frame) {
     return (command_of(frame) & 0xE1U) == 0xC0;
 }
 
-/// Changes what ends a block upload: unused bytes and CRC.
+/// Changes the end of a block upload: unused bytes and CRC.
 Distortion ends_upload_otherwise(FrameChange change) {
     return answers_otherwise([change = std::move(change)](WrongSlave& slave, const Frame& frame) {
         return is_upload_end(frame) ? change(slave, frame) : frame;
@@ -32,7 +32,7 @@ Frame with_crc(Frame frame, std::uint16_t crc) {
     return frame;
 }
 
-/// Takes the CRC over whole segments.
+/// Computes the CRC over whole segments.
 Distortion crc_over_padding() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && is_upload_initiate(frame)) {
@@ -56,14 +56,14 @@ Frame without_crc_flag(WrongSlave&, const Frame& frame) {
     return is_download_initiate(frame) ? with_command(frame, command_of(frame) & ~4U) : frame;
 }
 
-/// Replaces the block size of a block upload's initiation by another.
+/// Replaces the block size in the initiate of a block upload.
 Distortion takes_block_size(std::function<unsigned(unsigned)> change) {
     return takes_requests_as([change = std::move(change)](WrongSlave&, const Frame& frame) {
         return is_upload_initiate(frame) ? with_byte(frame, 4, change(frame.data[4])) : frame;
     });
 }
 
-/// Keeps to the block size of the initiation.
+/// Keeps the block size of the initiate.
 Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     if (is_upload_initiate(frame)) {
         slave.notes[0] = frame.data[4];
@@ -71,7 +71,7 @@ Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     return is_upload_acknowledge(frame) ? with_byte(frame, 2, slave.notes[0]) : frame;
 }
 
-/// Goes on where it was, whatever the client has acknowledged.
+/// Continues with the next segment, whatever the client has acknowledged.
 Distortion repeats_nothing() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool acknowledges = is_sdo_request(slave, frame) && is_upload_acknowledge(frame) && frame.data[1] < 128;
@@ -86,7 +86,7 @@ Distortion repeats_nothing() {
     return hears_and_says(hear, say);
 }
 
-/// Counts the segments through all blocks.
+/// Counts the segments over all blocks.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && command_of(frame) == 0xA3) {
@@ -109,7 +109,7 @@ void say_without_last_mark(WrongSlave& slave, const Frame& frame) {
     slave.say(slave.says_segment() ? with_command(frame, command_of(frame) & 0x7FU) : frame);
 }
 
-/// Acknowledges the newest segment of a download, whether or not one was lost. notes[1]: a download is open.
+/// Acknowledges the newest segment of a download even when one was lost. notes[1]: a download is open.
 Distortion misses_no_segment() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = command_of(frame) & 0x7FU;

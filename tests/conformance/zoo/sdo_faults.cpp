@@ -1,4 +1,4 @@
-// What the SDO server takes and refuses.
+// Faults of what the SDO server accepts and refuses.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -6,7 +6,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Makes an expedited download as long as its entry.
+/// Gives an expedited download the length of its entry.
 Frame as_long_as_entry(WrongSlave& slave, const Frame& frame) {
     const EntryRef entry = slave.dictionary().lookup(index_of(frame), sub_of(frame));
     if (!is_expedited_download(frame) || !entry.exists() || entry.row->size > 4) {
@@ -39,7 +39,7 @@ void without_lower_limits(host::Part& part) {
     }
 }
 
-/// Reads what is write-only.
+/// Reads a write-only entry.
 void read_write_only(WrongSlave& slave, const Frame& frame) {
     if (!is_sdo_answer(slave, frame) || !is_abort(frame, 0x06010001)) {
         slave.say(frame);

@@ -1,4 +1,4 @@
-// Frames of the SDO server: their fields, when they come, and what they answer.
+// Faults of the frames of the SDO server: fields, times, and answers.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -6,7 +6,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Takes what a short request lacks from the request before.
+/// Completes a short request from the previous request.
 void fill_short_requests(WrongSlave& slave, const Frame& frame) {
     if (!is_data(frame, sdo_requests + slave.node_id())) {
         slave.pass(frame);
@@ -68,7 +68,7 @@ Distortion names_object_of_request_before() {
     return hears_and_says(hear, say);
 }
 
-/// Fills the four bytes that have no meaning in an answer to a download with those of the request.
+/// Fills the four unused bytes of a download answer with those of the request.
 Distortion leaves_stale_bytes() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = value_of(frame);

@@ -1,4 +1,4 @@
-// Fields of SDO frames as the faults look at them.
+// Reads and builds the fields of SDO frames for the faults.
 #pragma once
 
 #include "tests/conformance/zoo/wrong_slave.hpp"
@@ -18,7 +18,7 @@ inline bool is_boot_up(const Frame& frame, std::uint8_t node) {
 inline bool is_sdo_request(const WrongSlave& slave, const Frame& frame) {
     return is_data(frame, sdo_requests + slave.node_id()) && frame.length == 8;
 }
-/// An answer of the SDO server that is no segment of a block upload.
+/// Returns whether a frame is an answer of the SDO server, and no segment of a block upload.
 inline bool is_sdo_answer(const WrongSlave& slave, const Frame& frame) {
     return is_data(frame, sdo_answers + slave.node_id()) && !slave.says_segment();
 }
@@ -26,7 +26,7 @@ inline bool is_sdo_answer(const WrongSlave& slave, const Frame& frame) {
 inline std::uint8_t command_of(const Frame& frame) {
     return frame.data[0];
 }
-/// The upper three bits of the command.
+/// Returns the upper three bits of the command.
 inline unsigned specifier_of(const Frame& frame) {
     return frame.data[0] >> 5U;
 }
@@ -64,11 +64,11 @@ inline Frame with_id(Frame frame, std::uint32_t id) {
 inline bool is_expedited_download(const Frame& frame) {
     return (frame.data[0] & 0xE3U) == 0x23U;
 }
-/// An upload in one answer that shows its size.
+/// Returns whether an answer is an expedited upload with its size.
 inline bool is_expedited_answer(const Frame& frame) {
     return (frame.data[0] & 0xE3U) == 0x43U;
 }
-/// Bytes that an expedited frame carries.
+/// Returns the number of bytes that an expedited frame carries.
 inline std::size_t expedited_size(const Frame& frame) {
     return 4U - ((frame.data[0] >> 2U) & 3U);
 }
@@ -79,14 +79,14 @@ inline bool is_abort(const Frame& frame, std::uint32_t code) {
     return is_abort(frame) && value_of(frame) == code;
 }
 
-/// The answer 60h to the download that `frame` is, or was an answer to.
+/// Returns the answer 60h to the download in `frame`; `frame` may also be an answer to it.
 inline Frame confirmation(std::uint8_t node, const Frame& frame) {
     return with_value(with_command(with_id(with_length(frame, 8), sdo_answers + node), 0x60), 0);
 }
 inline Frame abort_of(std::uint8_t node, const Frame& frame, std::uint32_t code) {
     return with_value(with_command(with_id(with_length(frame, 8), sdo_answers + node), 0x80), code);
 }
-/// An expedited download of `size` (1 to 4) bytes.
+/// Returns an expedited download of `size` (1 to 4) bytes.
 inline Frame download(std::uint8_t node, std::uint16_t index, std::uint8_t subindex, std::size_t size,
                       std::uint32_t value) {
     Frame frame = data_frame(sdo_requests + node, 8);

@@ -1,4 +1,4 @@
-// Transfers in segments.
+// Faults of segmented transfers.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -7,9 +7,9 @@ namespace canproof::test::zoo {
 namespace {
 
 constexpr unsigned segment_answer = 0;    // specifier of an upload segment
-constexpr unsigned segment_taken = 1;     // of the answer to a download segment
-constexpr unsigned upload_segment = 3;    // of the request for an upload segment
-constexpr unsigned download_segment = 0;  // of a download segment
+constexpr unsigned segment_taken = 1;     // specifier of the answer to a download segment
+constexpr unsigned upload_segment = 3;    // specifier of the request for an upload segment
+constexpr unsigned download_segment = 0;  // specifier of a download segment
 constexpr unsigned toggle = 0x10;
 
 Distortion sticks_at_toggle(unsigned specifier) {
@@ -18,7 +18,7 @@ Distortion sticks_at_toggle(unsigned specifier) {
     });
 }
 
-/// Serves segments whose toggle is wrong, and answers with the toggle of the request.
+/// Serves segments with a wrong toggle bit, and answers with the toggle bit of the request.
 Distortion takes_any_toggle(unsigned request, unsigned answer) {
     const auto hear = [request](WrongSlave& slave, const Frame& frame) {
         if (!is_sdo_request(slave, frame) || specifier_of(frame) != request) {
@@ -48,7 +48,7 @@ Distortion clears_in_segment(unsigned bits) {
     });
 }
 
-/// Forgets the size that a segmented download announces.
+/// Drops the size that a segmented download announces.
 Frame without_announced_size(WrongSlave&, const Frame& frame) {
     return command_of(frame) == 0x21 ? with_command(frame, 0x20) : frame;
 }
@@ -62,7 +62,7 @@ void put_gathered(WrongSlave& slave) {
     }
 }
 
-/// Keeps the bytes of a string's download that the client aborts.
+/// Keeps the bytes of a string download that the client aborts.
 void keep_aborted(WrongSlave& slave, const Frame& frame) {
     if (is_sdo_request(slave, frame) && (command_of(frame) & 0xE2U) == 0x20) {
         slave.notes[0] = index_of(frame);
@@ -78,7 +78,7 @@ void keep_aborted(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
 }
 
-/// notes[0]: a segmented upload is open.
+/// Refuses an initiate during a transfer. notes[0]: a segmented upload is open.
 Distortion refuses_initiate_inside() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool initiates = is_sdo_request(slave, frame) && (specifier_of(frame) == 1 || specifier_of(frame) == 2);

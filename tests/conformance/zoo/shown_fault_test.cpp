@@ -1,5 +1,5 @@
-// Each fault of the zoo does what its entry says, and nothing else: a talk with the correct slave and one with the
-// wrong slave differ by the frames of the entry.
+// Checks that each fault of the zoo has exactly the effect of its entry: an exchange with the correct slave and one
+// with the wrong slave differ by the frames of the entry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Texts words(const std::string& text) {
     return {std::istream_iterator<std::string>{in}, std::istream_iterator<std::string>{}};
 }
 
-/// One slave and a clock. Frames of the slave as text, with the milliseconds since the talk began.
+/// Runs an exchange with one slave and a clock. Frames of the slave are text, with the milliseconds since the start.
 class Talk {
   public:
     explicit Talk(const Distortion& distortion) : slave_{distortion} {

@@ -1,5 +1,5 @@
-// How a run of conformance cases begins with a slave that is wrong from its first answer on: what it does wrongly is
-// reported, and the cases run. A slave of which nothing comes ends the run.
+// Start of a run of conformance cases with a slave that is wrong from its first answer on: its faults are reported, and
+// the cases run. A slave that sends nothing ends the run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Store 1010h and restore 1011h.
+// Faults of 1010h store and 1011h restore.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -43,7 +43,7 @@ void load_at_once(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Does for one sub-index what another asks. The answer names the sub-index of the request.
+/// Executes another sub-index than the requested one. The answer names the requested sub-index.
 Distortion does_for(std::uint16_t index, std::uint8_t asked, std::uint8_t done) {
     const auto hear = [=](WrongSlave& slave, const Frame& frame) {
         const bool changes = is_signature(slave, frame, index) && sub_of(frame) == asked;

@@ -1,4 +1,4 @@
-// The SYNC producer.
+// Faults of the SYNC producer.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 
@@ -19,7 +19,7 @@ void count_from_0(WrongSlave& slave, const Frame& frame) {
     slave.say(counts ? with_byte(frame, 0, frame.data[0] - 1U) : frame);
 }
 
-/// Counts on after Stopped. A write begins a new count.
+/// Continues counting after Stopped. A write restarts the count.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && specifier_of(frame) == 1) {
@@ -47,7 +47,7 @@ Frame without_end(WrongSlave& slave, const Frame& frame) {
     return stops && produces ? with_value(frame, value_of(frame) | 0x40000000U) : frame;
 }
 
-/// Goes on for ten cycles after the command to stop.
+/// Continues for ten cycles after the command to stop.
 void go_on_when_stopped(WrongSlave& slave, const Frame& frame) {
     const bool stops = is_data(frame, 0) && frame.length == 2 && frame.data[0] == 2 && frame.data[1] == slave.node_id();
     const std::uint32_t period = slave.dictionary().read(0x1006, 0);

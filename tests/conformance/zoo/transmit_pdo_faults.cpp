@@ -1,4 +1,4 @@
-// Transmit PDOs: when they are sent, and how.
+// Faults of transmit PDOs: when and how they are sent.
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/pdo_frames.hpp"
@@ -17,7 +17,7 @@ bool is_sync(WrongSlave& slave, const Frame& frame) {
     return is_data(frame, slave.dictionary().read(0x1005, 0) & 0x7FFU);
 }
 
-/// All valid TPDOs of synchronous types, or of others.
+/// Sends all valid TPDOs of synchronous types, or of the other types.
 void say_tpdos(WrongSlave& slave, bool synchronous, bool valid = true) {
     for (unsigned number = 0; number < pdo_count; ++number) {
         const bool at_sync = pdo_parameter(slave, tpdo_communication, number, 2) <= last_synchronous_type;
@@ -27,7 +27,7 @@ void say_tpdos(WrongSlave& slave, bool synchronous, bool valid = true) {
     }
 }
 
-/// Sends TPDOs in a state that has none: at SYNC and when a mapped value is written.
+/// Sends TPDOs in a state without TPDOs: at SYNC and when a mapped value is written.
 Distortion sends_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const bool is_state = slave.state() == state;
@@ -42,7 +42,7 @@ Distortion sends_in(NmtState state) {
     });
 }
 
-/// Sends at SYNC what is switched off.
+/// Sends disabled TPDOs at SYNC.
 void send_invalid(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (slave.state() == NmtState::operational && is_sync(slave, frame)) {
@@ -66,7 +66,7 @@ void answer_forbidden(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Sends nothing at the time of the start command. notes[0]: that time.
+/// Sends nothing at the start command. notes[0]: its time.
 Distortion starts_silently() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_data(frame, 0) && frame.data[0] == 1) {

@@ -107,7 +107,7 @@ void WrongSlave::hear(const Frame& frame) {
     }
 }
 
-/// A client starts the segments of a block upload, or acknowledges some.
+/// Tracks requests of a client that start or acknowledge segments of a block upload.
 void WrongSlave::follow_request(const Frame& frame) {
     if (!is_sdo_request(*this, frame)) {
         return;

@@ -1,5 +1,5 @@
-// The conformance slave with one fault. Every fault of the zoo gets hold of it here: at the frames that it hears, at
-// those that it says, and at its dictionary.
+// The conformance slave with one fault. Every fault of the zoo changes it here: at the received frames, at the sent
+// frames, and at its dictionary.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace canproof::test::zoo {
 
-/// Node 5. Without a distortion it is correct.
+/// A slave as node 5. Without a distortion it is correct.
 class WrongSlave final : public host::SimulatedDevice {
   public:
     explicit WrongSlave(Distortion distortion = {});
@@ -40,22 +40,22 @@ class WrongSlave final : public host::SimulatedDevice {
     void say(const Frame& frame);
     /// Sends a frame at `when`, which is later than now.
     void say_at(Instant when, const Frame& frame) { later_.emplace(when.us, frame); }
-    /// Does an SDO request that nobody hears. Gives the correct slave's answer.
+    /// Performs an SDO request without frames on the bus. Returns the answer of the correct slave.
     Frame ask(const Frame& request);
     /// Writes `size` (1 to 4) bytes of `value` by such a request.
     void write(std::uint16_t index, std::uint8_t subindex, std::size_t size, std::uint32_t value);
 
     Instant now() const { return now_; }
-    /// The values of the correct slave; what is altered here is told to no service.
+    /// Returns the values of the correct slave; no service is notified of changes made here.
     ObjectDictionary& dictionary() { return inner_->device().objects(); }
-    /// Whether the frame that is said now is a segment of a block upload.
+    /// Returns whether the frame that is being sent is a segment of a block upload.
     bool says_segment() const { return says_segment_; }
 
-    std::map<std::uint32_t, std::uint32_t> notes;  ///< what a hook remembers, by keys of its own
-    std::vector<std::uint8_t> bytes;               ///< and bytes of a transfer
+    std::map<std::uint32_t, std::uint32_t> notes;  ///< state of hooks, by keys of their own
+    std::vector<std::uint8_t> bytes;               ///< bytes of a transfer, for hooks
 
   private:
-    static constexpr std::size_t most_waiting = 8;  ///< frames; further ones stay with the correct slave
+    static constexpr std::size_t most_waiting = 8;  ///< frames; further frames stay in the correct slave
 
     bool has_room() const { return queue_.size() < most_waiting; }
     void hear(const Frame& frame);
@@ -65,7 +65,7 @@ class WrongSlave final : public host::SimulatedDevice {
     void send_late_ones();
 
     Distortion distortion_;
-    std::unique_ptr<host::GenericSimulation> inner_;  ///< correct but for its dictionary
+    std::unique_ptr<host::GenericSimulation> inner_;  ///< correct except for its dictionary
     Instant now_{};
     std::multimap<std::uint64_t, Frame> later_;
     std::uint8_t next_segment_{0};  ///< sequence number; 0: no block upload

@@ -1,8 +1,8 @@
-// The conformance cases notice the faults of the zoo, each by a case of its service, and none fails on a correct slave.
-// CANPROOF_ZOO=all runs every case on every fault and a hundred whole runs under load: some minutes. Without it the
-// cases of the fault's service run until one fails, and each run under load takes a part of the cases.
-// CANPROOF_ZOO_SEED=N begins the random loads with another seed.
-// CANPROOF_ZOO_FAULT=ID runs all cases on one fault and prints what they say.
+// The conformance cases notice the faults of the zoo, each by a case of its service, and no case fails on a correct
+// slave. CANPROOF_ZOO=all runs every case on every fault and a hundred whole runs under load, in some minutes. Without
+// it the cases of the service of a fault run until one fails, and each run under load uses a part of the cases.
+// CANPROOF_ZOO_SEED=N starts the random loads with another seed. CANPROOF_ZOO_FAULT=ID runs all cases on one fault and
+// prints their results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ ConformReport run_on(const Distortion& distortion, const ConformOptions& options
     return conform::run_cases(conform::built_in_cases(), sheet(), target, options);
 }
 
-/// What the cases say of a fault.
+/// The cases that notice a fault.
 struct Catch {
     std::vector<std::string> of_service;  ///< cases of its service that failed
     std::vector<std::string> others;      ///< other cases that failed
@@ -86,7 +86,7 @@ Catch catch_fault(const Fault& fault, bool all_cases) {
     return caught;
 }
 
-/// Of `all`, or the one that CANPROOF_ZOO_FAULT names.
+/// Returns `all`, or the fault that CANPROOF_ZOO_FAULT names.
 Faults chosen_faults(const Faults& all) {
     Faults chosen;
     std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Fault& one) {
@@ -95,13 +95,13 @@ Faults chosen_faults(const Faults& all) {
     return chosen;
 }
 
-/// Of run 0; CANPROOF_ZOO_SEED.
+/// Returns the seed of run 0: CANPROOF_ZOO_SEED.
 std::uint64_t first_seed() {
     return wish("CANPROOF_ZOO_SEED").empty() ? 0 : std::stoull(wish("CANPROOF_ZOO_SEED"));
 }
 
-/// All cases, or a part of them: those whose place and the run's number leave the same rest. Without those that load
-/// the bus themselves: with other load they ask for more than the bus has.
+/// Returns all cases, or a part of them: those whose position has the same remainder as the number of the run. Excludes
+/// cases that load the bus themselves: with additional load they need more than the bus capacity.
 std::vector<std::string> cases_of_run(std::size_t run) {
     const std::size_t parts = runs_all() ? 1 : 40;
     std::vector<std::string> ids;
