@@ -1,5 +1,5 @@
-// Angles, frames, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read in
-// hundredths of a degree, accelerations in thousandths of g.
+// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read
+// in hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -80,8 +80,8 @@ TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
 TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
-    // The same attitude with yaw 90: what the unit feels is R(roll) R(pitch) R(yaw) of the vertical, and the turn about
-    // the vertical leaves the vertical as it is: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    // The same attitude with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical, and a turn about the
+    // vertical does not change the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
 }
 
@@ -99,8 +99,8 @@ TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
     write_real(0x2210, 0, 90.0F);
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
-    // The unit's X axis points where the machine's forward axis would after the pitch: 1 g along it is felt as
-    // (cos 30, 0, -sin 30) by the machine.
+    // The X axis of the unit points where the forward axis of the machine would point after the pitch: 1 g along it is
+    // (cos 30, 0, -sin 30) in the machine frame.
     feel(1.0, 0.0, 0.0);
     pass(5);
     EXPECT_EQ(accelerations(), (Row{866, 0, -500}));
@@ -148,7 +148,7 @@ TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     pass(5);
     EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
     write(0x2300, 0, 0, 1);
-    EXPECT_EQ(roll(), 2000);  // the average goes on
+    EXPECT_EQ(roll(), 2000);  // the average continues
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);
@@ -161,7 +161,7 @@ TEST_F(Angles, AutoNullWorksBehindTheInputFilter) {
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
     turn(10.0, 0.0);
-    pass(5);  // one sample of 1 Hz has covered 3 % of the way
+    pass(5);  // one sample at 1 Hz has covered 3 % of the step
     write(0x2300, 0, 1, 1);
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
@@ -228,7 +228,7 @@ TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
     EXPECT_EQ(real(0x2401), 90.0F);
     EXPECT_EQ(refusal(0x2400, 0, 0, 4), "06010002");
     EXPECT_EQ(refusal(0x2401, 0, 0, 4), "06010002");
-    // The initial angles act on what the calibration gives: the unit is level, so roll 10 reads as -10.
+    // The initial angles act on the calibrated value: the unit is level, so roll 10 reads as -10.
     write_real(0x2210, 0, 10.0F);
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
@@ -356,7 +356,7 @@ TEST_F(RangedAngles, FullTurnGivesPitchAndRollFrom0To360Degrees) {
     EXPECT_EQ(angles_of(30.0, 0.0), (Row{300, 0, 300}));
     write(0x2031, 1, 1, 1);
     EXPECT_EQ(angles(), (Row{-300, 0, 300}));
-    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after it was brought into its range
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after the conversion to its range
 }
 
 TEST_F(RangedAngles, RightAngleGivesTheDistanceFromLevel) {

@@ -1,5 +1,5 @@
-// Every entry of the AX060805's dictionary as chapter 4 of its manual has it, where the register's decisions leave it:
-// value of a level unit after power-on, type (by length) and access. Node 127.
+// Every entry of the AX060805 dictionary by chapter 4 of its manual and the decisions of the register: value of a level
+// unit after power-on, type (by length) and access. Node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -16,8 +16,8 @@ struct Row {
     bool writable;
 };
 
-// 4.2.1 to 4.3.45, by hand. 1.0 = 3F800000h; a level unit feels -1 g on Z, has 25 and 30 degrees Celsius and 23.2 V
-// (41B9999Ah), and its input filter delays by 31.8 ms.
+// 4.2.1 to 4.3.45, written by hand. 1.0 = 3F800000h; a level unit measures -1 g on Z, 25 and 30 degrees Celsius and
+// 23.2 V (41B9999Ah), and its input filter has a delay of 31.8 ms.
 const std::vector<Row> rows{
     {0x1000, 0, 0x1003019A, 4, false}, {0x1001, 0, 0, 1, false},         {0x1002, 0, 0, 4, false},
     {0x1003, 0, 0, 1, true},           {0x1003, 1, 0, 4, false},         {0x1003, 2, 0, 4, false},
@@ -233,10 +233,10 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
     verifies<req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_5550,
              req::INC_OD_5555>();
     for (const auto& row : rows) {
-        const bool signature = row.index == 0x1010 || row.index == 0x1011;  // wants a word, not its value
-        const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // wants five steps
+        const bool signature = row.index == 0x1010 || row.index == 0x1011;  // needs a signature, not its value
+        const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // needs five steps
         const bool valid = row.index == 0x1400 || (row.index >= 0x1800 && row.index <= 0x1802);
-        const bool inhibit_time = valid && row.sub == 3;  // fixed while its PDO is valid
+        const bool inhibit_time = valid && row.sub == 3;  // locked while its PDO is valid
         const std::string code = refusal(row.index, row.sub, row.value, row.bytes);
         if (!row.writable) {
             EXPECT_EQ(code, "06010002") << address(row);
@@ -263,8 +263,8 @@ TEST_F(InclinometerDictionary, OnlyTheObjectsOfTheManualExist) {
         found += send("67F#40" + hex_le(index, 2) + "0000000000").at(0).substr(12) == "00000206" ? 0 : 1;
     }
     EXPECT_EQ(found, listed);
-    // 13 of 4.2 and 16 for PDOs; of 4.3: 18 to 2401h, 3 to 2502h, 4 arrays and 60 parameters of functions, 11 to 5030h,
-    // 2 switches
+    // 13 objects of 4.2 and 16 of PDOs; of 4.3: 18 up to 2401h, 3 up to 2502h, 4 arrays and 60 parameters of functions,
+    // 11 up to 5030h, 2 switches
     EXPECT_EQ(found, 13U + 16U + 18U + 3U + 4U + 60U + 11U + 2U);
 }
 

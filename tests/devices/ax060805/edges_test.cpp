@@ -1,5 +1,5 @@
-// The constants of the AX060805 at their edges, on both sides and nearer than one in a thousand, by what the device
-// does.
+// Constants of the AX060805 at their edges, on both sides and closer than one thousandth, by the behaviour of the
+// device.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Every sample passes as it is, angles are Euler angles in thousandths of a degree.
+/// Every sample passes unfiltered; angles are Euler angles in thousandths of a degree.
 class InclinometerEdges : public InclinometerTest {
   protected:
     void SetUp() override {
@@ -22,7 +22,7 @@ class InclinometerEdges : public InclinometerTest {
         pass(5);
         return read(0x4020);
     }
-    /// The X axis that many degrees from the vertical, the rest of it along Y.
+    /// Returns the figure of merit with the X axis that many degrees from the vertical and the rest along Y.
     std::uint32_t merit_beside_the_vertical(double degrees) {
         turn(90.0 - degrees, 90.0);
         pass(5);
@@ -51,10 +51,10 @@ TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
     turn(60.0, 40.0);
     pass(5);
     // sin 0.00005 degrees is 8.7266e-7
-    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees, beyond what 16 bits show
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees exceed 16 bits
     angle_digits(100);
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the last roll
-    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // that of the formula
+    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll of the formula
 }
 
 TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
@@ -64,7 +64,7 @@ TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
     EXPECT_EQ(roll(), -32768);  // -90 degrees
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
-    EXPECT_EQ(roll(), -32768);  // of the last direction
+    EXPECT_EQ(roll(), -32768);  // the roll of the last direction
 }
 
 TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {

@@ -1,4 +1,4 @@
-// What stays in the AX060805's list of active errors, 1003h (4.2.4), node 127: emergency messages on 0FFh.
+// Errors that stay in the list of active errors of the AX060805, 1003h (4.2.4), node 127: emergency messages on 0FFh.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_errors.hpp"
@@ -49,7 +49,7 @@ TEST_F(Ax060805Errors, ResetCommunicationDoesNotRefillAnEmptiedErrorList) {
     EXPECT_EQ(listed(), (List{}));
     send("000#8200");
     EXPECT_EQ(listed(), (List{}));
-    EXPECT_EQ(read(0x1001), 1U);  // it lasts
+    EXPECT_EQ(read(0x1001), 1U);  // the error is still active
 }
 
 }  // namespace canproof::test

@@ -73,10 +73,10 @@ TEST_F(Ax060805Errors, WorseConditionDeterminesTheFigureOfMerit) {
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
     feel(0.0, 0.0, 0.0);
-    pass(100);  // the input filter needs its time to lose 1 g
+    pass(100);  // the input filter needs time until 1 g has decayed
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // all three
+    fail_accelerometer();  // all three conditions
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
@@ -109,7 +109,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // there has been no sample since
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no sample was taken since
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -218,7 +218,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
     heat(25.0F);
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
-    fail_accelerometer(false);  // its entry was pushed out
+    fail_accelerometer(false);  // its entry was removed from the list
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
     EXPECT_EQ(read(0x1003, 4), 0U);
 }
@@ -268,7 +268,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), (Frames{}));
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // nothing lasts: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: 1001h reads 0
     EXPECT_EQ(read(0x1001), 0U);
     EXPECT_EQ(listed(), (List{}));
     pass(1000);
@@ -366,7 +366,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-// The boot-up message is lost, what the boot reported of errors is not.
+// The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::INC_ERR_012, req::CO_EMCY_017>();
     write(0x1010, 1, 0x65766173, 4);

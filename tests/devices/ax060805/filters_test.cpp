@@ -21,7 +21,7 @@ class Filters : public InclinometerTest {
         write(0x2050, angle, type, 1);
         write(0x2051, angle, constant, 2);
     }
-    /// Pitch in hundredths after it stood at each of these angles for one period of the filter.
+    /// Returns the pitch in hundredths after each of these angles was applied for one filter period.
     Row pitches(const std::vector<double>& stands, std::uint64_t period) {
         Row all;
         for (const double angle : stands) {
@@ -66,7 +66,7 @@ TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     EXPECT_EQ(value(0x4000, 1), 145);  // 1 - exp(-2 pi 5 0.005) = 0.1454
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 270);  // 1 - 0.85464^2 = 0.2696
-    write(0x2003, 0, 50, 1);           // goes on from there
+    write(0x2003, 0, 50, 1);           // continues from there
     EXPECT_EQ(value(0x4000, 1), 270);
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
@@ -141,7 +141,7 @@ TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
     inputs.accelerometer_fault = false;
     turn(0.0, 40.0);
     pass(5);
-    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter as well
+    EXPECT_EQ(angles(), (Row{0, 4000, 4000}));  // the repeating filter also restarts
 }
 
 TEST_F(Filters, FailedSensorFreezesTheAverages) {
@@ -155,14 +155,14 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     pass(30);
     EXPECT_EQ(pitch(), 2000);  // no third sample
     write(0x2051, 1, 8, 2);
-    EXPECT_EQ(pitch(), 2000);  // the restart has nothing to begin with
+    EXPECT_EQ(pitch(), 2000);  // the restart has no sample yet
 }
 
 TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
-    pass(2);  // changes fall between samples and filter periods
+    pass(2);  // changes are between samples and filter periods
     // The first sample, 0, was taken when the filter started.
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
@@ -207,7 +207,7 @@ TEST_F(Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
     write(0x2052, 0, 1, 2);
     pass(5);
     turn(10.0, 0.0);
-    pass(9);  // the sensor gives it after 5 ms; five filter samples of it are in by now
+    pass(9);  // the sensor value appears after 5 ms; five filter samples contain it by then
     EXPECT_EQ(pitch(), 500);
 }
 
@@ -322,7 +322,7 @@ TEST_F(Filters, LateCallTakesOneSampleAndRestartsThePeriod) {
 TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // 4 ms behind the sample at 5, 2 ms behind the filters at 7
+    now = now + milliseconds(9);  // 4 ms after the sample at 5, 2 ms after the filters at 7
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);
@@ -333,11 +333,11 @@ TEST_F(Filters, FrameSeesTheSampleThatWasDueBeforeIt) {
     verifies<req::INC_FILTER_001>();
     switch_filter_off();
     turn(10.0, 0.0);
-    now = now + milliseconds(7);  // nobody has asked the device since 0
+    now = now + milliseconds(7);  // the device was not called since 0
     EXPECT_EQ(pitch(), 1000);
     turn(20.0, 0.0);
     now = now + milliseconds(4);
-    turn(30.0, 0.0);  // behind the sample at 10
+    turn(30.0, 0.0);  // after the sample at 10
     EXPECT_EQ(pitch(), 2000);
 }
 

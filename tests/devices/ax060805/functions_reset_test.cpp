@@ -1,4 +1,4 @@
-// A reset of the node begins the function blocks anew, also where they feed each other.
+// Reset node restarts the function blocks, also when they feed each other.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
-// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127. Their
-// arithmetic is tested in tests/devices/ax060805/blocks/binary_function_test.cpp.
+// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
+// tests/devices/ax060805/blocks/binary_function_test.cpp tests their arithmetic.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"
@@ -42,7 +42,7 @@ TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
         {7, 100.0F, 2025},                        //
         {8, 1.0F, 0},                             // no filter: no delay
         {9, 1.0F, 0},                             //
-        {20, 100.0F, 1500},                       // one count is one unit
+        {20, 100.0F, 1500},                       // one count per unit
         {21, 100.0F, 2500},                       //
         {22, 100.0F, 3500},                       //
         {23, 1.0F, 77},                           //
@@ -113,7 +113,7 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the last pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the previous pass
 }
 
 TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
@@ -202,7 +202,7 @@ TEST_F(Functions, AsShippedNothingIsConnected) {
         EXPECT_EQ(real(0x300B, static_cast<std::uint8_t>(function)), 1.0F);
         EXPECT_EQ(real(0x300C, static_cast<std::uint8_t>(function)), 0.0F);
     }
-    // Operation alone connects nothing either.
+    // An operation alone connects nothing.
     operate(1, 1);
     pass(5);
     EXPECT_EQ(output(1), 0);
@@ -278,7 +278,7 @@ TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: 1 takes what 3 gave in the last pass
+    connect(1, 1, 12);  // a ring: 1 uses the result of 3 in the previous pass
     give_default(1, 1, 0.0F);
     EXPECT_EQ(output(3), 0);  // not before the next sample
     pass(5);

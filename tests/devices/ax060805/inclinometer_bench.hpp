@@ -1,4 +1,4 @@
-// An AX060805 on a bench: node 127 as shipped, frames as in a candump log, positions in degrees.
+// An AX060805 on a bench: node 127 with default parameters, frames as in a candump log, positions in degrees.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,14 +19,14 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
   public:
     InclinometerBench() : UnitBench{4096} {}
 
-    /// Accelerations that a resting sensor feels, in g; noticed with the next sample.
+    /// Sets the accelerations of a resting sensor in g; the next sample measures them.
     void feel(double x, double y, double z) {
         inputs.acceleration_x = static_cast<float>(x);
         inputs.acceleration_y = static_cast<float>(y);
         inputs.acceleration_z = static_cast<float>(z);
         device->set_inputs(inputs, now);
     }
-    /// Puts the sensor into the attitude of these Euler angles, in degrees.
+    /// Sets the attitude of these Euler angles, in degrees.
     void turn(double pitch, double roll) {
         constexpr double radians = 3.14159265358979323846 / 180.0;
         const double theta = pitch * radians;
@@ -34,7 +34,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         feel(std::sin(theta), -std::sin(phi) * std::cos(theta), -std::cos(phi) * std::cos(theta));
     }
 
-    /// The answer to an SDO download of `bytes` bytes: "" when it was confirmed, else the abort code.
+    /// Returns the answer to an SDO download of `bytes` bytes: "" when it was confirmed, else the abort code.
     std::string refusal(std::uint16_t index, std::uint8_t sub, std::uint32_t value, int bytes) {
         static const std::vector<std::string> specifier{"", "2F", "2B", "", "23"};
         const std::string at = hex_le(index, 2) + hex_le(sub, 1);
@@ -64,7 +64,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         return static_cast<std::uint32_t>(
             std::stoul(data.substr(6, 2) + data.substr(4, 2) + data.substr(2, 2) + data.substr(0, 2), nullptr, 16));
     }
-    /// An INTEGER16.
+    /// Reads an INTEGER16.
     int value(std::uint16_t index, std::uint8_t sub = 0) {
         return static_cast<std::int16_t>(static_cast<std::uint16_t>(read(index, sub)));
     }
@@ -79,15 +79,15 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         std::memcpy(&bits, &value, sizeof bits);
         return bits;
     }
-    /// `base` plus the node-ID, and `#`.
+    /// Returns `base` plus the node-ID, and `#`.
     std::string id(unsigned base) const { return fmt::format("{:03X}#", base + node); }
 
-    // Pitch, roll and gravity angle, and accelerations, as counts.
+    // Read pitch, roll and gravity angle, and accelerations, as counts.
     int pitch() { return value(0x4030); }
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }
     std::vector<int> angles() { return {pitch(), roll(), gravity_angle()}; }
-    /// Pitch, roll and gravity angle after the next sample.
+    /// Returns pitch, roll and gravity angle after the next sample.
     std::vector<int> angles_at(double x, double y, double z) {
         feel(x, y, z);
         pass(5);
@@ -100,7 +100,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     }
     void use_euler_angles() { write(0x2100, 0, 0, 1); }
     std::vector<int> accelerations() { return {value(0x4000, 1), value(0x4000, 2), value(0x4000, 3)}; }
-    /// Decimal digits of the three angles.
+    /// Sets the decimal digits of the three angles.
     void angle_digits(std::uint32_t digits) {
         for (std::uint8_t sub = 1; sub <= 3; ++sub) {
             write(0x2030, sub, digits, 2);
@@ -111,7 +111,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
             write(0x2010, sub, digits, 2);
         }
     }
-    /// Lets every sample pass as it is.
+    /// Switches the input filter off: every sample passes unchanged.
     void switch_filter_off() { write(0x2002, 0, 0, 1); }
 
     unsigned node{127};

@@ -1,4 +1,4 @@
-// What the tests of the AX060805 on its network share, node 127.
+// Shared by the network tests of the AX060805, node 127.
 #pragma once
 
 #include "tests/devices/ax060805/inclinometer_bench.hpp"

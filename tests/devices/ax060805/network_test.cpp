@@ -76,7 +76,7 @@ TEST_F(Network, LssTakesTheBitRatesOfTable21) {
             EXPECT_EQ(device->bit_rate(), rates[index]);
         }
     }
-    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // no other table
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // another table does not exist
 }
 
 TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
@@ -195,7 +195,7 @@ TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
 
 TEST_F(Network, HeartbeatConsumerTakesNodeIdsUpTo127AndNoReservedBits) {
     verifies<req::INC_OD_1016>();
-    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is nobody: it monitors nothing
+    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0x01220064, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
@@ -252,7 +252,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAtEitherReset) {
     send("000#8200");
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    write(0x1029, 2, 1, 1);  // errors leave the state alone
+    write(0x1029, 2, 1, 1);  // errors do not change the state
     store_all();
     send("000#8200");
     pass(1);
@@ -281,7 +281,7 @@ TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasured) {
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // no measurement: the object ends at 70 V
+    inputs.supply_voltage = 70.5F;  // not measurable: the object ends at 70 V
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();

@@ -1,5 +1,5 @@
-// Every object of the AX060805 as chapter 4 of its manual has it, where the register's decisions leave it: type,
-// access, mapping, default at node 127 and limits of each entry, read by hand from the object's page.
+// Every object of the AX060805 by chapter 4 of its manual and the decisions of the register: type, access, mapping,
+// default at node 127 and limits of each entry, taken by hand from the object page.
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -41,7 +41,7 @@ TEST_F(InclinometerObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 4.2.4: four entries; the count takes nothing but 0
+// 4.2.4: four entries; only 0 can be written to the count
 TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::INC_OD_1003>();
     check_error_list(4);

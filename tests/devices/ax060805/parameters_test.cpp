@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-/// What an entry takes and what lies beyond, as bits. The first value taken is not the default.
+/// Accepted and refused values of an entry, as bits. The first accepted value is not the default.
 struct Limits {
     std::uint16_t index;
     int subs;  ///< sub-indices 1 to this; 0 for a variable
@@ -32,7 +32,7 @@ Limits real(std::uint16_t index, int subs) {
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
-// The value ranges of 4.3, by hand
+// The value ranges of 4.3, written by hand.
 std::vector<Limits> manufacturer_limits() {
     std::vector<Limits> all{
         {0x2000, 0, 1, {1, 0}, {}, {2}},
@@ -92,7 +92,7 @@ class Parameters : public InclinometerTest {
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
 };
 
-/// The sixty parameters of the ten functions.
+/// Claims the sixty parameters of the ten functions.
 void verifies_every_function() {
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,
@@ -213,7 +213,7 @@ TEST_F(Parameters, EveryCommunicationParameterIsStored) {
     store_all();
     power_on();
     for (const auto& setting : communication_settings()) {
-        const bool passing = setting.sub == 0 && setting.value == 0;  // a step on the way to a mapping
+        const bool passing = setting.sub == 0 && setting.value == 0;  // an intermediate step of a mapping
         if (!passing) {
             EXPECT_EQ(read(setting.index, setting.sub), setting.value)
                 << name(setting.index, setting.sub, setting.value);

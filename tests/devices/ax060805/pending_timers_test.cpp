@@ -1,6 +1,6 @@
-// What waits in an AX060805 and each event that can end, keep, force or renew it: the next sample (5.1.2), the next
-// sample of the additional filters and their blocks (4.3.10 to 4.3.12), received values until their RPDO is late
-// (3.10.1, 4.2.15). Node 127; the input filter is off, all is stored.
+// Pending activities of an AX060805 and each event that can end, keep, force or restart them: the next sample (5.1.2),
+// the next sample of the additional filters and their blocks (4.3.10 to 4.3.12), received values until their RPDO is
+// late (3.10.1, 4.2.15). Node 127; the input filter is off, everything is stored.
 #include <functional>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A value and the millisecond since when it is shown.
+/// A value and the millisecond from which it is shown.
 using Shown = std::vector<std::pair<int, int>>;
 
 class IncPending : public testing::Test, public InclinometerBench {
@@ -26,8 +26,8 @@ class IncPending : public testing::Test, public InclinometerBench {
         Shown shown;  ///< from the event on
     };
 
-    /// A new unit at time 0. Its pitch is shown in hundredths and passes a filter with these parameters, which takes
-    /// its samples from 2 ms on, each 40 ms: at 42, 82, 122…; the sensor is sampled at multiples of 5 ms.
+    /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters, which
+    /// samples from 2 ms on every 40 ms: at 42, 82, 122…; the sensor is sampled at multiples of 5 ms.
     void begin(std::uint32_t filter, std::uint32_t constant) {
         memory.bytes().assign(4096, 0xFF);
         inputs = ax060805::Inputs{};
@@ -42,12 +42,12 @@ class IncPending : public testing::Test, public InclinometerBench {
         write(0x2052, 0, filter_rate, 2);
         write(0x1010, 1, 0x65766173, 4);
     }
-    /// The pitch, or the output of function 1.
+    /// Returns the pitch, or the output of function 1.
     int shown(std::uint16_t index) const {
         return static_cast<std::int16_t>(device->objects().read(index, index == 0x3000 ? 1 : 0));
     }
     int time_ms() const { return static_cast<int>(now.us / 1000); }
-    /// Each new value that is shown until `end_ms`, with its time.
+    /// Returns each new value until `end_ms`, with its time.
     Shown watch(std::uint16_t index, int before, int end_ms) {
         Shown all;
         int last = before;
@@ -62,7 +62,7 @@ class IncPending : public testing::Test, public InclinometerBench {
             pass(1);
         }
     }
-    /// 20 degrees from 3 ms on, at `event_ms` the event, and 60 degrees right behind it.
+    /// Applies 20 degrees from 3 ms on, the event at `event_ms`, and 60 degrees right after it.
     void expect(const Case& one, int event_ms, int before, int end_ms) {
         pass(1);
         turn(20.0, 0.0);
@@ -80,7 +80,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 
 }  // namespace
 
-// No additional filter: what is shown is the latest sample.
+// Without an additional filter the latest sample is shown.
 TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
@@ -119,11 +119,11 @@ TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     }
 }
 
-// A moving average of two: at first 0 degrees alone, then 0 and 60, then 60 and 60.
+// A moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
 TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
-    const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // begins with 20 degrees at the event
+    const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // starts with 20 degrees at the event
     const std::vector<Case> cases{
         {"nothing happens", [] {}, kept},
         {"the same rate", [&] { write(0x2052, 0, filter_rate, 2); }, renewed},
@@ -171,7 +171,8 @@ TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
     }
 }
 
-// A repeating filter of three: until its first block is whole it shows the mean so far, then nothing before the next.
+// A repeating filter of three samples: until its first block is full it shows the mean so far, then it changes only at
+// the next block.
 TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_AVG_003, req::INC_AVG_004, req::INC_AVG_007>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // 0 60 60, then 60 60 60
@@ -202,7 +203,7 @@ TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
     }
 }
 
-// Function 1 passes what RPDO1 brought at 2 ms. RPDO1 is late after 100 ms, which the next sample notices.
+// Function 1 passes the value that RPDO1 set at 2 ms. RPDO1 is late after 100 ms, which the next sample detects.
 TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};

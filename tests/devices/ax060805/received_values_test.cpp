@@ -43,7 +43,7 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 450);
     write(0x2501, 3, 10, 2);
     EXPECT_EQ(taken_from(22, 1.0F), 45);
-    write(0x2501, 3, 500, 2);  // 2 counts
+    write(0x2501, 3, 500, 2);  // 2 counts per unit
     EXPECT_EQ(taken_from(22, 1.0F), 2250);
     write_real(0x2502, 3, -500.0F);  // in counts
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
@@ -57,7 +57,7 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);       // tenths of a degree
     write_real(0x2502, 1, 5.0F);    // half a degree more
-    write_real(0x2040, 1, 100.0F);  // moves the field value only
+    write_real(0x2040, 1, 100.0F);  // changes the field value only
     write(0x2500, 1, 200, 2);       // limit 20.5
     turn(20.4, 0.0);
     pass(5);
@@ -116,7 +116,7 @@ TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
     write(0x1029, 1, 1, 1);  // stays operational
     send("000#0100");
     send("27F#E80300000000");
-    pass(100);  // RPDO1 is late and stays so
+    pass(100);  // RPDO1 is late and stays late
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("37F#D007");  // RPDO2 brings 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);

@@ -1,4 +1,4 @@
-// Slew rate of the AX060805's transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
+// Slew rate of the AX060805 transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,14 +11,14 @@ class SlewRate : public InclinometerTest {
   protected:
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
     bool is_fast() const { return device->outputs().slew_rate_fast; }
-    /// LSS makes the rate of `index` (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s) active.
+    /// Activates the bit rate of `index` by LSS (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s).
     void activate(std::size_t index) {
         send("7E5#0401");
         send("7E5#1300" + hex_le(index, 1));
         send("7E5#150100");
         pass(2);
     }
-    /// As activate(), and stores it; ends in LSS waiting.
+    /// Activates and stores a bit rate; ends in LSS waiting.
     void activate_and_store(std::size_t index) {
         activate(index);
         send("7E5#17");
@@ -59,7 +59,7 @@ TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     write(0x2000, 0, 0, 1);
     store_all();
     power_on();
-    EXPECT_FALSE(device->outputs().slew_rate_fast);  // what was stored wins
+    EXPECT_FALSE(device->outputs().slew_rate_fast);  // the stored value takes precedence
 }
 
 TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
@@ -119,7 +119,7 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
     activate_and_store(3);
-    write(0x1010, 2, 0x65766173, 4);  // the communication parameters alone
+    write(0x1010, 2, 0x65766173, 4);  // only the communication parameters
     power_on();
     expect_fast(false, "250 kbit/s");
     activate_and_store(4);
@@ -139,7 +139,7 @@ TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
 TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_002>();
     activate_and_store(0);
-    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all, those of the manufacturer
+    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all groups, then those of the manufacturer
         power_on();
         write(0x2000, 0, 0, 1);
         store_all();

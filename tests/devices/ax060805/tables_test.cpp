@@ -1,4 +1,4 @@
-// Decision tables of the AX060805's manual, cell by cell, and constants of its angles and its plant.
+// Decision tables of the AX060805 manual, cell by cell, and constants of its angles and its plant.
 #include "generated/ax060805/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,7 @@ namespace own = generated::ax060805;
 
 }  // namespace
 
-// 3.3 Table 5: an error outweighs what makes the data suspect, a temperature, a fall without weight or a roll that is
-// none
+// 3.3 Table 5: an error precedes conditions that make the data doubtful: a temperature, free fall, or an undefined roll
 TEST(InclinometerTables, FigureOfMeritTableFollowsTheManual) {
     verifies<req::INC_T5>();
     for (const bool error : {false, true}) {
@@ -47,7 +46,7 @@ TEST(InclinometerTables, AngleFilterTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.8 Table 10: the order of the rows is the number
+// 3.8 Table 10: rows are in the order of the operation number
 TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     verifies<req::INC_T10>();
     namespace t = own::binary_function;
@@ -67,7 +66,7 @@ TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
 }
 
 // 5.1.1 Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06
-// degrees, 3.0 degrees, 0.1 % and 1 %. No other part is made.
+// degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
 TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::sensor_accuracy;
@@ -89,8 +88,8 @@ TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     EXPECT_EQ(t::find(60842), nullptr);
 }
 
-// The first three are decisions of the register's, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz; 2 degrees at
-// 25 degrees Celsius, drift from -40 on.
+// The first three are decisions of the register, in degrees and g; 5.1.1 Table 62: 3.46 sigma, at 5 Hz; 2 degrees at 25
+// degrees Celsius, drift from -40 on.
 TEST(InclinometerTables, ConstantsFollowTheManual) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,

@@ -1,5 +1,5 @@
-// Where an angle of the AX060805 has no value of its own: the Euler roll at the vertical, every angle without weight,
-// the sign of half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
+// Angles of the AX060805 that are undefined: the Euler roll at the vertical, every angle without gravity, the sign of
+// half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -40,7 +40,7 @@ TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfTheLastDirection) {
     angles_of(89.5, -120.0);
     EXPECT_EQ(angles_at(-1.0, 0.0, 0.0), (Row{-9000, -12000, 9000}));
     EXPECT_EQ(angles_at(1.0, 4e-7, 0.0)[1], -12000);  // 4e-7 is 0.000023 degrees
-    EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // 2e-6 is 0.00011 degrees: gy alone is left
+    EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // 2e-6 is 0.00011 degrees: only gy determines the roll
 }
 
 TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
@@ -52,7 +52,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));
     feel(0.99995, 0.01, 0.0);
     power_on();
-    EXPECT_EQ(roll(), -9000);  // 0.57 degrees from it: atan2(-0.01, 0)
+    EXPECT_EQ(roll(), -9000);  // 0.57 degrees from the vertical: atan2(-0.01, 0)
 }
 
 TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
@@ -62,16 +62,17 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     angles_at(1.0, 0.0, 0.0);
     EXPECT_EQ(angles(), (Row{9000, 4000, 9000}));
     write_real(0x2210, 0, 30.0F);
-    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30, X still on the vertical
+    EXPECT_EQ(angles(), (Row{9000, 1000, 9000}));  // 40 - 30, X still vertical
     write_real(0x2210, 0, 0.0F);
     EXPECT_EQ(roll(), 4000);
     write_real(0x2200, 0, 90.0F);  // the machine is level
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     write_real(0x2200, 0, 0.0F);
-    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last direction with a roll is this one, which has none here
+    EXPECT_EQ(angles(),
+              (Row{9000, 0, 9000}));  // the last direction with a defined roll is this one, which has none here
 }
 
-/// The only direction so far lies upright in the new frame, but for a hundred-thousandth of a degree to one side.
+/// The only direction so far is vertical in the new frame, except for a hundred-thousandth of a degree.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_008>();
     use_euler_angles();
@@ -124,7 +125,7 @@ TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     write_real(0x2200, 0, 90.0F);
     EXPECT_EQ(merit(), 0U);  // the machine is level
     angles_at(0.0, 0.0, -1.0);
-    EXPECT_EQ(merit(), 1U);  // the unit is level, the machine on its end
+    EXPECT_EQ(merit(), 1U);  // the unit is level, the machine is upright
 }
 
 TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
@@ -152,7 +153,7 @@ TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
     EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
     EXPECT_EQ(merit(), 1U);
     write_real(0x2200, 0, 0.0F);
-    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: the machine's nose is 30 up, its top below
+    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: the nose of the machine is 30 up, its top below
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
@@ -196,7 +197,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     for (const double across : {0.0, 1e-8, -1e-8, 4e-7, -4e-7}) {
         EXPECT_EQ(angles_at(0.0, across, 1.0), (Row{0, 18000, 18000})) << across;
     }
-    EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond it
+    EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond half a turn
     write(0x2031, 2, 1, 1);
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // reversed
 }

@@ -1,4 +1,4 @@
-// How close an output of the AX130751 comes to what is commanded (manual, section 4).
+// Accuracy of the outputs of the AX130751 (manual, section 4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,7 +17,7 @@ class Ax130751Accuracy : public Ax130751Test {
             EXPECT_EQ(write(0x2331, output, 0, 2), "");
         }
     }
-    /// Sets the type, lets it bring its own scaling, and commands a process value.
+    /// Sets the type, which sets its own scaling, and commands a process value.
     void command(int output, int type, int value) {
         EXPECT_EQ(write(0x6310, output, type, 2), "");
         EXPECT_EQ(write(0x7300, output, value, 2), "");

@@ -1,4 +1,4 @@
-// An AX130751 on a bench: node 127 as shipped, 24 V, frames as in a candump log.
+// An AX130751 on a bench: node 127 with default parameters, 24 V, frames as in a candump log.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,9 +16,9 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
   public:
     Ax130751Bench() : UnitBench{8192} {}
 
-    /// The low digits of an identifier: "67F" is the SDO request of node 127.
+    /// Returns an identifier: "67F" is the SDO request of node 127.
     std::string id(unsigned function) const { return fmt::format("{:03X}", function + node); }
-    /// What the node answers to an SDO request; other frames that it sends meanwhile are passed over.
+    /// Returns the answer of the node to an SDO request; other frames are skipped.
     std::string sdo(const std::string& data) {
         for (const auto& frame : send(id(0x600) + "#" + data)) {
             if (frame.substr(0, 4) == id(0x580) + "#") {
@@ -27,7 +27,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return "";
     }
-    /// Writes `bytes` bytes by SDO. Empty when done, else the abort code, as in "06090031".
+    /// Writes `bytes` bytes by SDO. Returns "" when accepted, else the abort code, as in "06090031".
     std::string write(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         const std::vector<std::string> specifier{"", "2F", "2B", "27", "23"};
         const std::string text = little_endian(static_cast<std::uint64_t>(value), bytes);
@@ -38,7 +38,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return answer.size() == 16 && answer.substr(0, 2) == "80" ? reversed(answer.substr(8)) : "no answer";
     }
-    /// The value by SDO, as many bits as the answer has; all ones when it is refused.
+    /// Reads a value by SDO with all bits of the answer; returns all ones when it is refused.
     std::uint64_t read(std::uint16_t index, int sub) {
         const std::string answer = sdo("40" + address(index, sub) + "00000000");
         const std::vector<std::pair<std::string, std::size_t>> lengths{{"4F", 1}, {"4B", 2}, {"47", 3}, {"43", 4}};
@@ -49,7 +49,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         }
         return ~std::uint64_t{0};
     }
-    /// The abort code with which a read is refused; empty when it is not.
+    /// Returns the abort code of a read; "" when it is accepted.
     std::string refusal(std::uint16_t index, int sub) {
         const std::string answer = sdo("40" + address(index, sub) + "00000000");
         return answer.substr(0, 2) == "80" ? reversed(answer.substr(8)) : "";
@@ -68,7 +68,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
     static std::string address(std::uint16_t index, int sub) {
         return little_endian(index, 2) + little_endian(static_cast<std::uint64_t>(sub), 1);
     }
-    /// Bytes in the opposite order.
+    /// Returns the bytes in reverse order.
     static std::string reversed(const std::string& bytes) {
         std::string text;
         for (std::size_t i = bytes.size(); i >= 2; i -= 2) {
@@ -77,7 +77,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         return text;
     }
 
-    unsigned node{127};  ///< the node-ID that this side uses
+    unsigned node{127};  ///< the node-ID that the client uses
 };
 
 /// A bench whose device has booted.

@@ -1,12 +1,12 @@
-// Writing and reading the objects of an AX130751's blocks in a test, and the terminals beside them.
+// Writes and reads the objects of the blocks and the terminals of an AX130751.
 #pragma once
 
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 
 namespace canproof::test {
 
-/// An AX130751 in operational, where its outputs run. Everything is written at a whole millisecond; blocks see it in
-/// the cycle after.
+/// An AX130751 in operational, where its outputs run. Everything is written at a whole millisecond; blocks use it in
+/// the next cycle.
 class Ax130751Blocks : public Ax130751Test {
   protected:
     void SetUp() override {
@@ -31,17 +31,17 @@ class Ax130751Blocks : public Ax130751Test {
         return bit_cast<float>(bits);
     }
 
-    /// An output without ramps.
+    /// Disables the ramps of an output.
     void no_ramps(int output) {
         set16(0x2330, output, 0);
         set16(0x2331, output, 0);
     }
-    /// One of the sources 2500h as 0 to 100 without digits, which makes it a digital input at 0 and 100 as well.
+    /// Scales one of the sources 2500h to 0 to 100 without digits, which also makes it a digital input at 0 and 100.
     void extra_as_percent(int number) {
         set8(0x2502, number, 0);
         set16(0x2522, number, 100);
     }
-    /// The extra value that source 1, number 3 + `number`, gives.
+    /// Sets the extra value of source 1, number 3 + `number`.
     void extra(int number, int value) {
         set16(0x2500, number, value);
         pass(1);
@@ -57,13 +57,13 @@ class Ax130751Blocks : public Ax130751Test {
     float hertz(int output) const { return device->outputs().out_frequency.at(at(output)); }
     float level(int output) const { return device->outputs().out_level.at(at(output)); }
     bool is_on(int output) const { return device->outputs().out_on.at(at(output)); }
-    /// ON: the common pin on NC (1.4).
+    /// Returns whether the relay is ON: the common pin is connected to NC (1.4).
     bool relay_on() const { return device->outputs().relay_nc; }
 
     static std::string place(std::uint16_t index, int sub) { return fmt::format("{:04X}h:{}", index, sub); }
     static std::size_t at(int output) { return static_cast<std::size_t>(output - 1); }
 
-    // Table 4A
+    // Control sources of Table 4A.
     static constexpr int not_used = 0;
     static constexpr int canopen = 1;
     static constexpr int lookup_source = 3;

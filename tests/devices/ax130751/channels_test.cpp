@@ -1,4 +1,4 @@
-// Each output of an AX130751 by its own parameters, while the other output has others (1.2, 1.3).
+// Each output of an AX130751 follows its own parameters, while the other output has different ones (1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,13 +14,13 @@ class Ax130751Channels : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// Enable or override of output n: 2500h:n.
+    /// Connects enable or override of output n to 2500h:n.
     void connect(std::uint16_t source_index, int output) {
         extra_as_percent(output);
         set8(source_index, output, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), output, 3 + output);
     }
-    /// RPDO1 brings 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2; both lost after 50 ms.
+    /// Lets the RPDOs time out after 50 ms: RPDO1 maps 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2.
     void lose_commands() {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);
@@ -43,7 +43,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnOverrideInputResponseAndValue) {
                 set16(0x6310, output, type);
                 connect(0x2360, output);
                 set16(0x2500, output, 0);
-                set8(0x2362, output, output == ours ? 1 : 0);  // overridden when OFF, the other when ON
+                set8(0x2362, output, output == ours ? 1 : 0);  // overridden when OFF, the other output when ON
                 set16(0x2300, output, output == ours ? 1 : 0);
             }
             pass(1);
@@ -67,7 +67,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
         for (const int output : {1, 2}) {
             connect(0x2350, output);
             set16(0x2500, output, 0);
-            set8(0x2352, output, output == ours ? 0 : 3);  // shut off when OFF, the other when ON
+            set8(0x2352, output, output == ours ? 0 : 3);  // shut off when OFF, the other output when ON
         }
         pass(1);
         EXPECT_FLOAT_EQ(volts(ours), 0.0F);
@@ -107,7 +107,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
         const int other = 3 - ours;
         set8(0x6250, ours, 0);  // keeps its state
         set8(0x6250, other, 1);
-        set8(0x6340, ours, 1);  // of an analogue output: has no meaning here
+        set8(0x6340, ours, 1);  // for an analogue output; no effect here
         set8(0x6340, other, 0);
         set8(0x6260, ours, 1);
         set8(0x6260, other, 0);
@@ -175,7 +175,7 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     }
 }
 
-// What one type left at the terminals the next does not have.
+// A new type clears all signals of the previous type at the terminals.
 TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {

@@ -29,7 +29,7 @@ class Ax130751Diagnostics : public Ax130751Blocks {
     }
     bool all_run() const { return volts(1) == 2.0F && volts(2) == 4.0F && relay_on(); }
     bool all_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && !relay_on(); }
-    /// The coil, which carries current in state OFF, has none.
+    /// Returns whether the outputs are off and the coil, which carries current in state OFF, has no current.
     bool hardware_off() const { return volts(1) == 0.0F && volts(2) == 0.0F && device->outputs().relay_nc; }
 };
 
@@ -173,7 +173,7 @@ TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     supply(24.0F);
     pass(200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V a second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
@@ -248,7 +248,7 @@ TEST_F(Ax130751Diagnostics, ErrorFieldCodesFollowTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
-// 3.4.86 with 1.8: such a fault acts on the outputs, not on the state
+// 3.4.86 with 1.8: such a fault affects the outputs, not the state
 TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheNmtState) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);

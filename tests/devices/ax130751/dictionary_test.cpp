@@ -1,5 +1,5 @@
-// Every object of the AX130751 as chapter 3 of its manual has it: type, access, mapping, default and limits of each
-// entry, read by hand from the object's page. The tables are asked directly; what goes over the bus has its own tests.
+// Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
+// taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -16,7 +16,7 @@ class Ax130751Dictionary : public AxiomaticSheet {
     Ax130751Dictionary() : AxiomaticSheet{generated::ax130751::tables, generated::ax130751::image_size} {}
 };
 
-/// 3yz0h of lookup table 1…10 (yz are decimal digits): 3010h … 3090h, 3100h.
+/// Returns the index 3yz0h of lookup table 1…10 (yz are decimal digits): 3010h … 3090h, 3100h.
 std::uint16_t lookup(int table, int object) {
     return static_cast<std::uint16_t>((table < 10 ? 0x3000 + 0x10 * table : 0x3100) + object);
 }
@@ -55,7 +55,7 @@ TEST_F(Ax130751Dictionary, ProducerHeartbeatIsOffOrAtLeastTenMilliseconds) {
     check_producer_heartbeat();
 }
 
-// 3.2.14 and 3.2.15: communication parameters. COB-IDs as shipped, node 127 = 7Fh.
+// 3.2.14 and 3.2.15: communication parameters with default COB-IDs, node 127 = 7Fh.
 TEST_F(Ax130751Dictionary, PdoCommunicationParametersMatchTheManual) {
     verifies<req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800, req::AOR_OD_1801,
              req::AOR_OD_1802, req::AOR_OD_1803>();
@@ -138,7 +138,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
         {0x6340, 2, u8, Access::rw, {1}, 0, 1},
         {0x7300, 2, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always smaller than 7322h, 5000
-        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the type's range is the device's to check
+        {0x7321, 2, i16, Access::rw, {0}, none, none},  // the device checks the range of the type
         {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always larger than 7320h, 0
         {0x7323, 2, i16, Access::rw, {5000}, none, none},
         {0x7330, 2, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -147,7 +147,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
     set(0x7322, 2, -10);
     EXPECT_EQ(writing(0x7320, 2, -11), AbortCode::none);
     EXPECT_EQ(writing(0x7320, 2, -10), AbortCode::value_too_high);
-    EXPECT_EQ(writing(0x7320, 1, -10), AbortCode::none);  // the other output's limit has not moved
+    EXPECT_EQ(writing(0x7320, 1, -10), AbortCode::none);  // the limit of the other output has not changed
     set(0x7320, 2, -20);
     EXPECT_EQ(writing(0x7322, 2, -19), AbortCode::none);
     EXPECT_EQ(writing(0x7322, 2, -20), AbortCode::value_too_low);
@@ -230,7 +230,7 @@ TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
             {lookup(table, 2), 0, u8, Access::rw, {0}, 0, 1},
             {lookup(table, 3), 0, u8, Access::rw, {0}, 0, 4},
             {lookup(table, 4), 0, u8, Access::rw, {0}, 0, 4},
-            // -32768 with data response, 24 h with time response: which of them is the device's to check
+            // -32768 with data response, 24 h with time response: the device checks the one that applies
             {lookup(table, 6), 11, i32, Access::rw, steps_of_ten, -32768, 86400000},
             {lookup(table, 7), 11, i16, Access::rw, steps_of_ten, none, none},
             {lookup(table, 8), 0, i16, Access::ro, {0}, none, none, Map::tpdo},
@@ -350,9 +350,9 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
 
 TEST_F(Ax130751Dictionary, OnlyTheObjectsOfTheManualExist) {
     verifies<req::AOR_OD_1000>();
-    // 13 of 3.2.1 to 3.2.13, 16 PDO objects; 7 of digital outputs, 16 of the relay, 11 and 14 of analogue outputs, 4 of
-    // extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of diagnostics, 4 of
-    // the system
+    // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects; 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
+    // outputs, 4 of extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of
+    // diagnostics, 4 of the system
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
     // 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0

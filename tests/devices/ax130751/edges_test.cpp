@@ -1,4 +1,4 @@
-// Constants of the AX130751 at their edges, on both sides and much nearer than 1 % (1.2 to 1.8, chapter 4).
+// Constants of the AX130751 at their edges, on both sides and much closer than 1 % (1.2 to 1.8, chapter 4).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class Ax130751Edges : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// The code of the emergency that a supply sets off in the cycle after; "" when there is none.
+    /// Returns the code of the emergency message that a supply voltage causes in the next cycle; "" when there is none.
     std::string supply(float volts_supplied) {
         inputs.supply = volts_supplied;
         set_inputs();
@@ -54,7 +54,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2342, output, 0);
         pass(1);
     }
-    /// Output 1 at the field value that 2300h has, whatever its control says.
+    /// Overrides output 1 with the field value of 2300h, whatever its control.
     void override_with(int field_value) {
         set16(0x2300, 1, field_value);
         pass(1);
@@ -65,7 +65,7 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2361, 1, 4);
         set8(0x2362, 1, 1);  // override when OFF
     }
-    /// Math block 1 over 2500h:1 and 2500h:2, fractions of 10000, with one operator.
+    /// Sets up math block 1 with 2500h:1 and 2500h:2, fractions of 10000, and one operator.
     void make_math(int operation) {
         for (int input = 1; input <= 2; ++input) {
             set8(0x2502, input, 0);
@@ -316,7 +316,7 @@ TEST_F(Ax130751Edges, TimesAreExactToAMillisecond) {
 
 TEST_F(Ax130751Edges, TableLimitsFrom0To100ArePercent) {
     verifies<req::AOR_LT_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
-    // Table 1 gives 50.00, seen through logic block 1 as a part of its limits.
+    // Table 1 gives 50.00; logic block 1 shows it as a part of its limits.
     extra_as_percent(1);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
@@ -339,7 +339,7 @@ TEST_F(Ax130751Edges, TableLimitsFrom0To100ArePercent) {
 
 TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     verifies<req::AOR_LT_011, req::AOR_K_SHORTEST_INTERVAL>();
-    // Points of a data response at 0 and below become intervals of 1 ms.
+    // Points of a data response at 0 and below become time intervals of 1 ms.
     set32(0x3016, 1, -5);
     for (int point = 2; point <= 4; ++point) {
         set32(0x3016, point, point - 4);  // -2, -1, 0

@@ -13,9 +13,9 @@ class Ax130751Errors : public Ax130751Test {
   protected:
     void SetUp() override {
         Ax130751Test::SetUp();
-        write(0x1800, 5, 0, 2);  // TPDO1 would only be in the way
+        write(0x1800, 5, 0, 2);  // TPDO1 is not needed
     }
-    /// Watches node `producer` with 100 ms, hears it once, and loses it.
+    /// Monitors node `producer` with 100 ms, receives one heartbeat, and lets it time out.
     void lose(int slot, int producer) {
         EXPECT_EQ(write(0x1016, slot, (producer << 16) + 100, 4), "");
         send(fmt::format("7{:02X}#05", producer));
@@ -29,11 +29,11 @@ class Ax130751Errors : public Ax130751Test {
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
              req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
-    EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is nobody: it monitors nothing
+    EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // node 32, 100 ms
-    EXPECT_EQ(pass(500), Frames{});                  // never heard: not watched
+    EXPECT_EQ(pass(500), Frames{});                  // never received: not monitored
     send("720#05");
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012080000000"}));
@@ -56,7 +56,7 @@ TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);
     EXPECT_EQ(read(0x1003, 2), 0x80228130U);
     EXPECT_EQ(read(0x1003, 3), 0x80218130U);
-    // the one in the middle ends: the others close up, bit 0 stays
+    // the middle error ends: the others move up, bit 0 stays
     EXPECT_EQ(send("722#05"), (Frames{"0FF#0000010000000000"}));
     EXPECT_EQ(read(0x1003, 0), 2U);
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);
@@ -77,7 +77,7 @@ TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
     EXPECT_EQ(read(0x1003, 1), 0x00008210U);
     EXPECT_EQ(read(0x1003, 2), 0x80248130U);
     EXPECT_EQ(read(0x1003, 4), 0x80228130U);
-    // the four of the list end; the one that was lost still keeps bit 0
+    // the four listed errors end; the one removed from the list still keeps bit 0
     send("27F#0000000000");
     send("722#05");
     send("723#05");
@@ -100,7 +100,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 1), 0U);
     EXPECT_EQ(read(0x1001, 0), 1U);
     pass(1000);
-    EXPECT_EQ(read(0x1003, 0), 0U);  // it has not occurred anew
+    EXPECT_EQ(read(0x1003, 0), 0U);  // it has not occurred again
     send("721#05");
     EXPECT_EQ(read(0x1001, 0), 0U);
     pass(100);
@@ -111,8 +111,8 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
     verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
     struct Case {
         int behaviour;
-        NmtState operational;      ///< where an operational node goes
-        NmtState pre_operational;  ///< where a pre-operational one goes
+        NmtState operational;      ///< new state of an operational node
+        NmtState pre_operational;  ///< new state of a pre-operational node
     };
     const std::vector<Case> cases{
         {0, NmtState::pre_operational, NmtState::pre_operational},
@@ -125,7 +125,7 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
             send("000#807F");
             EXPECT_EQ(write(0x1029, 1, one.behaviour, 1), "");
             for (int sub = 2; sub <= 5; ++sub) {
-                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // never what sub-index 1 says
+                EXPECT_EQ(write(0x1029, sub, one.behaviour == 1 ? 2 : 1, 1), "");  // different from sub-index 1
             }
             EXPECT_EQ(write(0x1016, 1, (producer << 16) + 100, 4), "");
             send(fmt::format("7{:02X}#05", producer));
@@ -164,7 +164,7 @@ TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
-    EXPECT_EQ(write(0x100C, 0, 0, 2), "");  // off as well
+    EXPECT_EQ(write(0x100C, 0, 0, 2), "");  // also off
     EXPECT_EQ(send("77F#R").size(), 1U);
     EXPECT_EQ(pass(1000), Frames{});
 
@@ -202,7 +202,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-// 3.4.86 with 3.2.13: a communication fault of 1029h:1 outranks 5555h
+// 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h
 TEST_F(Ax130751Errors, BusOffAtPowerOnPreventsTheSelfStart) {
     verifies<req::AOR_START_003, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
@@ -228,7 +228,7 @@ TEST_F(Ax130751Errors, BusOffAtPowerOnPreventsTheSelfStart) {
     }
 }
 
-// 3.2.7: the set in memory is damaged behind its header
+// 3.2.7: the stored set is damaged behind its header
 TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
@@ -242,7 +242,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001, 0), 1U);
 }
 
-// The boot-up message is lost, what the boot reported of errors is not.
+// The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AOR_ERR_009, req::CO_EMCY_017>();
     store();

@@ -1,5 +1,5 @@
-// The worked examples of the AX130751's manual, played on the whole device: the joystick with a deadband (1.5.3,
-// Figure 7), a joystick that a potentiometer trims (1.7), 30 slopes out of three tables (1.5, 1.6).
+// The examples of the AX130751 manual on the whole device: the joystick with a deadband (1.5.3, Figure 7), a joystick
+// trimmed by a potentiometer (1.7), 30 slopes from three tables (1.5, 1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,18 +17,18 @@ class Ax130751Examples : public Ax130751Test {
     void put(std::uint16_t index, int sub, std::int64_t value, int bytes) {
         EXPECT_EQ(write(index, sub, value, bytes), "") << std::hex << index << ":" << sub;
     }
-    /// Extra received value 1 … 6 with tenths, its limits from 0.
+    /// Sets the range of extra received value 1 … 6, in tenths from 0.
     void declare_extra(int number, int greatest_tenths) { put(0x2522, number, greatest_tenths, 2); }
     void receive_extra(int number, int tenths) {
         put(0x2500, number, tenths, 2);
         pass(20);
     }
-    /// Table `base` = 3yz0h reads extra value 1.
+    /// Connects table `base` = 3yz0h to extra value 1.
     void read_extra_1(std::uint16_t base) {
         put(base, 0, 1, 1);
         put(static_cast<std::uint16_t>(base + 1), 0, 4, 1);
     }
-    /// Puts points from 1 on; X from the highest down, as 1.5.1 advises. Those beyond lie on the last one and are
+    /// Writes points from 1 on, X from the highest down, as 1.5.1 recommends. Later points equal the last one and are
     /// ignored.
     void put_points(std::uint16_t base, const std::vector<std::pair<int, int>>& points) {
         const auto at = [base](int offset) { return static_cast<std::uint16_t>(base + offset); };
@@ -120,7 +120,7 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     }
 }
 
-// 1.5, 1.6: three tables in a row, chosen by where the input is; extra values 2 and 3 are the borders
+// 1.5, 1.6: three tables in a row, chosen by the range of the input; extra values 2 and 3 are the borders
 TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     verifies<req::AOR_LT_001, req::AOR_LT_002, req::AOR_OD_3310, req::AOR_OD_3320>();
     for (int number = 1; number <= 3; ++number) {
@@ -128,7 +128,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     }
     receive_extra(2, 1000);
     receive_extra(3, 2000);
-    // 31 points 10.0 apart; each second one lies 5 % above the line of 3 % a point
+    // 31 points 10.0 apart; every second one is 5 % above the line of 3 % per point
     const auto x = [](int point) { return 100 * point; };                             // tenths
     const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // tenths of a percent
     for (int table = 0; table < 3; ++table) {
@@ -156,7 +156,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
         receive_extra(1, x(point));
         EXPECT_EQ(read(0x3310, 1), static_cast<std::uint64_t>(1 + point / 10)) << point;
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>(y(point))) << point;
-        receive_extra(1, x(point) + 50);  // half way up or down the slope
+        receive_extra(1, x(point) + 50);  // half way along the slope
         EXPECT_EQ(read(0x3320, 1), static_cast<std::uint64_t>((y(point) + y(point + 1)) / 2)) << point;
     }
     receive_extra(1, 3000);

@@ -1,5 +1,5 @@
-// What stops an output of the AX130751 whatever its control says: enable, override and unlatch as interlocks (1.2 to
-// 1.4).
+// Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks (1.2
+// to 1.4).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -20,17 +20,17 @@ class Ax130751Interlock : public Ax130751Blocks {
         set8(static_cast<std::uint16_t>(source_index + 1), output, number);
         pass(1);
     }
-    /// 2500h:`number` at an input.
+    /// Connects an input to 2500h:`number`.
     void connect(std::uint16_t source_index, int output, int number) {
         choose(source_index, output, canopen, 3 + number);
     }
-    /// Output 1 as voltage at 4 V.
+    /// Makes output 1 a voltage of 4 V.
     void make_voltage() {
         no_ramps(1);
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
     }
-    /// Output 1 as digital output that is ON, and RPDO4 (6220h:1) lost after 50 ms.
+    /// Makes output 1 a digital output that is ON, with a time-out of 50 ms for RPDO4 (6220h:1).
     void make_digital() {
         set16(0x6310, 1, 1020);
         set16(0x1403, 5, 50);
@@ -44,7 +44,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         pass(1);
         EXPECT_TRUE(relay_on());
     }
-    /// RPDO2, 2500h:1 to 2500h:3, lost after 100 ms.
+    /// Sets a time-out of 100 ms for RPDO2, 2500h:1 to 2500h:3.
     void watch_extra() {
         set32(0x1401, 1, 0x4000037F);
         set16(0x1401, 5, 100);
@@ -54,7 +54,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         int source;
         int number;
     };
-    /// Table 4B has no such number, or the block behind it is off as shipped.
+    /// Sources without a value: Table 4B has no such number, or the block is off by default.
     const std::vector<Choice> without_value{{canopen, 0},       {canopen, 10}, {lookup_source, 1}, {logic_source, 1},
                                             {lookup_source, 0}, {2, 2},        {math_source, 5},   {6, 3}};
 };
@@ -90,7 +90,7 @@ TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     set8(0x3010, 0, not_used);
     pass(1);
     EXPECT_FALSE(is_on(1));
-    set8(0x6250, 1, 0);  // maintain the state in a fault: no fault of an input
+    set8(0x6250, 1, 0);  // maintain the state in a fault: a missing value is not an input fault
     pass(5);
     EXPECT_FALSE(is_on(1));
 }
@@ -229,7 +229,7 @@ TEST_F(Ax130751Interlock, InputInErrorPutsTheRelayOffWhateverItsOverride) {
     EXPECT_FALSE(relay_on());
 }
 
-// 1.4 with the names of the pins in 2.1: state OFF needs current
+// 1.4 with the names of the pins in 2.1: state OFF needs coil current
 TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     verifies<req::AOR_RELAY_019, req::AOR_RELAY_001, req::AOR_DIAG_008>();
     const auto contact = [this](float supplied) {
@@ -253,7 +253,7 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     EXPECT_FALSE(contact(24.0F));
 }
 
-// 1.8, 3.4.86: 5555h is what lets a unit without a master drive anything
+// 1.8, 3.4.86: with 5555h a unit without a master drives its outputs
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
     make_voltage();
@@ -306,7 +306,7 @@ TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
     pass(1);
     start();
     pass(1 + 200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V in a second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
 }
 
 TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {

@@ -1,5 +1,5 @@
-// What an AX130751 does that is called late: each cycle and deadline on the way sees what held at its time, also when a
-// frame or new inputs come with the late call (1.2, 1.3, 1.8).
+// An AX130751 that is called late: each missed cycle and deadline uses the values of its own time, also when a frame or
+// new inputs arrive with the late call (1.2, 1.3, 1.8).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,7 +14,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
         Ax130751Blocks::SetUp();
         set16(0x1800, 5, 0);  // no TPDO1
     }
-    /// Math block 2 adds 2500h:2 percent to its own output in each cycle; 4030h:2 in hundredths.
+    /// Sets up math block 2 to add 2500h:2 percent to its own output in each cycle; 4030h:2 is in hundredths.
     void make_counter() {
         extra_as_percent(2);
         set8(0x4201, 1, 2);
@@ -31,7 +31,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
         pass(10);
     }
     int counted() { return static_cast<int>(device->objects().read(0x4030, 2)); }
-    /// Nobody calls the device for a time.
+    /// Lets time pass without a call of the device.
     void wait(std::uint64_t ms) { now = now + milliseconds(ms); }
 };
 
@@ -40,7 +40,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
-    send("37F#000001000000");  // 1 % a cycle
+    send("37F#000001000000");  // 1 % per cycle
     wait(5);
     send("37F#000000000000");
     EXPECT_EQ(counted(), 500) << "five cycles with 1 %, run when the frame came";
@@ -109,7 +109,7 @@ TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
     set16(0x1400, 5, 50);
     start();
     send("27F#E803000000");
-    wait(52);  // due after 50 ms; the cycle after 51 ms sees it
+    wait(52);  // due after 50 ms; the cycle after 51 ms detects it
     device->advance(now);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
@@ -152,7 +152,7 @@ TEST_F(Ax130751LateCalls, CyclesAreCountedFromTheReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
     pass(100);
     now = now + Duration{400};
-    set16(0x7300, 1, 1000);  // wakes the blocks for the next whole millisecond
+    set16(0x7300, 1, 1000);  // runs the blocks at the next whole millisecond
     EXPECT_EQ(device->next_deadline(), now + Duration{600});
     send("000#817F");
     EXPECT_EQ(device->next_deadline(), now + milliseconds(1));
@@ -164,7 +164,7 @@ TEST_F(Ax130751LateCalls, CyclesAreCountedFromTheReset) {
 
 TEST_F(Ax130751LateCalls, IdleBlocksNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
-    // 2500h:1 in tables 1 and 4, logic block 2 (table 4), math block 1 and output 1: all with a value.
+    // 2500h:1 feeds tables 1 and 4, logic block 2 (table 4), math block 1 and output 1.
     extra_as_percent(1);
     for (const int table : {0x3010, 0x3040}) {
         set8(static_cast<std::uint16_t>(table + 1), 0, 4);

@@ -1,5 +1,4 @@
-// Tables 16 to 19 of the AX130751's manual, written out as the expressions that they print, and that no two rows of a
-// table meet.
+// Tables 16 to 19 of the AX130751 manual as their printed expressions; no two rows of a table match together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,8 +73,8 @@ TEST(Ax130751LogicTables, LogicalOperatorsFollowTable18) {
     EXPECT_EQ(t::rows.size(), 5U * 8U);
 }
 
-// Not applicable counts as true where all conditions have to hold, and else as false; an error as false everywhere but
-// in the default table, which asks nothing.
+// Not applicable counts as true where all conditions must be true, otherwise as false; an error counts as false
+// everywhere except in the default table, which has no condition.
 TEST(Ax130751LogicTables, CountingOfConditionsFollowsTable19) {
     verifies<req::AOR_T19>();
     namespace t = own::condition_count;

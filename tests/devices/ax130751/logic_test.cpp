@@ -13,11 +13,11 @@ class Ax130751Logic : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// 3x00h of block 1 to 3.
+    /// Returns the index 3x00h of block 1 to 3, plus an offset.
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x3300 + (0x100 * block) + offset);
     }
-    /// Condition `condition` of function A (1) to C (3): 2500h:first against 2500h:second.
+    /// Sets condition `number` of function A (1) to C (3): 2500h:first compared with 2500h:second.
     void condition(int block, int function, int number, int first, int comparison, int second) {
         const std::uint16_t at = index(block, (0x10 * function) + number);
         set8(at, 1, canopen);
@@ -26,7 +26,7 @@ class Ax130751Logic : public Ax130751Blocks {
         set8(at, 4, 3 + second);
         set8(at, 5, comparison);
     }
-    /// A lookup table over 2500h:number.
+    /// Connects a lookup table to 2500h:number.
     void connect_table(int table, int number) {
         const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
         set8(at, 0, canopen);
@@ -136,7 +136,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
 TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 0, 1);  // always fulfilled; 2 and 3 are as shipped
+    condition(1, 1, 1, 1, 0, 1);  // always true; 2 and 3 have their defaults
     const auto holds = [this](int operation) {
         set8(0x3402, 1, operation);
         return selected(1) == 1;
@@ -217,8 +217,8 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
 
 TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_001, req::AOR_LOGIC_008>();
-    // Block 3 looks at 2500h:1, block 2 at block 3, block 1 at block 2. Each selects its table A, which gives 0, while
-    // what it looks at is there and 0, else its table B, which has no source: all outputs stay 0.
+    // Block 3 reads 2500h:1, block 2 reads block 3, block 1 reads block 2. Each selects its table A, which gives 0,
+    // while its source is available and 0, otherwise its table B, which has no source: all outputs stay 0.
     condition(3, 1, 1, 1, 0, 2);
     for (const int block : {1, 2}) {
         const std::uint16_t at = index(block, 0x11);
@@ -251,7 +251,7 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
 
 TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
     verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_009>();
-    // Output 1 follows logic 1: OFF while that is not available, fault value while it is in error.
+    // Output 1 follows logic block 1: OFF while that is not available, fault value while it is in error.
     set8(0x3300, 1, 1);
     set8(0x3402, 1, 0);
     no_ramps(1);
@@ -286,7 +286,8 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
         connect_table(table, 1);
         const auto x_index = static_cast<std::uint16_t>(0x3006 + (0x10 * table));
         const auto y_index = static_cast<std::uint16_t>(0x3007 + (0x10 * table));
-        // What grows from the top down, what shrinks from the bottom up: so the points stay in order.
+        // Increasing values are written from the top down, decreasing ones from the bottom up: the points stay in
+        // order.
         for (int i = 10; i >= 0; --i) {
             if (x.at(static_cast<std::size_t>(i)) >= 10 * i) {
                 set32(x_index, i + 1, x.at(static_cast<std::size_t>(i)));
@@ -316,7 +317,7 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
     EXPECT_EQ(at(80), 750);  // table 3: 60 + 3 / 4 of 20
-    EXPECT_EQ(at(82), 770);  // 76.5, rounded to the whole percent of Y
+    EXPECT_EQ(at(82), 770);  // 76.5, rounded to an integer percent of Y
     EXPECT_EQ(at(100), 900);
 }
 

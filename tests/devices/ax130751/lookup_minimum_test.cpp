@@ -1,4 +1,4 @@
-// X1 of a lookup table of the AX130751 and a source whose minimum lies below zero (1.5.1).
+// X of point 1 of a lookup table of the AX130751 with a source whose minimum is below zero (1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -17,7 +17,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
         set8(index(table, 0), 0, source);
     }
     int x(int table, int point) { return static_cast<std::int32_t>(read(index(table, 6), point)); }
-    /// 2500h:1 as whole numbers from `low` to `high`.
+    /// Scales 2500h:1 to integers from `low` to `high`.
     void make_extra(int low, int high) {
         set8(0x2502, 1, 0);
         set16(0x2522, 1, high);
@@ -94,7 +94,7 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5SetsTheMinimum) {
     EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
     set16(0x6310, 1, 20);  // 5550h: 7320h is 0 again
     EXPECT_EQ(x(1, 1), 0) << "6310h";
-    // 7321h and 7323h, the smaller of them
+    // the smaller of 7321h and 7323h
     for (const int source : {6, 7}) {
         choose(2, source, 2);
         set8(0x3023, 0, 3);
@@ -122,14 +122,14 @@ TEST_F(Ax130751LookupMinimum, EverySourceOfTable5SetsTheMinimum) {
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // 5032h less 5033h
+    // 5032h minus 5033h
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // what is never below 0
+    // a source that is never below 0
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);

@@ -10,7 +10,7 @@ class Ax130751Lookup : public Ax130751Blocks {
     static std::uint16_t index(int table, int offset) {
         return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
     }
-    /// A table over 2500h:n, which is 0 to 100 without digits.
+    /// Connects a table to 2500h:n, which is 0 to 100 without digits.
     void connect(int table, int extra_number) {
         extra_as_percent(extra_number);
         set8(index(table, 0), 0, canopen);
@@ -65,7 +65,7 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
     extra(1, 30);
     EXPECT_EQ(output(1), 5);
     extra(1, 31);
-    EXPECT_EQ(output(1), 76);  // 80 on the way to 40 at 40
+    EXPECT_EQ(output(1), 76);  // 80 falling to 40 at 40
 }
 
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
@@ -86,7 +86,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
 
 TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     verifies<req::AOR_LT_007, req::AOR_LT_006, req::AOR_SRC_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
-    // Seen through logic block 1, whose output is a percentage of the limits of table 1.
+    // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
     set8(0x3300, 1, 1);
     set8(0x3015, 3, 0);  // only (0, 0) and (10, 10) count
@@ -112,7 +112,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the greatest is 100, for the least is below 0
+    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
 }
 
 TEST_F(Ax130751Lookup, PointsStayInOrder) {
@@ -147,7 +147,7 @@ TEST_F(Ax130751Lookup, EachPointStaysBetweenItsNeighbours) {
 TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
-    set8(0x3015, 1, 1);    // as intervals of time, points need no order
+    set8(0x3015, 1, 1);    // as time intervals, points need no order
     set32(0x3016, 2, 20);  // (20, 10)
     set32(0x3016, 3, 5);   // (5, 20)
     set32(0x3016, 4, 30);  // (30, 30)
@@ -179,7 +179,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
     EXPECT_EQ(write_x(2, 3, 9), "06090032") << "within the limits, but below point 2";
-    set8(0x3020, 0, canopen);  // 2500h:1, whose limits are 0 and 0 as shipped
+    set8(0x3020, 0, canopen);  // 2500h:1, whose default limits are 0 and 0
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);
@@ -217,7 +217,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
     set16(0x3027, 11, -10);  // table 2 gives 60 of -10 to 60 now
-    pass(2 + 50);            // the next cycle sets its limits, the one after sees them
+    pass(2 + 50);            // the next cycle sets its limits, the following one uses them
     EXPECT_EQ(output(1), 25);
 }
 
@@ -236,7 +236,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     extra(1, 40);
     pass(10);
     EXPECT_EQ(output(3), 0) << "still OFF: between the limits 0 and 100";
-    extra(1, 100);  // starts in the cycle that just ran
+    extra(1, 100);  // starts in the previous cycle
     EXPECT_EQ(output(3), 0);
     pass(50);
     EXPECT_EQ(output(3), 25);
@@ -292,7 +292,7 @@ TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     EXPECT_EQ(write_x(10, 2, 1), "");
     EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
     EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
-    // Point 1 counts as (0, 0 ms) also with another Y, and X as milliseconds also with other digits.
+    // Point 1 counts as (0, 0 ms) with another Y too, and X as milliseconds with other digits too.
     connect(10, 1);
     set16(0x3107, 1, 60);
     set8(0x3103, 0, 3);
@@ -330,7 +330,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_001>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
-    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: nothing but the state of each changes
+    // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
         set8(index(table, 0), 0, lookup_source);

@@ -16,7 +16,7 @@ class Ax130751Math : public Ax130751Blocks {
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x4000 + (0x100 * block) + offset);
     }
-    /// Inputs 1 to `count` of a block are 2500h:1 to count, 0 to 100.
+    /// Connects inputs 1 to `count` of a block to 2500h:1 to count, 0 to 100.
     void make(int block, int count) {
         for (int input = 1; input <= count; ++input) {
             set8(index(block, 0x01), input, 3 + input);
@@ -71,10 +71,10 @@ TEST_F(Ax130751Math, OperatorsFollowTable21) {
         {9, 10000, 0, 10000},
         {10, 10000, 0, 10000},
         {11, 0, 10000, 0},
-        {12, 10000, 10000, 10000},  // 1.0 and more, held at 1
-        {13, 0, 0, 2000},           // 0.4 - 0.6 is held at 0
+        {12, 10000, 10000, 10000},  // 1.0 and more, clamped to 1
+        {13, 0, 0, 2000},           // 0.4 - 0.6 is clamped to 0
         {14, 2400, 3600, 2400},     // 0.4 * 0.6
-        {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is held at 1
+        {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is clamped to 1
         {16, 4000, 6000, 4000},
         {17, 6000, 6000, 6000},
     }};
@@ -164,7 +164,7 @@ TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     EXPECT_EQ(output(1), 100);
     values({100, 100});
     EXPECT_EQ(output(1), 200);
-    // Other blocks see 10.0: math 2 with 0 to 20 as 0 to 1
+    // Other blocks use 10.0: math block 2 scales 0 to 20 to 0 to 1
     values({75, 0});
     set8(0x4200, 1, math_source);
     set8(0x4201, 1, 1);
@@ -225,7 +225,7 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
 TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
     verifies<req::AOR_MATH_009, req::AOR_OUT_001>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
@@ -233,7 +233,7 @@ TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
     pass(10);
     EXPECT_EQ(output(1), 0);
     pass(10);
-    set16(0x2500, 2, 1);  // 1 % a cycle
+    set16(0x2500, 2, 1);  // 1 % per cycle
     pass(45);
     EXPECT_EQ(device->objects().read(0x4030, 1), 0U);
     pass(10);
@@ -245,7 +245,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // 2500h:1 to 3
     make(1, 1);
-    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x4100, 2, canopen);
     set8(0x4103, 2, 0);
     set16(0x4122, 2, 100);
@@ -261,11 +261,11 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
 TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_009>();
     make(1, 3);
-    set8(0x4150, 2, 3);  // (function 1 of the cycle before + 2500h:2) >= 2500h:3
+    set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
-    values({0, 1, 50});  // 1 % a cycle
+    values({0, 1, 50});  // 1 % per cycle
     pass(60);
     EXPECT_EQ(output(1), 10000);
     set16(0x2500, 2, 0);

@@ -1,4 +1,4 @@
-// An output of a type on the bench, as the tests of the universal outputs need it (AX130751, 1.2, 1.3).
+// Sets up an output of a type for the tests of the universal outputs (AX130751, 1.2, 1.3).
 #pragma once
 
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
@@ -7,14 +7,14 @@ namespace canproof::test {
 
 class Ax130751Output : public Ax130751Blocks {
   protected:
-    /// Output 1 of a type, without ramps, its profile also outside (2342h = 0).
+    /// Makes output 1 of a type, without ramps, with its profile extended outside (2342h = 0).
     void make(int type) {
         set16(0x6310, 1, type);
         no_ramps(1);
         set8(0x2342, 1, 0);
         pass(1);
     }
-    /// Input enable or override of output 1: number 3 + n of the CANopen messages, read as digital.
+    /// Connects enable or override of output 1 to number 3 + n of the CANopen messages, read as digital.
     void connect(std::uint16_t source_index, int number) {
         extra_as_percent(number);
         set8(source_index, 1, canopen);

@@ -1,4 +1,4 @@
-// What drives a universal output over SDO: ramps, enable, override, inputs in error (AX130751, 1.2, 1.3).
+// Drive of a universal output over SDO: ramps, enable, override, inputs in error (AX130751, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -11,7 +11,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
     set16(0x2331, 1, 500);  // down; up 1000 as shipped
-    command(1, 5000);       // the cycle that just ran began the ramp
+    command(1, 5000);       // the previous cycle began the ramp
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
     pass(250);
@@ -36,7 +36,7 @@ TEST_F(Ax130751Output, RampUpIsARisingFieldValueWithAnInverseSlopeToo) {
     set16(0x7323, 1, 0);
     set16(0x2330, 1, 1000);
     set16(0x2331, 1, 100);
-    command(1, 5000);  // 0 V: nothing moves
+    command(1, 5000);  // 0 V: no change
     command(1, 0);     // 5 V: up
     pass(100);
     EXPECT_FLOAT_EQ(volts(1), 0.5F);
@@ -59,7 +59,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
     pass(500);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V a second, also below the 2 V of scaling 1
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 2 V per second, also below the 2 V of scaling 1
     pass(1500);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
 }
@@ -93,7 +93,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
         extra(1, 100 - running);
-        command(1, 2000);  // has no effect any more
+        command(1, 2000);  // no effect any more
         const int action = response % 3;
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";
@@ -155,7 +155,7 @@ TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
 TEST_F(Ax130751Output, OutputThatLosesItsControlRampsToOff) {
     verifies<req::AOR_OUT_008, req::AOR_OUT_012>();
     command(1, 5000);
-    pass(1000);  // 5 V in a second, as shipped
+    pass(1000);  // 5 V per second, the default
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     set8(0x2340, 1, not_used);
     pass(1 + 500);

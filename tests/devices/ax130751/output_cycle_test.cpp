@@ -1,4 +1,4 @@
-// The cycle of the universal outputs: start, chains of blocks, late calls, rest (AX130751, 1.2, 1.3).
+// The cycle of the universal outputs: start, chains of blocks, late calls, idle state (AX130751, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -65,7 +65,7 @@ TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
     pass(1);
     extra(1, 50);  // one cycle
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
-    // Math 2 adds 1 % to its own output: one step a cycle.
+    // Math block 2 adds 1 % to its own output: one step per cycle.
     set16(0x2500, 2, 1);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
         set8(0x4200, sub, source);
@@ -99,7 +99,7 @@ TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     EXPECT_EQ(get16(0x3108, 0), 70);
     EXPECT_EQ(get16(0x3098, 0), 0);
     now = now + milliseconds(8);
-    device->advance(now);  // nothing comes that would wake it
+    device->advance(now);  // no event requires a cycle
     EXPECT_EQ(get16(0x3028, 0), 70);
     EXPECT_EQ(get16(0x3018, 0), 0);
     pass(1);
@@ -131,7 +131,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
 
 TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     verifies<req::AOR_OUT_001>();
-    // Output 2 repeats what output 1 does, which is a tenth of a volt or of a milliampere more than output 2 did.
+    // Output 2 repeats output 1, which is a tenth of a volt or of a milliampere above the previous output 2.
     const auto close_loop = [this](int type, int source, int full) {
         for (const int output : {1, 2}) {
             set16(0x6310, output, type);
@@ -152,7 +152,7 @@ TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
     pass(10);
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    // Through 1 MOhm 14 V drive 0.014 mA: the feedback stands, the targets grow.
+    // Through 1 MOhm 14 V drive 0.014 mA: the feedback is constant, the targets grow.
     inputs.load = {1.0e6F, 1.0e6F};
     set_inputs();
     close_loop(20, 6, 20000);
@@ -164,7 +164,8 @@ TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
 
 TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_027>();
-    // Math 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a cycle.
+    // Math block 2 adds 1 % to its own output in every cycle; TPDO1 is due every 7 ms, half a millisecond after a
+    // cycle.
     send("000#807F");
     extra_as_percent(2);
     for (const auto& [sub, source, number] : {std::tuple{1, math_source, 2}, std::tuple{2, canopen, 5}}) {
@@ -187,14 +188,14 @@ TEST_F(Ax130751Output, OtherDeadlinesDoNotShiftTheCycle) {
 TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
     verifies<req::AOR_OUT_027>();
     send("000#807F");
-    start();                 // TPDO1 from here on each 100 ms: 2370h:1 and 2370h:2
+    start();                 // TPDO1 from here on every 100 ms: 2370h:1 and 2370h:2
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(300);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#EF010000", "1FF#E3030000", "1FF#D7050000"}));  // 495, 995 and 1495 mV
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    now = now + milliseconds(300);  // nothing moves any more
+    now = now + milliseconds(300);  // nothing changes any more
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
 }
@@ -205,7 +206,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
     start();
     send("27F#8813000000");  // 5 V: the ramp of a second begins with the cycle 1 ms later
     now = now + milliseconds(501);
-    device->advance(now);  // 501 TPDOs, which nobody takes away
+    device->advance(now);  // 501 TPDOs, which nobody takes from the queue
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     EXPECT_EQ(sent().size(), TransmitQueue::capacity);
 }
@@ -213,7 +214,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
 TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     verifies<req::AOR_OUT_012>();
     make(10);
-    set16(0x7323, 1, 100);  // 0.1 V in 10 s: a digit in 100 ms
+    set16(0x7323, 1, 100);  // 0.1 V in 10 s: one digit per 100 ms
     set16(0x2330, 1, 10000);
     set16(0x7300, 1, 5000);
     pass(1);

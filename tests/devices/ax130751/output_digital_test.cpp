@@ -96,7 +96,7 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
 TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_T02>();
     make(1020);
-    set8(0x2241, 1, 1);  // inverse: ON as long as nothing else decides
+    set8(0x2241, 1, 1);  // inverse: ON unless another drive is active
     connect(0x2350, 1);
     connect(0x2360, 2);
     EXPECT_TRUE(is_on(1));

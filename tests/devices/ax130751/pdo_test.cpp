@@ -1,5 +1,5 @@
-// PDOs of the AX130751 as shipped and as they can be changed (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh, 37Fh,
-// 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
+// PDOs of the AX130751 with default parameters and after changes (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh,
+// 37Fh, 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -88,7 +88,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
     inputs.supply = 24.0F;
     inputs.cpu_temperature = 35.0F;
     set_inputs();
-    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is silent
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is off
     start();
     EXPECT_EQ(pass(200), Frames{});
     send("27F#E803D00700");
@@ -97,7 +97,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
         EXPECT_EQ(write(index, 5, 50, 2), "");
         EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
     }
-    // 1000 and 2000; nothing of TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
+    // 1000 and 2000; no TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
     const Frames frames = pass(60);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");
@@ -164,7 +164,7 @@ TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
     send("27F#2A00");
     EXPECT_EQ(read(0x2500, 1), 42U);
 
-    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is destroyed and has nothing enabled
+    EXPECT_EQ(write(0x1A02, 1, 0x40300110, 4), "");  // TPDO3 is not valid and its mapping is disabled
     EXPECT_EQ(write(0x1A02, 0, 1, 1), "");
     EXPECT_EQ(write(0x1802, 5, 20, 2), "");
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
@@ -189,15 +189,15 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
 }
 
-// 3.2.14: a time-out is a network fault; 1029h:1 decides
+// 3.2.14: a time-out is a network fault; 1029h:1 determines the state
 TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
-    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, whatever 3.2.14 says
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, despite 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
-    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not watched
+    EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored
     send("27F#0000000000");
     EXPECT_EQ(pass(199), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0081010000000000"}));

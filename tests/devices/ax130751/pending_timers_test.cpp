@@ -1,5 +1,5 @@
-// What waits in an AX130751 - delays of the relay, blinking, ramps - and each event that can end it, keep it, force its
-// outcome or begin it anew (1.2, 1.3, 1.4). Cycles run each millisecond and see what was written before.
+// Pending activities of an AX130751 - delays of the relay, blinking, ramps - and each event that can end, keep, force
+// or restart them (1.2, 1.3, 1.4). Cycles run every millisecond and use the values written before.
 #include <functional>
 
 #include "generated/ax130751/requirements.hpp"
@@ -14,7 +14,7 @@ class Ax130751Pending : public Ax130751Blocks {
   protected:
     static constexpr int never_changes = -1;
 
-    /// An event while a change of the relay waits, what the relay is then, and how long it is until it changes:
+    /// An event while a change of the relay is pending, the state of the relay then, and the time until it changes:
     /// milliseconds after the end of the event.
     struct Case {
         std::string name;
@@ -35,7 +35,7 @@ class Ax130751Pending : public Ax130751Blocks {
         inputs.cpu_temperature = celsius;
         set_inputs();
     }
-    /// Enable from 2500h:1, override from 2500h:2. Neither acts.
+    /// Connects enable to 2500h:1 and override to 2500h:2. Neither is active.
     void connect_relay() {
         set8(0x2280, 1, canopen);
         set8(0x2281, 1, 4);
@@ -48,7 +48,8 @@ class Ax130751Pending : public Ax130751Blocks {
         set32(0x22A2, 1, 20);
         pass(1);
     }
-    /// The relay rests at `rest`; the opposite is wanted for ten milliseconds before the event, which lasts six.
+    /// The relay rests at `rest`; the opposite state is commanded for ten milliseconds before the event, which lasts
+    /// six.
     void expect(const Case& one, bool rest) {
         one.begins();
         pass(1);
@@ -73,7 +74,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // 30 ms were asked for; 10 have gone when the event begins, 16 when it has ended.
+        // The delay is 30 ms; 10 ms have passed when the event begins, 16 when it ends.
         {"nothing happens", nothing, false, nothing, 30 - 16},
         {"the wish goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 30},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 30},
@@ -106,7 +107,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
         SetUp();
         connect_relay();
         command_relay(1);
-        pass(1);  // this cycle sees it
+        pass(1);  // this cycle detects it
         pass(10);
         ASSERT_FALSE(relay_on()) << one.name;
         expect(one, false);
@@ -117,7 +118,7 @@ TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // 20 ms were asked for.
+        // The delay is 20 ms.
         {"nothing happens", nothing, true, nothing, 20 - 16},
         {"the wish goes away", [&] { command_relay(1); }, true, [&] { command_relay(0); }, 20},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 0},
@@ -143,7 +144,7 @@ TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
         command_relay(1);
         pass(1);
         command_relay(0);
-        pass(1);  // this cycle sees it
+        pass(1);  // this cycle detects it
         pass(10);
         ASSERT_TRUE(relay_on()) << one.name;
         expect(one, true);
@@ -154,7 +155,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
-        // 40 ms in each state; what begins anew begins with ON.
+        // 40 ms in each state; a restart begins with ON.
         {"nothing happens", nothing, true, nothing, 40 - 16},
         {"the control goes away", [&] { command_relay(0); }, false, [&] { command_relay(1); }, 40},
         {"override OFF", [&] { set16(0x2500, 2, 100); }, false, [&] { set16(0x2500, 2, 0); }, 40},
@@ -179,7 +180,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
         set16(0x2250, 1, 40);
         set8(0x2242, 1, 5);
         command_relay(1);
-        pass(1);  // this cycle sees it
+        pass(1);  // this cycle detects it
         pass(10);
         ASSERT_TRUE(relay_on()) << one.name;
         expect(one, true);

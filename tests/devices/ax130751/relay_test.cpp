@@ -13,13 +13,13 @@ class Ax130751Relay : public Ax130751Blocks {
             extra_as_percent(number);
         }
     }
-    /// 2500h:number as an input of the relay.
+    /// Connects an input of the relay to 2500h:number.
     void connect(std::uint16_t source_index, int number) {
         set8(source_index, 1, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
         pass(1);
     }
-    /// The relay after 6220h:3 took a value, and a cycle.
+    /// Sets 6220h:3, runs a cycle and returns the state of the relay.
     bool control(int state) {
         set8(0x6220, 3, state);
         pass(1);
@@ -112,7 +112,8 @@ TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
 TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     verifies<req::AOR_RELAY_009, req::AOR_T11>();
     connect(0x2280, 1);
-    // With the control ON: what the relay is while enable is OFF and while it is ON, and whether OFF keeps.
+    // Returns, with the control ON, the state of the relay while enable is OFF and while it is ON, starting from
+    // either.
     const auto answers = [this](int response, bool on_first) {
         set8(0x2280, 1, not_used);
         set8(0x2282, 1, response);
@@ -207,10 +208,10 @@ TEST_F(Ax130751Relay, AnyInputInErrorButAnUnusedUnlatchPutsTheRelayOff) {
     start();
     for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable
                                              {0x2290, 1, true},     // override
-                                             {0x2270, 1, false},    // unlatch of a relay that does not latch
-                                             {0x2270, 3, true}}) {  // and of one that does
+                                             {0x2270, 1, false},    // unlatch of a relay without a latch
+                                             {0x2270, 3, true}}) {  // unlatch of a latched relay
         set8(0x2242, 1, one.polarity);
-        set8(0x2292, 1, 0);  // an override that is ON while it is on: off here
+        set8(0x2292, 1, 0);  // overrides while its input is ON; the input is OFF here
         connect(one.source, 1);
         send("37F#640000000000");
         send("37F#000000000000");
@@ -233,7 +234,7 @@ TEST_F(Ax130751Relay, DelaysApplyToOnAndOff) {
     EXPECT_TRUE(control(1)) << "delays are off as shipped";
     control(0);
     set8(0x22A0, 1, 1);
-    EXPECT_FALSE(control(1));  // asked for in the cycle that just ran
+    EXPECT_FALSE(control(1));  // commanded in the previous cycle
     pass(29);
     EXPECT_FALSE(relay_on());
     pass(1);

@@ -1,4 +1,4 @@
-// What an AX130751 forgets with a reset or a new type, and when a source is taken away: hysteresis, faults, states of
+// State that an AX130751 clears at a reset, at a new type, and when a source is removed: hysteresis, faults, states of
 // blocks (1.2 to 1.8).
 #include <array>
 #include <functional>
@@ -13,7 +13,7 @@ namespace {
 
 class Ax130751Restart : public Ax130751Blocks {
   protected:
-    /// Every input here follows the supply: OFF at 12 V and below, ON at 30 V and above.
+    /// Connects an input to the supply: OFF at 12 V and below, ON at 30 V and above.
     void follow_supply(std::uint16_t source_index, int sub) {
         set8(0x5021, 0, 0);
         set8(0x5023, 0, 30);
@@ -25,7 +25,7 @@ class Ax130751Restart : public Ax130751Blocks {
         set_inputs();
         pass(1);
     }
-    /// With a reset of the node an input is OFF until it was outside; with one of the communication it goes on.
+    /// Checks that reset node sets an input to OFF until it exceeds its limit; reset communication keeps it.
     void forgets(const std::string& name, const std::function<bool()>& is_input_on) {
         SCOPED_TRACE(name);
         store();
@@ -123,7 +123,7 @@ TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     set32(0x22A2, 1, 1000);
     set8(0x22A0, 1, 1);
     store();
-    for (const int state : {1, 0, 1}) {  // ON, and OFF again, which waits
+    for (const int state : {1, 0, 1}) {  // ON, then OFF and ON again, which is pending
         set8(0x6220, 3, state);
         pass(1);
     }
@@ -198,7 +198,7 @@ TEST_F(Ax130751Restart, ResetNodeEndsFaultsWithinTheirHysteresis) {
     }
 }
 
-// Table 1 and logic block 1 are evaluated before what they read here.
+// Table 1 and logic block 1 are evaluated before the blocks that they read here.
 TEST_F(Ax130751Restart, BlocksAreNotAvailableAfterAReset) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
     extra_as_percent(1);

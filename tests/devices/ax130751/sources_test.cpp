@@ -1,5 +1,5 @@
-// Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), seen through lookup table 1: what it gets as its X, and
-// where it lets points lie.
+// Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X, and the
+// range of its points.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,21 +21,22 @@ class Ax130751Sources : public Ax130751Blocks {
             set32(0x3016, point, 3000);
         }
     }
-    /// The value that a source and number give, in tenths; 0 also when there is none.
+    /// Returns the value of a source and number in tenths; 0 also when there is none.
     int tenths(int source, int number) {
         set8(0x3010, 0, source);
         set8(0x3011, 0, number);
         pass(2);
         return get16(0x3018, 0);
     }
-    /// Whether a pair counts as not used: output 1, which would be at least at its scaling 1 of 1 V, is then OFF.
+    /// Returns whether a pair counts as not used: output 1, otherwise at least at its scaling 1 of 1 V, is then OFF.
     bool is_not_used(int source, int number) {
         set8(0x2340, 1, source);
         set8(0x2341, 1, number);
         pass(2);
         return volts(1) < 0.5F;
     }
-    /// Output 1 follows 7300h:1 of RPDO1 as shipped, output 2 2500h:4 of RPDO3; without ramps, and 3 V in a fault.
+    /// Connects output 1 to 7300h:1 of RPDO1 by default and output 2 to 2500h:4 of RPDO3; without ramps, and 3 V in a
+    /// fault.
     void control_by_two_rpdos() {
         for (const int output : {1, 2}) {
             no_ramps(output);
@@ -47,7 +48,7 @@ class Ax130751Sources : public Ax130751Blocks {
         set8(0x6302, 2, 0);
         set16(0x7322, 2, 100);
     }
-    /// The lowest and highest X that a source lets a point have, in hundredths.
+    /// Returns the lowest and highest X that a source allows for a point, in hundredths.
     std::pair<int, int> limits(int source, int number) {
         set8(0x3020, 0, source);
         set8(0x3021, 0, number);
@@ -81,7 +82,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     EXPECT_EQ(tenths(1, 3), 10);
     EXPECT_EQ(tenths(2, 1), 10);
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2500, number, 100 + number);  // one digit as shipped
+        set16(0x2500, number, 100 + number);  // one digit by default
         EXPECT_EQ(tenths(1, 3 + number), 100 + number);
     }
     for (int table = 2; table <= 10; ++table) {
@@ -194,7 +195,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set16(0x4023, 2, -3000);
     EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
     EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // 5022h, 5023h
-    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h less 5033h
+    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h minus 5033h
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
     EXPECT_EQ(limits(6, 1), (Pair{100, 400}));
@@ -205,7 +206,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set8(0x3011, 0, 4);
     pass(2);
     EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // 0 to 100 %
-    set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, cut at the end of what is tried
+    set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, limited by the tested range
     pass(2);
     EXPECT_EQ(limits(3, 1).first, -15000);
     set16(0x3017, 1, 0);
@@ -261,7 +262,7 @@ TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "RPDO1 has still 40 ms";
     EXPECT_FLOAT_EQ(volts(2), 3.0F);
-    pass(41);  // 101 ms: nothing comes that would wake it
+    pass(41);  // 101 ms: no event requires a cycle
     EXPECT_FLOAT_EQ(volts(1), 3.0F) << "the second one counts as well";
 }
 
@@ -270,7 +271,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO brings
+    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);
@@ -298,7 +299,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
     pass(20);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
-    set8(0x2340, 1, math_source);  // a source that is no message
+    set8(0x2340, 1, math_source);  // a source that is no received message
     pass(2);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     set8(0x2340, 1, canopen);

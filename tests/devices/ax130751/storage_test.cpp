@@ -1,5 +1,5 @@
-// What the AX130751 keeps: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7, 3.2.8, 3.2.11,
-// 3.2.12, 3.4.86 to 3.4.88).
+// Parameters that the AX130751 stores: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7,
+// 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 class Ax130751Storage : public Ax130751Test {
   protected:
-    /// LSS as in 3.1.2: configuration, node-ID, store, waiting.
+    /// Sets the node-ID by LSS as in 3.1.2: configuration, node-ID, store, waiting.
     Frames give_node_id(unsigned wanted) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#11{:02X}", wanted)), (Frames{"7E4#110000"}));
@@ -104,7 +104,7 @@ TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     verifies<req::AOR_LSS_002, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800,
              req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
-    // RPDO2 gets an identifier of its own, all is stored, then the node-ID changes
+    // RPDO2 gets its own identifier, everything is stored, then the node-ID changes
     EXPECT_EQ(write(0x1401, 1, 0x80000345, 4), "");
     store();
     give_node_id(0x20);
@@ -114,7 +114,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     for (const auto& [index, cob_id] : expected) {
         EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
     }
-    // another group is stored by the new node: what was kept still follows, and again after the next change
+    // another group is stored by the new node: the stored identifiers still follow, also after the next change
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store(4);
     power_on();
@@ -241,7 +241,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
         EXPECT_EQ(read(0x1010, sub), 1U);
         EXPECT_EQ(read(0x1011, sub), 1U);
         EXPECT_EQ(write(0x1010, sub, 0x65766174, 4), "08000020");
-        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other word
+        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other signature
     }
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     power_on();
@@ -313,7 +313,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
     send("000#807F");
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // a master is obeyed
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // an NMT command is obeyed
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     EXPECT_EQ(write(0x5555, 0, 0, 1), "");

@@ -1,4 +1,4 @@
-// The decision tables of the AX130751's manual, cell by cell, and the constants of its blocks.
+// The decision tables of the AX130751 manual, cell by cell, and the constants of its blocks.
 #include "generated/ax130751/tables.hpp"
 
 #include <map>
@@ -97,7 +97,7 @@ TEST(Ax130751Tables, Table4AControlSourcesFollowTheManual) {
 
 TEST(Ax130751Tables, Table4BControlNumbersFollowTheManual) {
     verifies<req::AOR_T4B, req::AOR_E_QUANTITY>();
-    // The pairs that the manual prints; everything else is none.
+    // The pairs that the manual prints; all others are invalid.
     std::map<std::pair<int, int>, std::pair<Quantity, int>> printed;
     printed[{1, 1}] = {Quantity::output_command, 1};
     printed[{1, 2}] = {Quantity::output_command, 2};

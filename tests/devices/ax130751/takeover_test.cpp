@@ -1,4 +1,4 @@
-// What a block of the AX130751 keeps, and does not keep, while something else decides about it.
+// State that a block of the AX130751 keeps, or drops, while another input determines its output.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class Ax130751Takeover : public Ax130751Test {
   protected:
-    /// 2500h:number from 0 to 100, as what an input reads.
+    /// Connects an input to 2500h:number from 0 to 100.
     void connect(std::uint16_t source_index, int sub, int number) {
         write(0x2502, number, 0, 1);
         write(0x2522, number, 100, 2);
@@ -36,7 +36,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_TRUE(device->outputs().out_on[0]);
     pass(10);
     write(0x6220, 3, 1, 1);
-    pass(50);  // the old rhythm would be OFF from 40 ms to 80 ms
+    pass(50);  // the previous phase would be OFF from 40 ms to 80 ms
     EXPECT_FALSE(device->outputs().out_on[0]);
     write(0x6220, 3, 0, 1);
     pass(1);
@@ -47,7 +47,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_FALSE(device->outputs().out_on[0]) << "40 ms after the override";
 }
 
-// 1.5.4, 1.2: within the hysteresis as before, OFF before it was ever outside
+// 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_010>();
     write(0x2522, 1, 100, 2);  // EC1: 0 to 100
@@ -70,7 +70,7 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     EXPECT_NE(read(0x3018, 0), 0U);
 }
 
-// 1.5: only the input starts a profile, and a new point takes effect where it is
+// 1.5: only the input starts a profile, and a new point takes effect at once
 TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_007>();
     connect(0x3010, 0, 1);
@@ -128,7 +128,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileIsNoMinimum) {
     EXPECT_EQ(static_cast<std::int32_t>(read(0x3026, 1)), -20);
 }
 
-// 1.6: a block that is off gives no value
+// 1.6: a disabled block gives no value
 TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     verifies<req::AOR_LOGIC_009, req::AOR_OUT_008>();
     connect(0x3010, 0, 1);
@@ -150,7 +150,7 @@ TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
     EXPECT_FLOAT_EQ(device->outputs().out_voltage[1], 1.0F);
 }
 
-// 1.2: a valid override acts whatever has happened to the control
+// 1.2: a valid override acts whatever the state of the control
 TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     verifies<req::AOR_OUT_029, req::AOR_DO_006, req::AOR_SRC_005>();
     write(0x6310, 2, 1020, 2);
@@ -181,7 +181,7 @@ TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
 TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
     write(0x1016, 3, 0x00050064, 4);
-    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both 6220h:3
+    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both are 6220h:3
         SCOPED_TRACE(source);
         write(0x2260, 1, source, 1);
         write(0x2261, 1, source == 1 ? 3 : 1, 1);
@@ -199,7 +199,7 @@ TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     }
 }
 
-// 1.4: the unlatch input is read whatever the polarity, so that its hysteresis holds when a latch is chosen
+// 1.4: the unlatch input is read with every polarity, so that its hysteresis applies when a latch is chosen
 TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     verifies<req::AOR_RELAY_005, req::AOR_DO_002>();
     connect(0x2270, 1, 1);
@@ -221,7 +221,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     EXPECT_TRUE(device->outputs().relay_nc);
 }
 
-// 1.8: detection has nothing to do with measuring
+// 1.8: measuring does not depend on detection
 TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005>();
     write(0x5021, 0, 0, 1);

@@ -1,4 +1,4 @@
-// The dictionary of 3.2, 3.3 and 3.4, read entry by entry as a client sees it.
+// The dictionary of 3.2, 3.3 and 3.4, read entry by entry as by a client.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -157,7 +157,7 @@ TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValueMatchTheManual) {
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1016, sub).value, 0U);
         EXPECT_EQ(write(0x1016, sub, 4, 0x01000000), too_high);
-        EXPECT_EQ(write(0x1016, sub, 4, 0x00FFFFFF), 0U);  // node-ID 255 is nobody: watches nothing
+        EXPECT_EQ(write(0x1016, sub, 4, 0x00FFFFFF), 0U);  // node-ID 255 is unused: it monitors nothing
         EXPECT_EQ(write(0x1016, sub, 4, 0x00300005U + static_cast<std::uint32_t>(sub << 16)), 0U);
     }
     EXPECT_EQ(read(0x1016, 5).abort, no_subindex);
@@ -216,7 +216,7 @@ TEST(Ax188001Defaults, MeasuredValuesAreZeroBeforeTheFirstReading) {
         EXPECT_EQ(objects.read(static_cast<std::uint16_t>(index), 0), 0U) << index;
     }
     for (int sub = 0; sub <= 9; ++sub) {
-        // The list is no parameter: it is empty after power-on, whatever its memory held.
+        // The list is not a parameter: it is empty after power-on, whatever the memory contained.
         const EntryRef entry = objects.lookup(0x1003, static_cast<std::uint8_t>(sub));
         ASSERT_TRUE(entry.exists()) << sub;
         EXPECT_EQ(objects.default_bits(*entry.row), 0U) << sub;
@@ -231,7 +231,7 @@ TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     struct Parameter {
         int index;
         int size;
-        std::vector<std::uint32_t> elements;  // of a VAR its one value
+        std::vector<std::uint32_t> elements;  // of a VAR its only value
         bool is_array;
     };
     const std::uint32_t sixteen = 0x41800000;    // 16.0F

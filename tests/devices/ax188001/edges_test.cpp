@@ -1,4 +1,4 @@
-// Constants of the AX188001 at their edges, on both sides and much nearer than 1 % (1.1, 3.3, 3.4, appendix A).
+// Constants of the AX188001 at their edges, on both sides and much closer than 1 % (1.1, 3.3, 3.4, appendix A).
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -11,13 +11,13 @@ namespace {
 
 constexpr double finest_step_uv = 19531.25 / 32768.0;  // 2.5 V / 128 on 15 bits
 
-/// A reading of the converter at gain 128, and the whole tenth of a degree that it lies beside.
+/// A reading of the converter at gain 128, and the nearest tenth of a degree.
 struct Reading {
     double uv;
     int tenths;
 };
 
-/// Temperature of a type J voltage against 0 degC.
+/// Returns the temperature of a type J voltage against 0 degC.
 double celsius_of(double uv) {
     const Its90Type& type = its90_types().front();
     double low = 0.0;
@@ -29,7 +29,7 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Of all readings between 60 and 200 degC the one that lies closest to a whole tenth, above it or below it.
+/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below it.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -47,7 +47,7 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 as type J without compensation and without a delay, with wide limits.
+/// Channel 1 as type J without compensation and delay, with wide limits.
 class Edges : public TcsTest {
   protected:
     void SetUp() override {
@@ -86,7 +86,7 @@ TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
-        show(finest_step_uv * 25000.0);  // 268 degC: beyond any of the limits
+        show(finest_step_uv * 25000.0);  // 268 degC: beyond all limits
         show_high_limit(reading.tenths + 10);
         EXPECT_EQ(status(1), 2);
         show(reading.uv);
@@ -203,7 +203,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
         const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
-        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv, 2.0);  // one to each side, in steps of 0.6 uV
+        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv, 2.0);  // one on each side, in steps of 0.6 uV
     }
 }
 

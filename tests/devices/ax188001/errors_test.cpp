@@ -91,7 +91,7 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     verifies<req::TCS_ERR_004, req::TCS_OD_1003>();
     EXPECT_EQ(read(0x1003, 9).abort, 0U);
     EXPECT_EQ(read(0x1003, 10).abort, no_subindex);
-    // Two limit faults and the open circuit on each channel, FD1, FD2, overrun, and a silent producer: ten.
+    // Two limit faults and the open circuit on each channel, FD1, FD2, overrun, and a lost heartbeat: ten errors.
     for (const int channel : {1, 2}) {
         heat(channel, 260.0);
         read_once();
@@ -115,7 +115,7 @@ TEST_F(Ax188001Errors, TenthErrorRemovesTheOldestFromTheList) {
     EXPECT_EQ(after.back(), 0x4001F011U);
     inputs.can_overrun = false;
     set_inputs();
-    EXPECT_EQ(listed().size(), 8U);  // the lost one does not come back
+    EXPECT_EQ(listed().size(), 8U);  // the removed error does not return to the list
     EXPECT_EQ(listed().back(), 0x4001F011U);
 }
 
@@ -188,7 +188,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // not before the first
+    EXPECT_TRUE(listed().empty());  // no reception yet
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());
@@ -209,7 +209,7 @@ TEST_F(Ax188001Errors, OverrunAndBusOffAreReported) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // nothing lasts: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#0084000000000000"}));  // no error is active: 1001h reads 0
     EXPECT_TRUE(listed().empty());
     EXPECT_EQ(read(0x1001).value, 0U);
 }
@@ -285,7 +285,7 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     expect_state(NmtState::stopped);
     heat(1, 20.0);
     read_once();
-    expect_state(NmtState::stopped);  // it does not go back by itself
+    expect_state(NmtState::stopped);  // it does not return by itself
 }
 
 TEST_F(Ax188001Errors, MasterMayStartANodeWhoseErrorLasts) {
@@ -332,7 +332,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
     write(0x4030, 1, 2, 50);
     heat(1, 130.0);
-    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first begins the delay
+    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first starts the delay
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }
@@ -340,7 +340,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
 TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // seen at 165, to be told at 265
+    run(20.0F, 55.0F);  // detected at 165, reported at 265
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);
@@ -348,7 +348,7 @@ TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
-/// The boot-up message is lost, what the boot reported of errors is not: 60 V is beyond the 50 V of 5041h:2.
+/// The boot-up message is lost, the errors found at boot-up are not: 60 V exceeds the 50 V of 5041h:2.
 TEST(TcsStartup, FaultFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;

@@ -88,7 +88,7 @@ TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // below 110, though not below 85
+    inputs.cpu_temperature = 100.0F;  // below 110, but not below 85
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }

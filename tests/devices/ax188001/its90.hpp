@@ -1,5 +1,5 @@
-// The ITS-90 thermocouple functions and points of the published tables, written out for tests: what the firmware's own
-// tables are compared with. NIST Monograph 175; voltages in mV, reference junction at 0 degC.
+// The ITS-90 thermocouple functions and points of the published tables, written for tests: the tables of the firmware
+// are compared with them. NIST Monograph 175; voltages in mV, reference junction at 0 degC.
 #pragma once
 
 #include <cmath>
@@ -321,7 +321,7 @@ inline Its90Type its90_b() {
          {1774, 13.292}, {1820, 13.82}}};
 }
 
-/// The eight types in the order of Table 1.
+/// Returns the eight types in the order of Table 1.
 inline const std::vector<Its90Type>& its90_types() {
     static const std::vector<Its90Type> all{its90_j(), its90_k(), its90_n(), its90_r(),
                                             its90_s(), its90_t(), its90_e(), its90_b()};

@@ -1,4 +1,4 @@
-// An AX188001 whose driver comes late: readings that were due are made up for, with the times at which they were due.
+// An AX188001 whose driver is late: missed readings are performed with the times at which they were due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 class LateCalls : public TcsTest {
   protected:
-    /// So much time passes in which nobody asks the device.
+    /// Lets time pass without a call, then advances the device and returns its frames.
     Frames come_late(std::uint64_t ms) {
         now = now + milliseconds(ms);
         device->advance(now);
@@ -42,7 +42,7 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
 TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
-    now = now + milliseconds(200);  // nobody has asked the device since 0
+    now = now + milliseconds(200);  // the device was not called since 0
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
@@ -52,7 +52,7 @@ TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
     EXPECT_EQ(next_in_ms(), 60U);  // 660 is the fourth
     come_late(7 * 165);            // 1755: 660 to 1650 are seven
     EXPECT_EQ(next_in_ms(), 60U);  // 1815 is the eleventh
-    come_late(20 * 165);           // more than are made up for: begins again from here
+    come_late(20 * 165);           // more than are performed later: the schedule restarts here
     EXPECT_EQ(next_in_ms(), 165U);
 }
 

@@ -12,7 +12,7 @@ using Limits = TcsTest;
 
 }  // namespace
 
-// One step of the converter is worth 0.012 degC here: that close to a threshold decides.
+// One step of the converter is 0.012 degC here: tests so close to a threshold are decisive.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_011, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030>();
@@ -44,7 +44,7 @@ TEST_F(Limits, LimitFaultsClearOneDegreeInside) {
     EXPECT_EQ(status_at(123.988), 0x00);
     EXPECT_EQ(status_at(251.0), 0x03);
     EXPECT_EQ(status_at(249.012), 0x03);
-    EXPECT_EQ(status_at(248.988), 0x02);  // the warning lasts
+    EXPECT_EQ(status_at(248.988), 0x02);  // the warning is still active
     EXPECT_EQ(status_at(20.0), 0x00);
     EXPECT_EQ(status_at(-21.0), 0x04);
     EXPECT_EQ(status_at(-19.012), 0x04);
@@ -60,14 +60,14 @@ TEST_F(Limits, ResetNodeClearsLimitFaults) {
     read_once();
     EXPECT_EQ(status(1), 0x02);  // not yet a degree inside
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
-    EXPECT_EQ(status(1), 0x00);  // a new life never saw it above 125.0
+    EXPECT_EQ(status(1), 0x00);  // after the reset it was never above 125.0
 }
 
 TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
     verifies<req::TCS_LIM_003, req::TCS_OD_4030, req::TCS_OD_6150>();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
     heat(1, 130.0);
-    // Seen by the reading at 165 ms, told 5000 ms later.
+    // Detected by the reading at 165 ms, reported 5000 ms later.
     EXPECT_EQ(pass(5164), Frames{});
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
@@ -133,10 +133,10 @@ TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
 TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_007>();
     heat(1, 130.0);
-    pass(4000);  // waits since 165
+    pass(4000);  // pending since 165
     cut(1);      // at 4000; read at 4125, open at 4125 + 1320 = 5445
     EXPECT_EQ(pass(1164), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the break is known
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the open circuit is detected
     cut(1, false);
     heat(1, 20.0);
     pass(2000);
@@ -147,7 +147,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     settle();
     EXPECT_EQ(process_value(1), -512);
     cut(1, false);
-    // The warning begins anew with the first reading after the break.
+    // The warning restarts with the first reading after the open circuit.
     const Frames frames = pass(165 + 5000);
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].substr(frames[0].find(':')), ":0FF#11F0010110000000");
@@ -157,7 +157,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
 TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     verifies<req::TCS_LIM_003, req::TCS_VAL_006, req::TCS_S_OPEN>();
     cut(2);
-    // Read at 165, known at 165 + 1320 = 1485, told at 6485.
+    // Read at 165, detected at 165 + 1320 = 1485, reported at 6485.
     EXPECT_EQ(pass(6484), Frames{});
     EXPECT_EQ(process_value(2), -512);
     EXPECT_EQ(status(2), 0);
@@ -179,7 +179,7 @@ TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
     EXPECT_EQ(status(2), 0x02);
-    write(0x6112, 1, 1, 1);  // at 5165: its delay begins with the last reading judged now
+    write(0x6112, 1, 1, 1);  // at 5165: its delay begins with the last reading, which is evaluated now
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }
@@ -236,7 +236,7 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
     EXPECT_EQ(write(0x4020, 1, 2, word(2499)), too_low);
     EXPECT_EQ(write(0x4020, 1, 2, word(17351)), too_high);
     EXPECT_EQ(write(0x4020, 1, 2, word(17350)), 0U);
-    EXPECT_EQ(write(0x4010, 2, 2, word(2401)), too_high);  // the other channel has its own
+    EXPECT_EQ(write(0x4010, 2, 2, word(2401)), too_high);  // the other channel has its own limit
     for (const int index : {0x4000, 0x4010, 0x4020}) {
         EXPECT_EQ(read(index, 0).value, 2U);
         EXPECT_EQ(write(index, 3, 2, 0), no_subindex);
@@ -259,7 +259,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20884.0), 0x03);
     read_once();
-    EXPECT_EQ(status(1), 0x03);  // it lasts, though 400 degC are far inside the limit
+    EXPECT_EQ(status(1), 0x03);  // it is still active, though 400 degC are far inside the limit
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20000.0), 0);
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
@@ -287,7 +287,7 @@ TEST_F(Limits, RangesOfAllTypesFollowTheManual) {
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
     for (const Range& range : ranges) {
         write(0x6110, 1, 2, range.type);
-        const bool hot = range.type == 5 || range.type == 6 || range.type == 10;  // these pass 1735 degC
+        const bool hot = range.type == 5 || range.type == 6 || range.type == 10;  // these exceed 1735 degC
         microvolts(1, range.highest + 6.0);
         settle();
         EXPECT_EQ(status(1), hot ? 0x03 : 0) << range.type;

@@ -1,5 +1,5 @@
-// Every object of the AX188001 as chapters 3.2 to 3.4 of its manual have it: type, access, mapping, default at node 127
-// and limits of each entry, read by hand from the object's page.
+// Every object of the AX188001 by chapters 3.2 to 3.4 of its manual: type, access, mapping, default at node 127 and
+// limits of each entry, taken by hand from the object page.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -37,7 +37,7 @@ TEST_F(Ax188001ObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 3.2.4: nine entries; the count takes nothing but 0
+// 3.2.4: nine entries; only 0 can be written to the count
 TEST_F(Ax188001ObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::TCS_OD_1003>();
     check_error_list(9);
@@ -132,7 +132,7 @@ TEST_F(Ax188001ObjectSheet, AverageAndColdJunctionObjectsMatchTheManual) {
     });
 }
 
-// 3.4.13 to 3.4.16: thresholds keep 10 degrees, 100 tenths, between them
+// 3.4.13 to 3.4.16: thresholds are at least 10 degrees, 100 tenths, apart
 TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     verifies<req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030>();
     check({
@@ -144,7 +144,7 @@ TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     set(0x4010, 2, 300);
     EXPECT_EQ(writing(0x4000, 2, 200), AbortCode::none);
     EXPECT_EQ(writing(0x4000, 2, 201), AbortCode::value_too_high);
-    EXPECT_EQ(writing(0x4000, 1, 201), AbortCode::none);  // the other channel's limit has not moved
+    EXPECT_EQ(writing(0x4000, 1, 201), AbortCode::none);  // the limit of the other channel has not changed
     EXPECT_EQ(writing(0x4020, 2, 400), AbortCode::none);
     EXPECT_EQ(writing(0x4020, 2, 399), AbortCode::value_too_low);
     set(0x4000, 2, 100);

@@ -80,7 +80,7 @@ TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     EXPECT_EQ(write(0x1A02, 0, 1, 4), 0U);
     EXPECT_EQ(write(0x1802, 5, 2, 100), 0U);
     EXPECT_EQ(write(0x1802, 1, 4, 0x400003FF), 0U);
-    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);                                 // it exists now
+    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);                                 // it is valid now
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012", "3FF#000070430000A012"}));  // 240.0F is 43700000h
 }
 

@@ -1,6 +1,6 @@
-// A fault of the AX188001 that waits for its delay (4030h, 5051h), and each event that can end the wait, keep it, or
-// begin it anew (1.1, 1.4, 3.4.16, 3.4.21). Readings fall on multiples of 165 ms; the first one that shows the fault
-// begins the wait.
+// A fault of the AX188001 that is pending for its delay (4030h, 5051h), and each event that can end, keep or restart
+// the delay (1.1, 1.4, 3.4.16, 3.4.21). Readings are at multiples of 165 ms; the first one that shows the fault starts
+// the delay.
 #include <functional>
 
 #include "generated/ax188001/requirements.hpp"
@@ -20,10 +20,10 @@ class Ax188001Pending : public TcsTest {
     struct Case {
         std::string name;
         std::function<void()> happens;  ///< at 500 ms
-        int told_at;                    ///< ms after the fault was there
+        int told_at;                    ///< ms after the start of the fault
     };
 
-    /// Begins anew, with delays of a second.
+    /// Restarts the device with delays of one second.
     void begin() {
         memory.bytes().assign(1024, 0xFF);
         inputs = ax188001::Inputs{};
@@ -34,7 +34,8 @@ class Ax188001Pending : public TcsTest {
             ASSERT_EQ(write(0x5051, sub, 2, 1000), 0U);
         }
     }
-    /// When `message` comes, in milliseconds after `start`; never_told when it does not within eight seconds.
+    /// Returns when `message` is sent, in milliseconds after `start`; never_told when it is not sent within eight
+    /// seconds.
     int told(Instant start, const std::string& message) {
         for (int i = 0; i < 8000; ++i) {
             for (const std::string& frame : pass(1)) {
@@ -115,7 +116,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
         {"it ends", [&] { supply(24.0F); }, never_told},
         {"it ends between the thresholds and comes again",
          [&] {
-             supply(49.0F);  // set at 50, cleared at 48 V
+             supply(49.0F);  // set at 50 V, cleared at 48 V
              pass(200);
              supply(55.0F);
          },
@@ -145,7 +146,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
 
 TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_006>();
-    // Read at 165, known at 165 + 1320 = 1485.
+    // Read at 165, detected at 165 + 1320 = 1485.
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 1485 + 1000},
         {"mended before it is known", [&] { cut(2, false); }, never_told},
@@ -165,13 +166,13 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-// Read at 165 ms. The circuit breaks at 500 ms, which is known at 660 + 1320 = 1980, and is whole again at 2500, which
-// the reading at 2640 shows.
+// Read at 165 ms. The circuit breaks at 500 ms, which is detected at 660 + 1320 = 1980, and is closed again at 2500,
+// which the reading at 2640 shows.
 TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_007>();
     struct Limit {
         double celsius;
-        const char* message;  ///< of channel 1, the gravest one
+        const char* message;  ///< of channel 1, the worst one
     };
     for (const Limit& one : {Limit{130.0, "0FF#11F0010110000000"}, Limit{-30.0, "0FF#11F0010120000000"},
                              Limit{260.0, "0FF#11F0010140000000"}}) {

@@ -1,4 +1,4 @@
-// How the terminals are read: when, at which gain, with which steps, with hum of the mains (AX188001, 1.1, 3.3).
+// Readings of the terminals: times, gain, steps, mains hum (AX188001, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -165,7 +165,7 @@ TEST_F(Values, FilterTakesFiftyAndSixtyHertzOnly) {
 TEST_F(Values, LateCallPerformsEightMissedReadings) {
     verifies<req::TCS_IN_001>();
     write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gains to go down: the ninth reading shows it
+    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows it
     now = now + milliseconds(9 * period_ms);
     device->advance(now);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);

@@ -1,4 +1,4 @@
-// What a reset of the AX188001 leaves of its converters, and which faults hold it back afterwards.
+// Effects of a reset of the AX188001 on its converters, and faults that prevent its start.
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -17,8 +17,8 @@ class Ax188001Resets : public TcsTest {
 
 }  // namespace
 
-/// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but are above 90 % of it: a converter that comes from a
-/// lower gain stays there.
+/// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but exceed 90 % of it: a converter that comes from a lower
+/// gain keeps that gain.
 TEST_F(Ax188001Resets, ConverterStartsWithItsHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
@@ -36,11 +36,11 @@ TEST_F(Ax188001Resets, ConverterStartsWithItsHighestGain) {
     }
 }
 
-/// Hum falls on the one side of the voltage and on the other in turn, beginning with the same one each time.
+/// Hum adds to the voltage and subtracts from it in turn, starting with the same side each time.
 TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
-    inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV are left
+    inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV remain
     inputs.tc_microvolts[1] = 5000.0F;
     power_on();
     const std::uint32_t first = read(0x2010, 2).value;
@@ -52,7 +52,7 @@ TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
     EXPECT_EQ(read(0x2010, 2).value, first);
 }
 
-/// 1029h:2 outranks the self-start, whichever fault of a channel it is that lasts.
+/// 1029h:2 precedes the self-start, for every active channel fault.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     for (const int channel : {1, 2}) {

@@ -75,11 +75,11 @@ TEST_F(Ax188001Startup, CommandOfAMasterCancelsTheStartOfTheOthers) {
     EXPECT_EQ(pass(5000), Frames{});
     power_on();
     pass(500);
-    send("000#0205");  // for another node: there is a master all the same
+    send("000#0205");  // for another node: a master is present
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));
-    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only looks like one
+    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only resembles one
         power_on();
         pass(500);
         send(other);
@@ -203,7 +203,7 @@ TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
     EXPECT_EQ(device->bit_rate(), 250000U);
-    EXPECT_EQ(send("7E5#17"), Frames{});  // silent for a second delay
+    EXPECT_EQ(send("7E5#17"), Frames{});  // no answer during the second delay
     pass(5000);
     talk({{"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     power_on();
@@ -244,7 +244,7 @@ TEST_F(LssSession, WithoutANodeIdTheDeviceMeasuresAndSendsNothing) {
     heat(1, 130.0);
     EXPECT_EQ(pass(20000), Frames{});
     talk({{"7E5#0401", {}}, {"7E5#1105", {"7E4#110000"}}});
-    // The fault that lasted is told once there is a node-ID to tell it with.
+    // The active fault is reported once the node has a node-ID.
     EXPECT_EQ(send("7E5#0400"), (Frames{"705#00", "085#11F0010110000000"}));
 }
 

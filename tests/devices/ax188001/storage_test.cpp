@@ -21,8 +21,8 @@ struct Parameter {
     std::uint32_t value;
 };
 
-/// A value other than the default for every writable entry, no two alike where the range allows it. Thresholds come in
-/// an order in which each write keeps its distance to the others.
+/// Returns a value other than the default for every writable entry; no two are equal where the range allows it. The
+/// order of the thresholds keeps their distance at each write.
 std::vector<Parameter> every_parameter() {
     std::vector<Parameter> all{{0x100C, 0, 2, 101},  {0x100D, 0, 1, 3},    {0x1017, 0, 2, 60000}, {0x1029, 1, 1, 1},
                                {0x1029, 2, 1, 2},    {0x1029, 3, 1, 1},    {0x2020, 0, 1, 50},    {0x2112, 0, 1, 0},
@@ -96,7 +96,7 @@ TEST_F(Storage, SavedParametersAreKept) {
             EXPECT_EQ(read(one.index, one.sub).size, one.size) << fmt::format("{:04X}:{}", one.index, one.sub);
         }
     };
-    expect_all();  // each entry has a place of its own
+    expect_all();  // each entry has its own place
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     power_on();
     expect_all();

@@ -1,4 +1,4 @@
-// Decision tables of the AX188001's manual, cell by cell.
+// Decision tables of the AX188001 manual, cell by cell.
 #include "generated/ax188001/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace own = generated::ax188001;
 
 }  // namespace
 
-// 3.3.6 Table 7: open circuit outweighs a shutdown, that one a high warning, that one a low warning
+// 3.3.6 Table 7: open circuit precedes shutdown, shutdown a high warning, a high warning a low warning
 TEST(Ax188001Tables, ChannelStatusTableFollowsTheManual) {
     verifies<req::TCS_T7>();
     namespace t = own::channel_status;
@@ -59,7 +59,7 @@ TEST(Ax188001Tables, ErrorBehaviourTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.2.4 Tables 5 and 6: 8100h, communication, of no channel and without a description
+// 3.2.4 Tables 5 and 6: 8100h, communication, without channel and description
 TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     verifies<req::TCS_T5>();
     const auto* row = own::error_codes::find(ErrorId::rpdo_timeout);
@@ -69,8 +69,8 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     EXPECT_EQ(row->channel, 0);
 }
 
-// Appendix A: the filter's own frequency is damped by 110 dB, 10 to the power of -110/20. The other one's figures are
-// the converter's.
+// Appendix A: the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the other
+// frequency are those of the converter.
 TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;
@@ -86,8 +86,8 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
 }
 
-// 1.1: harmonics are rejected as well. Of a frequency that is x times its own, a sinc filter of fourth order lets
-// (sin(pi x) / (pi x))^4 pass.
+// 1.1: harmonics are also rejected. Of x times its own frequency a sinc filter of fourth order passes (sin(pi x) / (pi
+// x))^4.
 TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;

@@ -1,4 +1,4 @@
-// An AX188001 on a bench, with thermocouples by the ITS-90 as written out in its90.hpp.
+// An AX188001 on a bench, with thermocouples by the ITS-90 functions of its90.hpp.
 #pragma once
 
 #include "devices/ax188001/firmware/ax188001.hpp"
@@ -15,14 +15,14 @@ constexpr std::uint32_t no_object = 0x06020000;
 constexpr std::uint32_t no_subindex = 0x06090011;
 constexpr std::uint32_t not_a_number = 0xFFC00000;
 
-/// Node 127, cold junction at 25 degC, no voltage at the terminals: both channels at 25 degC.
+/// Node 127, cold junction at 25 degC, no voltage at the terminals: both channels read 25 degC.
 class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001::FactoryData> {
   public:
     static constexpr std::uint64_t period_ms = 165;
 
     TcsBench() : DeviceBench{1024, 127} {}
 
-    /// The hot junction of a thermocouple of this type at `celsius`, from now on.
+    /// Sets the hot junction of a thermocouple of this type to `celsius`.
     Frames heat(int channel, double celsius, char letter = 'J') {
         for (const auto& type : its90_types()) {
             if (type.letter == letter) {
@@ -40,15 +40,15 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
         inputs.tc_microvolts[index(channel)] = static_cast<float>(uv);
         return set_inputs();
     }
-    /// To the next reading.
+    /// Advances to the next reading.
     Frames read_once() { return pass(period_ms); }
-    /// Through any change of gain: nine readings.
+    /// Advances nine readings, enough for any change of gain.
     Frames settle() { return pass(9 * period_ms); }
 
     SdoAnswer field_value(int channel) { return read(0x6100, channel); }
     int process_value(int channel) { return read(0x7130, channel).word(); }
     int status(int channel) { return static_cast<int>(read(0x6150, channel).value); }
-    /// The listed errors, the latest first.
+    /// Returns the listed errors, the latest first.
     std::vector<std::uint32_t> listed() {
         std::vector<std::uint32_t> all;
         const int count = static_cast<int>(read(0x1003, 0).value);
@@ -62,7 +62,7 @@ class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001
     static std::size_t index(int channel) { return static_cast<std::size_t>(channel - 1); }
 };
 
-/// A bench whose device has booted at time 0: readings fall on multiples of 165 ms.
+/// A bench whose device has booted at time 0: readings are at multiples of 165 ms.
 class TcsTest : public testing::Test, public TcsBench {
   protected:
     void SetUp() override { power_on(); }

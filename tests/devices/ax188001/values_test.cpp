@@ -1,4 +1,5 @@
-// From terminals to values: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3, 3.4).
+// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3,
+// 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -61,14 +62,14 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
     EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
-    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now 1060 degC or so
+    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now about 1060 degC
     set_inputs();
     settle();
     EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
-/// The processor has the temperature that the cold junction had before.
+/// The processor temperature equals the previous cold junction temperature.
 TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
@@ -119,7 +120,7 @@ TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
     read_once();
     EXPECT_EQ(write_real(0x6126, 2, 18.0F), 0U);
     EXPECT_EQ(write_real(0x6127, 2, 320.0F), 0U);
-    EXPECT_EQ(process_value(2), 2120);  // at once, on the last reading
+    EXPECT_EQ(process_value(2), 2120);  // at once, from the last reading
     EXPECT_EQ(process_value(1), 4768);
 }
 
@@ -186,7 +187,7 @@ TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // two gains to go down, four readings each
+    EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
     pass(165);                          // 1485 ms
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
@@ -194,11 +195,11 @@ TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     inputs.cold_junction = 60.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(read(0x2010, 1).value, before);  // not the old reading with another compensation
+    EXPECT_EQ(read(0x2010, 1).value, before);  // not the previous reading with another compensation
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(status(1), 0);  // 4030h has not passed
+    EXPECT_EQ(status(1), 0);  // the delay of 4030h has not passed
     EXPECT_EQ(process_value(2), 4768);
     cut(1, false);
     read_once();
@@ -211,7 +212,7 @@ TEST_F(Values, ThermocoupleTypesOfTable1ApplyAtOnceAndNoOthers) {
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
         EXPECT_EQ(write(0x6110, 1, 2, type), out_of_range) << type;
     }
-    microvolts(1, 4096.0);  // with K's 1.000 mV of the cold junction about 124 degC
+    microvolts(1, 4096.0);  // about 124 degC with 1.000 mV of type K for the cold junction
     read_once();
     EXPECT_EQ(write(0x6110, 1, 2, 2), 0U);
     EXPECT_NEAR(field_value(1).real(), 124.3F, 0.5F);
@@ -293,7 +294,7 @@ TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     settle();
     write(0x6112, 1, 1, 1);
     write(0x6112, 2, 1, 0);
-    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the first channel's as well
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // that of the first channel too
 }
 
 TEST_F(Values, ColdJunctionHasItsOwnValues) {

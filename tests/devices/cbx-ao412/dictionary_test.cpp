@@ -1,5 +1,4 @@
-// Every object of the CAN-CBX-AO412 as chapter 7 of its manual has it: default, type (by length), access, limits.
-// Node 3.
+// Every object of the CAN-CBX-AO412 by chapter 7 of its manual: default, type (by length), access, limits. Node 3.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ struct Row {
     bool writable;
 };
 
-// 7.9.1 to 7.12.2, by hand
+// 7.9.1 to 7.12.2, written by hand
 const std::vector<Row> rows{
     {0x1000, 0, 0x00080191, 4, false}, {0x1001, 0, 0, 1, false},          {0x1002, 0, 0, 4, false},
     {0x1003, 0, 0, 1, true},           {0x1003, 1, 0, 4, false},          {0x1003, 10, 0, 4, false},
@@ -98,8 +97,8 @@ TEST_F(Dictionary, OnlyTheObjectsOfTheManualExist) {
         const Frames answer = send(fmt::format("603#40{}00000000", little_endian(index, 2) + "00"));
         found += answer.at(0).substr(12) == "00000206" ? 0 : 1;
     }
-    // 23 of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h, 1029h), 4
-    // PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
+    // 23 objects of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
+    // 1029h), 4 PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
     EXPECT_EQ(found, 4U + 2U + 3U + 3U + 2U + 7U + 1U + 4U + 2U + 3U + 2U + 3U);
 }
 
@@ -149,7 +148,7 @@ TEST_F(Dictionary, VersionMayHaveOneCharacter) {
     factory.hardware_version = {'7'};
     power_on();
     EXPECT_EQ(send("603#4009100000000000"), (Frames{"583#4F09100037000000"}));
-    EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04" as shipped
+    EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04", the default
 }
 
 TEST_F(Dictionary, LimitsOfTheManualAreEnforced) {

@@ -1,4 +1,4 @@
-// Constants of the CAN-CBX-AO412 at their edges, on both sides and much nearer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
+// Constants of the CAN-CBX-AO412 at their edges, on both sides and much closer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ class AnalogEdges : public CbxTest {
 
 TEST_F(AnalogEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
-    // n times 312.5 uV in steps of 2.49194 mV, a half of a step upwards: 8 * 312.5 / 2491.94 = 1.0032 for instance.
+    // n times 312.5 uV in steps of 2.49194 mV, half a step rounded up: 8 * 312.5 / 2491.94 = 1.0032 for example.
     for (int output = 1; output <= 4; ++output) {
         for (const int offset : {3, 4, 8, 11, 12, 1600, 15999, -4, -12, -20000}) {
             put(0x2404, output, offset);
@@ -64,7 +64,7 @@ TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
     write("603#23801F0008000000");
     write("603#2310100173617665");
     power_on();
-    pass(99);  // 100 ms as shipped
+    pass(99);  // 100 ms by default
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
@@ -72,7 +72,7 @@ TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
 
 TEST_F(AnalogEdges, EachFlashLasts200Milliseconds) {
     verifies<req::AO4_LED_005, req::AO4_T5>();
-    inputs.internal_fault = true;  // LED M: two flashes, begun at 200 ms, and 1000 ms of pause
+    inputs.internal_fault = true;  // LED M: two flashes, started at 200 ms, and a pause of 1000 ms
     set_inputs();
     const std::vector<std::pair<std::uint64_t, bool>> cases{{199, false},  {200, true},  {399, true},  {400, false},
                                                             {599, false},  {600, true},  {799, true},  {800, false},

@@ -11,9 +11,9 @@ class Leds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
-        pass(4000);  // any moment but the first
+        pass(4000);  // not at the first moment
     }
-    /// One character each 100 ms for so long: # lit, . dark. Sampled 50 ms into each.
+    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Sampled after 50 ms of each.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
         std::string seen;
         pass(50);
@@ -24,7 +24,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Whether the pattern repeats the given round, whatever its phase.
+    /// Returns whether the pattern repeats the given round, whatever its phase.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -38,11 +38,11 @@ class Leds : public CbxTest {
     static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
 };
 
-// Rounds of 3.2.1, a character each 100 ms
+// Rounds of 3.2.1, one character per 100 ms
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 on, 1400 off
 const std::string two_flashes = "##..##..........";        // 200 on, 200 off, 200 on, 1000 off
-const std::string three_flashes = "##..##..##..........";  // the same with three
+const std::string three_flashes = "##..##..##..........";  // three flashes, same times
 const std::string lit(40, '#');
 const std::string dark(40, '.');
 
@@ -118,7 +118,7 @@ TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
     send("000#8103");
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it lasts
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it is still active
     inputs.hardware_fault = false;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
@@ -161,13 +161,13 @@ TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     for (int output = 1; output <= 4; ++output) {
         EXPECT_EQ(volts(output), 0.0F);
     }
-    EXPECT_EQ(power_on(), Frames{});  // one that was there before
+    EXPECT_EQ(power_on(), Frames{});  // a failure that existed before
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
 TEST_F(Leds, RedAndGreenLedsFlashInTurn) {
     verifies<req::AO4_LED_006>();
-    // stopped: green flashes once each 1.6 s; warning limit: red does so too
+    // stopped: green flashes once per 1.6 s; warning limit: red does so too
     send("000#0203");
     inputs.can_state = 1;
     set_inputs();

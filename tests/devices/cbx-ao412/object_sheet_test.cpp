@@ -1,5 +1,5 @@
-// Every object of the CAN-CBX-AO412 as chapter 7 of its manual has it: type, access, whether it is kept by 1010h,
-// whether a PDO may bring it, default at node 3, limits. Read by hand from the object's page.
+// Every object of the CAN-CBX-AO412 by chapter 7 of its manual: type, access, storing by 1010h, mapping, default at
+// node 3, limits. Taken by hand from the object page.
 #include "tests/support/object_sheet.hpp"
 
 #include "generated/cbx_ao412/objects.hpp"
@@ -30,7 +30,7 @@ TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
         {0x1000, 0, u32, Access::ro, {0x00080191}, none, none},
         {0x1001, 0, u8, Access::ro, {0}, none, none},
         {0x1002, 0, u32, Access::ro, {0}, none, none},
-        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // which identifiers: the SYNC service's to check
+        {0x1005, 0, u32, Access::rw, {0x80}, none, none},  // the SYNC service checks the identifier
         {0x1006, 0, u32, Access::rw, {0}, 0, 0xFFFFFFFF},
         {0x100C, 0, u16, Access::rw, {0}, none, none},
         {0x100D, 0, u8, Access::rw, {0}, none, none},
@@ -42,14 +42,14 @@ TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
         {0x1016, 1, u32, Access::rw, {0}, 0, 0x007FFFFF},
         {0x1017, 0, u16, Access::rw, {0}, 0, 0xFFFF},
         {0x1018, 4, u32, Access::ro, {0x17, 0x23040002, 0x00020004, 0xC1C20105}, none, none},
-        {0x1019, 0, u8, Access::rw, {0}, 0, 240},  // 1 is reserved: the SYNC service's to refuse
+        {0x1019, 0, u8, Access::rw, {0}, 0, 240},  // 1 is reserved: the SYNC service refuses it
         {0x1020, 2, u32, Access::rw, {0}, 0, 0xFFFFFFFF},
         {0x1029, 1, u8, Access::rw, {0}, 0, 2},
         {0x1F91, 1, u16, Access::rw, {100}, 0, 0xFFFF},
     });
 }
 
-// 7.9.4: ten entries; the count takes nothing but 0
+// 7.9.4: ten entries; only 0 can be written to the count
 TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::AO4_OD_1003>();
     check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
@@ -85,7 +85,7 @@ TEST_F(CbxObjectSheet, PdoCommunicationParametersMatchTheManual) {
     check_entry({0x1402, 2, u8, Access::rw, {}, 0, 0xFF}, 2, 0xFF);
 }
 
-// 7.9.25; RPDO3 holds four dummies of INTEGER16
+// 7.9.25; RPDO3 has four dummies of INTEGER16
 TEST_F(CbxObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::AO4_OD_1601, req::AO4_OD_1602>();
     const std::vector<std::int64_t> outputs{0x64110110, 0x64110210, 0x64110310, 0x64110410};

@@ -109,11 +109,11 @@ TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     inputs.hardware_fault = true;
     set_inputs();
     expect_error_outputs();
-    inputs.internal_fault = true;  // one more on top of it
+    inputs.internal_fault = true;  // an additional failure
     set_inputs();
     inputs.internal_fault = false;
     set_inputs();
-    send("303#0010001000100010");  // the hardware has still failed
+    send("303#0010001000100010");  // the hardware failure is still active
     expect_error_outputs();
     send("000#8103");
     for (int output = 1; output <= 4; ++output) {
@@ -177,7 +177,7 @@ TEST_F(OutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
     verifies<req::AO4_AOUT_008>();
     inputs.internal_fault = true;
     set_inputs();
-    send("303#0010001000100010");  // not while the error lasts
+    send("303#0010001000100010");  // no effect while the error is active
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
@@ -229,7 +229,7 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     write("603#2B04240100000000");
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still what the error put out, at most a step moved
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still the error value, changed by at most a step
     write("603#2B04240108000000");
     EXPECT_NEAR(volts(1), error_value, 0.0026F);
 }
@@ -254,7 +254,7 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
     write("603#2F43640100000000");  // 0 V
     write("603#2F43640201000000");  // 6444h
     write("603#2344640200000004");  // 0400h = 1024: 128 steps
-    write("603#2F43640302000000");  // as it is
+    write("603#2F43640302000000");  // unchanged
     write("603#2310100173617665");
     inputs.internal_fault = true;
     set_inputs();
@@ -265,14 +265,14 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
     power_on();
     expect_steps(1, 0);
     expect_steps(2, 128);
-    expect_steps(3, 0);  // switched on with 0 V, and nothing moved it
+    expect_steps(3, 0);  // 0 V since power-on, never changed
 }
 
-/// The supply is cut and comes back: the same device begins anew.
+/// The supply is cut and returns: the same device restarts.
 TEST_F(Output, PowerOnStartsWithNoVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
-        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
     }
     write("603#2310100173617665");
     for (const bool has_node_id : {true, false}) {
@@ -282,7 +282,7 @@ TEST_F(Output, PowerOnStartsWithNoVoltage) {
             set(output, "0020");  // 2000h = 8192: 1024 steps
             expect_steps(output, 1024);
         }
-        inputs.hardware_fault = has_node_id;  // holds what is stored back
+        inputs.hardware_fault = has_node_id;  // prevents the stored values
         inputs.switch_high = has_node_id ? 0 : 8;
         device->power_on(inputs, now);
         sent();
@@ -296,7 +296,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
-        write("603#2F43640" + std::to_string(output) + "02000000");  // as it is
+        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
     }
     write("603#2310100173617665");  // with an offset of 0
     for (int output = 1; output <= 4; ++output) {
@@ -324,7 +324,7 @@ TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     expect_steps(2, 0);
 }
 
-/// Whatever happens at the terminals afterwards: the producer was forgotten with the reset.
+/// Whatever happens at the terminals afterwards: the reset has cleared the producer.
 TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
     write("603#23161001C8003100");
@@ -333,7 +333,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
-    set(1, "0010");  // the producer is still silent
+    set(1, "0010");  // the heartbeat is still missing
     expect_error_outputs();
     send("000#8103");
     set(1, "0010");  // 1000h = 4096: 512 steps
@@ -351,7 +351,7 @@ TEST_F(OutputInError, InternalFailureOutlastsACommunicationError) {
     inputs.internal_fault = true;
     set_inputs();
     send("731#05");
-    pass(300);  // the producer is silent
+    pass(300);  // the heartbeat is missing
     send("731#05");
     write("603#2B11640100100000");
     write("603#2B11640300100000");

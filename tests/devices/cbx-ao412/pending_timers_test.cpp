@@ -1,5 +1,5 @@
-// The self-start of the CAN-CBX-AO412 that waits (1F80h, 1F91h), its inhibit time of emergency messages, and each event
-// that can end, keep or renew them (7.9.15, 7.9.22, 7.9.23).
+// The pending self-start of the CAN-CBX-AO412 (1F80h, 1F91h), its inhibit time of emergency messages, and each event
+// that can end, keep or restart them (7.9.15, 7.9.22, 7.9.23).
 #include <functional>
 
 #include "generated/canopen/requirements.hpp"
@@ -15,14 +15,14 @@ constexpr int never_started = -1;
 
 class CbxPending : public testing::Test, public CbxBench {
   protected:
-    /// An event 200 ms after the boot-up, and when the node starts itself, in milliseconds after the boot-up.
+    /// An event 200 ms after the boot-up, and the time of the self-start, in milliseconds after the boot-up.
     struct Case {
         std::string name;
         std::function<void()> happens;
         int starts_at;
     };
 
-    /// Switched on with a self-start after 500 ms.
+    /// Powers on with a self-start after 500 ms.
     void begin() {
         inputs = cbx_ao412::Inputs{};
         power_on();
@@ -31,7 +31,7 @@ class CbxPending : public testing::Test, public CbxBench {
         write("603#2310100173617665");
         power_on();
     }
-    /// When it becomes operational; never_started when it does not within two seconds.
+    /// Returns when the node becomes operational; never_started when it does not within two seconds.
     int started_after(int gone) {
         for (int i = gone; i < 2000; ++i) {
             if (device->state() == NmtState::operational) {

@@ -38,7 +38,7 @@ TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
     }
 }
 
-// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is set beside it, and the digits are BCD
+// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
 TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
     verifies<req::AO4_ID_001, req::AO4_OD_1018>();
     EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // AB 0105
@@ -49,7 +49,7 @@ TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
 
 TEST_F(Startup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
-    // kbit/s as printed, thirds and sixths rounded to whole bits
+    // kbit/s as printed, thirds and sixths rounded to integer bit/s
     const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                            66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
     for (std::size_t setting = 0; setting < rates.size(); ++setting) {
@@ -144,7 +144,8 @@ TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
 
 namespace {
 
-/// The state after the delay of the self-start when the controller went bus-off on the way, with this value of 1029h:1.
+/// Returns the state after the delay of the self-start when the controller went bus-off before, with this value of
+/// 1029h:1.
 NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
     CbxBench bench;
     bench.power_on();
@@ -171,7 +172,8 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
     }
 }
 
-/// The boot-up message is lost, what the boot reported of errors is not: passive, failed software, then the recovery.
+/// The boot-up message is lost, the errors found at boot-up are not: error passive, software failure, then the
+/// recovery.
 TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;
@@ -184,7 +186,7 @@ TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
               (Frames{"083#2081110200000000", "083#1061110200000000", "083#4081110300000000", "083#0000010300000000"}));
 }
 
-/// The bus goes off with the failure: nothing can be sent, and nothing is lost.
+/// Bus-off begins with the failure: nothing can be sent, and no message is lost.
 TEST(CbxStartup, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011>();
     CbxBench bench;

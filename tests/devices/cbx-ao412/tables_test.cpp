@@ -1,4 +1,4 @@
-// The decision tables of the CAN-CBX-AO412's manual, cell by cell, and the constants of its outputs.
+// The decision tables of the CAN-CBX-AO412 manual, cell by cell, and the constants of its outputs.
 #include "generated/cbx_ao412/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ using State = own::IndicatorState;
 
 }  // namespace
 
-// 7.9.4; every error but those of the software and the hardware sets bit 4, communication, beside bit 0; 8140h is over
-// when it is reported
+// 7.9.4; every error except those of software and hardware sets bit 4, communication, in addition to bit 0; 8140h is
+// over when it is reported
 TEST(CbxTables, ErrorTableFollowsTheManual) {
     verifies<req::AO4_T_ERRORS>();
     namespace t = own::error_codes;
@@ -47,8 +47,7 @@ TEST(CbxTables, ErrorTableFollowsTheManual) {
     EXPECT_EQ(t::rows.size(), 8U);
 }
 
-// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. After the last flash of n comes the
-// pause.
+// 3.2.1 Table 5; 2.5 Hz is 200 ms on and 200 ms off, 10 Hz is 50 ms and 50 ms. The pause follows the last of n flashes.
 TEST(CbxTables, IndicatorStatesFollowTheManual) {
     verifies<req::AO4_T5, req::AO4_E_INDICATOR>();
     namespace t = own::indicator_flashes;
@@ -74,7 +73,8 @@ TEST(CbxTables, IndicatorStatesFollowTheManual) {
     }
 }
 
-// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off outweighs a guarding error, that one the controller's warnings
+// 3.2.2 Table 6 and 3.2.6: an invalid node-ID or bus-off precedes a guarding error, a guarding error the warnings of
+// the controller
 TEST(CbxTables, LedEFollowsTheManual) {
     verifies<req::AO4_T6>();
     namespace t = own::can_error_led;

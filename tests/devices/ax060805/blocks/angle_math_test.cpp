@@ -1,5 +1,5 @@
-// Single-precision trigonometry against the double-precision functions of the C library: the errors that
-// angle_math.hpp states.
+// Compares the single-precision trigonometry with the double-precision functions of the C library, within the errors
+// that angle_math.hpp states.
 #include "devices/ax060805/firmware/angle_math.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), by hand from the manual.
+// Signals, unary and binary functions and field values of the AX060805 (3.1, 3.8, 4.3.33), calculated by hand from the
+// manual.
 #include "devices/ax060805/firmware/binary_function.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float all_bits = 4294967296.0F;  // FFFFFFFFh as the nearest float
 
-/// The result of an operation that must be defined.
+/// Returns the result of an operation that must be defined.
 float result(int operation, float x, float y) {
     const Signal signal = apply_binary(static_cast<std::uint8_t>(operation), x, y);
     EXPECT_EQ(signal.kind, SignalKind::continuous) << operation << " of " << x << " and " << y;
@@ -69,7 +70,7 @@ TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     EXPECT_EQ(apply_unary(0, -2.5F), -2.5F);
     EXPECT_EQ(apply_unary(1, 0.0F), 1.0F);
     EXPECT_EQ(apply_unary(1, 0.9F), 1.0F);   // 0 as an integer
-    EXPECT_EQ(apply_unary(1, -7.0F), 1.0F);  // likewise
+    EXPECT_EQ(apply_unary(1, -7.0F), 1.0F);  // 0 as an integer
     EXPECT_EQ(apply_unary(1, 1.0F), 0.0F);
     EXPECT_EQ(apply_unary(1, 300.5F), 0.0F);
     EXPECT_EQ(apply_unary(2, 0.0F), all_bits);
@@ -77,7 +78,7 @@ TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     EXPECT_EQ(apply_unary(2, 5.0e9F), 0.0F);           // ~FFFFFFFFh
     EXPECT_EQ(apply_unary(3, -2.5F), 2.5F);
     EXPECT_EQ(apply_unary(3, 2.5F), 2.5F);
-    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: left alone
+    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: the value is unchanged
 }
 
 TEST(BinaryFunctions, ArithmeticFollowsTable10) {
@@ -147,7 +148,7 @@ TEST(BinaryFunctions, DivisionAndModulusByZeroGiveZero) {
         EXPECT_EQ(result(4, x, -0.0F), 0.0F);
         EXPECT_EQ(result(5, x, 0.0F), 0.0F);
         EXPECT_EQ(result(5, x, 0.9F), 0.0F);   // 0 as an integer
-        EXPECT_EQ(result(5, x, -3.0F), 0.0F);  // likewise
+        EXPECT_EQ(result(5, x, -3.0F), 0.0F);  // 0 as an integer
     }
 }
 
@@ -201,7 +202,7 @@ TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
     block.inputs[1].has_default = true;
     EXPECT_EQ(evaluate(block).continuous, 42.0F);
-    block.inputs[1].source = continuous_signal(1.0F);  // a signal goes before its default
+    block.inputs[1].source = continuous_signal(1.0F);  // a signal takes precedence over its default
     EXPECT_EQ(evaluate(block).continuous, 3.0F);
     block.inputs[0].source = undefined_signal();
     EXPECT_FALSE(is_defined(evaluate(block)));
@@ -252,10 +253,10 @@ TEST(CountValue, CountSaturatesAtInteger16) {
 
 TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     verifies<req::INC_RPDO_001>();
-    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count is one unit
-    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten are one
-    EXPECT_EQ(value_of_count(250, {10, 50.0F}), 3.0F);     // a hundred
-    EXPECT_EQ(value_of_count(250, {500, 0.0F}), 125.0F);   // two
+    EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count per unit
+    EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten counts per unit
+    EXPECT_EQ(value_of_count(250, {10, 50.0F}), 3.0F);     // a hundred counts per unit
+    EXPECT_EQ(value_of_count(250, {500, 0.0F}), 125.0F);   // two counts per unit
     EXPECT_EQ(value_of_count(-32768, {1000, 0.0F}), -32768.0F);
     EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }

@@ -18,7 +18,7 @@ using namespace ax060805;
 
 constexpr Duration period = milliseconds(5);
 
-/// What the filter gives after each sample.
+/// Returns the output of the filter after each sample.
 std::vector<float> outputs(AngleFilter& filter, const std::vector<float>& samples) {
     std::vector<float> all;
     for (const float sample : samples) {
@@ -46,7 +46,7 @@ TEST(LowPass, CoefficientIsOneMinusExpOfMinus2PiFT) {
 TEST(LowPass, OutputMovesByTheCoefficientTimesTheDifference) {
     verifies<req::INC_FILTER_002, req::INC_FILTER_005>();
     LowPass filter;
-    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken as it is
+    filter.update({1.0F, -1.0F, 8.0F}, 0.5F);  // the first sample is taken unchanged
     const Vector3 second = filter.update({3.0F, -5.0F, 0.0F}, 0.5F);
     EXPECT_EQ(second.x, 2.0F);
     EXPECT_EQ(second.y, -3.0F);
@@ -122,7 +122,7 @@ TEST(AngleFilter, AverageTakesTheShortWayAcross180Degrees) {
     AngleFilter moving = filter_of(AngleFilterKind::moving_average, 2);
     EXPECT_EQ(outputs(moving, {179.0F, -179.0F, -177.0F}), (std::vector<float>{179.0F, 180.0F, -178.0F}));
     AngleFilter repeating = filter_of(AngleFilterKind::repeating, 2);
-    EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 is 190
+    EXPECT_EQ(outputs(repeating, {-170.0F, 160.0F}).back(), 175.0F);  // -170 equals 190
 }
 
 TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
@@ -130,7 +130,7 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
-    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // either way round is as short: by +180, 90 to 270
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // both ways are equally short: by +180, 90 to 270
 }
 
 TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
@@ -153,7 +153,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
-    for (int round = 0; round < 2; ++round) {  // the second time behind a whole block
+    for (int round = 0; round < 2; ++round) {  // the second time after a whole block
         filter.restart(AngleFilterKind::repeating, 2);
         EXPECT_EQ(outputs(filter, {8.0F, 10.0F, 50.0F}), (std::vector<float>{8.0F, 9.0F, 9.0F}));
     }
@@ -179,7 +179,7 @@ TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
     for (int sample = 0; sample < 3200; ++sample) {
         filter.add(sample % 50 == 0 ? 0.000049F : 0.0F);
     }
-    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree, the nearest is 1
+    EXPECT_EQ(filter.output(), 0.000001F);  // 64 * 49 / 3200 = 0.98 millionths of a degree; the nearest value is 1
 }
 
 TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
@@ -208,11 +208,11 @@ TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
 TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     verifies<req::INC_AVG_002, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
-    const int step = 7;  // more than 64 turns, 23,040 degrees, for the first time with sample 3292, within a run
+    const int step = 7;  // exceeds 64 turns, 23,040 degrees, for the first time at sample 3292, within a run
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The mean of the samples from n - 999 to n, a run's share of which may lie 8 samples beside.
+            // The mean of the samples from n - 999 to n; the share of a run may be off by 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }
@@ -273,8 +273,8 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     }
 }
 
-/// After 1,400,000 samples of a third of a turn a block of 60,000 would come to 1.4e6 * 1.2e8 * 6e4 = 1e19
-/// microdegrees, which 63 bits do not hold: whole turns are taken out before.
+/// After 1,400,000 samples of a third of a turn the sum of a block of 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19
+/// microdegrees, which exceeds 63 bits: whole turns are removed before.
 TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
@@ -283,7 +283,7 @@ TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
         for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks
             filter.add(stands[i % 3U]);
         }
-        // 0, 120, 240, … 59,999 * 120: their mean is 3,599,940 degrees, 10,000 turns less 60.
+        // The mean of 0, 120, 240, … 59,999 * 120 is 3,599,940 degrees, 10,000 turns minus 60 degrees.
         EXPECT_EQ(filter.output(), -60.0F * side);
     }
 }
@@ -300,7 +300,7 @@ TEST(AngleFilter, HalfAMicrodegreeIsRoundedAwayFromZero) {
             repeating.add(0.0F);
             repeating.add(0.0F);
             repeating.add(0.0F);
-            repeating.add(side * 1.0e-6F);  // a quarter
+            repeating.add(side * 1.0e-6F);  // the mean is a quarter of a microdegree
             EXPECT_EQ(repeating.output(), 0.0F) << block;
         }
     }

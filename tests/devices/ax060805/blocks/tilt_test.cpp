@@ -1,4 +1,4 @@
-// Angles from gravity by the formulae of the AX060805's manual (2.1.3 to 2.1.6, 3.4), worked out by hand.
+// Angles from gravity by the formulae of the AX060805 manual (2.1.3 to 2.1.6, 3.4), calculated by hand.
 #include "devices/ax060805/firmware/tilt.hpp"
 
 #include <gtest/gtest.h>
@@ -119,9 +119,9 @@ TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, -0.0174F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0176F}, 1.0F));
     EXPECT_FALSE(in_gimbal_lock({0.0F, 0.0F, 1.0F}, 1.0F));
-    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is of angle, not of g
+    EXPECT_TRUE(in_gimbal_lock({-2.0F, 0.0348F, 0.0F}, 1.0F));   // the cone is defined by an angle, not by g
     EXPECT_FALSE(in_gimbal_lock({-0.5F, 0.0089F, 0.0F}, 1.0F));  // 0.5 sin 1° = 0.00873
-    EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of nothing holds nothing
+    EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of 0 degrees contains nothing
 }
 
 TEST(Tilt, RollIsUndoneBeforePitch) {

@@ -1,4 +1,4 @@
-// The figures of the AX060805 show what its manual promises (2.1.4, 2.1.5, 5.1.2).
+// Checks that the figures of the AX060805 show the properties of its manual (2.1.4, 2.1.5, 5.1.2).
 #include "devices/ax060805/simulation/inclinometer_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using canproof::test::verifies;
 
-/// The curve's value at `x`.
+/// Returns the value of the curve at `x`.
 double at(const Curve& curve, double x) {
     const auto nearest = std::min_element(curve.points.begin(), curve.points.end(), [x](const auto& a, const auto& b) {
         return std::fabs(a.first - x) < std::fabs(b.first - x);
@@ -23,7 +23,7 @@ double at(const Curve& curve, double x) {
     return nearest->second;
 }
 
-/// The plot's three angles at that second of the tumble; its filter lags by less than a degree.
+/// Checks the three angles of the plot at that second of the tumble; its filter lags by less than a degree.
 void expect_angles(const LinePlot& plot, double second, double pitch, double roll, double gravity) {
     EXPECT_NEAR(at(plot.curves[0], second), pitch, 1.0) << second;
     EXPECT_NEAR(at(plot.curves[1], second), roll, 1.0) << second;
@@ -70,7 +70,7 @@ TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
         }
     }
     EXPECT_LT(worst, 100.0);
-    EXPECT_GT(worst, 0.0);  // it is the error of something
+    EXPECT_GT(worst, 0.0);  // the error is not zero
 }
 
 TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {

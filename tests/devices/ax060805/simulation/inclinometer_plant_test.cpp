@@ -1,4 +1,4 @@
-// The simulated AX060805 by its signals: attitude, noise, supply (3.9, 5.1.1).
+// The simulated AX060805: effects of its signals attitude, noise and supply (3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The plant alone: what a stimulus makes of the inputs.
+/// The plant alone: effects of a stimulus on the inputs.
 class InclinometerPlantTest : public testing::Test {
   protected:
     void expect_felt(float x, float y, float z) {
@@ -28,7 +28,7 @@ class InclinometerPlantTest : public testing::Test {
         inputs.*input = value;
         plant.stimulus(name, inputs);
     }
-    /// Root mean square of the X axis over many samples.
+    /// Returns the root mean square of the X axis over many samples.
     double scatter() {
         double sum = 0.0;
         constexpr int samples = 20000;
@@ -43,7 +43,7 @@ class InclinometerPlantTest : public testing::Test {
     host::InclinometerPlant plant;
 };
 
-/// Frames of a simulated device from one time to another.
+/// Returns the frames of a simulated device until a time.
 Frames frames_until(host::SimulatedDevice& device, Instant end) {
     Frames all;
     while (device.next_deadline() <= end) {
@@ -77,11 +77,11 @@ TEST_F(InclinometerPlantTest, QuaternionGivesTheAccelerations) {
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.5F);
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.5F);
     expect_felt(0.0F, -1.0F, 0.0F);
-    // about the vertical: nothing changes
+    // a turn about the vertical changes nothing
     set(&ax060805::Inputs::attitude_x, "attitude_x", 0.0F);
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.5F);
     expect_felt(0.0F, 0.0F, -1.0F);
-    // no rotation at all
+    // an invalid quaternion: no rotation
     set(&ax060805::Inputs::attitude_z, "attitude_z", 0.0F);
     set(&ax060805::Inputs::attitude_w, "attitude_w", 0.0F);
     expect_felt(0.0F, 0.0F, -1.0F);
@@ -102,8 +102,8 @@ TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
 TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
     verifies<req::INC_PLANT_002, req::INC_T62, req::INC_K_RESOLUTION_FACTOR, req::INC_K_RATED_CUT_OFF,
              req::INC_S_NOISE>();
-    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter of share 0.145364, which leaves
-    // sqrt(0.145364 / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
+    // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364
+    // / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
     const std::vector<std::pair<std::uint16_t, double>> parts{
         {60805, 0.006306}, {60835, 0.001081}, {60840, 0.001081}, {60841, 0.001081}, {0, 0.0},    {60804, 0.0},
         {60806, 0.0},      {60834, 0.0},      {60836, 0.0},      {60839, 0.0},      {60842, 0.0}};

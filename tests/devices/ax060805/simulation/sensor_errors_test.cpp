@@ -1,5 +1,4 @@
-// What the sensor of a simulated AX060805 does beside measuring (5.1.1, Table 62), and what a part number brings as a
-// name.
+// Errors of the sensor of a simulated AX060805 (5.1.1, Table 62), and the effect of a part number as a device name.
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <gmock/gmock.h>
@@ -98,7 +97,7 @@ TEST(SensorErrors, CrossAxisErrorAddsAShareOfTheNextAxis) {
     expect_felt(with_errors({0.0F, 1.0F, 0.0F}, errors, 25.0), 0.035, 1.0, 0.0);
 }
 
-/// Table 62: the errors of a unit are at most those of its part number.
+/// Table 62: the errors of a unit do not exceed those of its part number.
 TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     verifies<req::INC_PLANT_004, req::INC_T62, req::INC_K_INITIAL_ACCURACY>();
     for (const char* first :
@@ -119,7 +118,7 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
 }
 
-/// 4030h and 4040h: pitch and roll, one count a degree as shipped (4.3.7).
+/// 4030h and 4040h: pitch and roll, one count per degree by default (4.3.7).
 TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});
@@ -127,7 +126,7 @@ TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
     EXPECT_EQ(device_with("ax060805").device->objects()->read(0x4030, 0), 0U);
 }
 
-/// 25 to 85 degC moves the drift of 3 degrees by 3 * 60 / 65 = 2.77 degrees.
+/// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
 TEST(SensorErrors, DriftFollowsTheTemperatureOfTheSensor) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});

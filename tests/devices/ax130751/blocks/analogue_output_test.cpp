@@ -1,4 +1,4 @@
-// The analogue output block of AX130751, 1.3, and the order of Figure 4.
+// The analogue output block of the AX130751, 1.3, and the priorities of Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 
 #include "devices/ax130751/firmware/current_loop.hpp"
@@ -21,7 +21,7 @@ const RampTimes slow{5.0, milliseconds(1000), milliseconds(1000)};  // 5 V/s
 const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
 constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // control, override, fault
 
-/// Shutdown, an input in error, overridden: which of them are there.
+/// Returns the drive for the conditions shutdown, input in error and overridden.
 OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool overridden, EnableAction enable) {
     return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
 }

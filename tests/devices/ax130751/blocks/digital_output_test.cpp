@@ -1,4 +1,4 @@
-// The digital output block of AX130751, 1.2; polarities as Table 1 prints them.
+// The digital output block of the AX130751, 1.2; polarities as in Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -18,7 +18,7 @@ constexpr SwitchPolarity latched{Row{SwitchDrive::keep, SwitchDrive::change},
 constexpr SwitchPolarity blinking{Row{SwitchDrive::off, SwitchDrive::blink}, Row{SwitchDrive::off, SwitchDrive::blink}};
 constexpr auto control = OutputDrive::control;
 
-/// An output whose control is a row of characters, a millisecond each: # ON, . OFF.
+/// An output with its control as a row of characters, one per millisecond: # ON, . OFF.
 class DigitalOutputTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const SwitchPolarity& polarity, OutputDrive drive = control,
@@ -67,7 +67,7 @@ TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
     EXPECT_EQ(output.next_change().us, 3000U);
     run("#", blinking, OutputDrive::override_value, true);
     EXPECT_EQ(output.next_change(), never) << "overridden it does not blink";
-    run("##", blinking);  // 2 and 3 ms: it begins anew with ON at 2 ms
+    run("##", blinking);  // 2 and 3 ms: it restarts with ON at 2 ms
     EXPECT_EQ(output.next_change().us, 5000U);
     run("#", normal);
     EXPECT_EQ(output.next_change(), never);

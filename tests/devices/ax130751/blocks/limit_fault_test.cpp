@@ -1,4 +1,4 @@
-// Faults with hysteresis of AX130751, 1.8.
+// Faults with hysteresis of the AX130751, 1.8.
 #include "devices/ax130751/firmware/limit_fault.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace ax130751;
 
-/// Under-voltage below 8 V until 13 V: thresholds as shipped.
+/// Advances an under-voltage fault with the default thresholds: below 8 V until 13 V.
 bool under(LimitFault& fault, double volts, bool enabled = true) {
     return fault.advance(enabled, volts < 8.0, volts >= 13.0);
 }

@@ -1,4 +1,4 @@
-// The straight line of AX130751, Figures 2 and 3, and integers with decimal digits.
+// Linear scaling of the AX130751, Figures 2 and 3, and integers with decimal digits.
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 
 #include "devices/ax130751/firmware/block_signal.hpp"
@@ -12,7 +12,7 @@ using namespace ax130751;
 
 TEST(LinearScaling, OutputRisesBetweenThePointsAndIsClampedOutside) {
     verifies<req::AOR_OUT_003>();
-    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA a volt
+    const LinearScaling joystick{0.5, 4.5, 4.0, 20.0};  // 0.5…4.5 V to 4…20 mA: 4 mA per volt
     EXPECT_DOUBLE_EQ(scale(-3.0, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(0.5, joystick), 4.0);
     EXPECT_DOUBLE_EQ(scale(1.5, joystick), 8.0);

@@ -26,7 +26,7 @@ ConditionResult compare(double a, std::uint8_t comparison, double b) {
     return evaluate(LogicCondition{value(a), value(b), comparison});
 }
 
-/// A function whose first condition has the given outcome; the others are not used.
+/// Returns a function whose first condition has the given result; its other conditions are not used.
 LogicFunction function(std::uint8_t logical, ConditionResult first) {
     LogicFunction made;
     made.logical = logical;
@@ -36,7 +36,7 @@ LogicFunction function(std::uint8_t logical, ConditionResult first) {
     return made;
 }
 
-/// The index of the function that is chosen of A, B and C.
+/// Returns the index of the function that is chosen among A, B and C.
 std::size_t chosen(const std::array<LogicFunction, logic_functions>& functions) {
     return select_function([&](std::size_t number) { return functions[number]; });
 }

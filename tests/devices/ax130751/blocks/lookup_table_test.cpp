@@ -14,7 +14,7 @@ constexpr auto ramp = PointResponse::ramp;
 constexpr auto jump = PointResponse::jump;
 constexpr auto ignore = PointResponse::ignore;
 
-/// X and Y 0, 10 … 100, as shipped (3.4.44, 3.4.45).
+/// Returns the default points: X and Y are 0, 10 … 100 (3.4.44, 3.4.45).
 LookupPoints defaults(PointResponse response) {
     LookupPoints points;
     for (std::size_t i = 0; i < lookup_points; ++i) {
@@ -25,7 +25,8 @@ LookupPoints defaults(PointResponse response) {
     return points;
 }
 
-/// Intervals in ms: up to 100 in 20 ms, stay for 30 ms, jump to 40 for 50 ms; the rest is ignored.
+/// Returns a profile with intervals in ms: to 100 in 20 ms, constant for 30 ms, jump to 40 for 50 ms; the other points
+/// are ignored.
 LookupPoints short_profile() {
     LookupPoints profile;
     profile.x = {0.0, 20e3, 30e3, 50e3};
@@ -73,7 +74,7 @@ TEST(LookupTable, StepsFollowFigure6) {
 TEST(LookupTable, PointsFromTheFirstIgnoredOnAreUnused) {
     verifies<req::AOR_LT_004>();
     auto points = defaults(ramp);
-    points.response[5] = ignore;  // point 6 at 50; 7 to 11 still say ramp
+    points.response[5] = ignore;  // point 6 at 50; 7 to 11 are still of type ramp
     EXPECT_DOUBLE_EQ(lookup(35.0, points), 35.0);
     EXPECT_DOUBLE_EQ(lookup(40.0, points), 40.0);
     EXPECT_DOUBLE_EQ(lookup(41.0, points), 40.0);
@@ -95,7 +96,7 @@ TEST(LookupTable, PointsOfEqualXGiveAJump) {
 
 TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
     verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_004>();
-    // Nothing up to 2 V, 10 % just below it, 40 % at 1 V, 100 % at 0 V: the falling side of the stick.
+    // Nothing up to 2 V, 10 % just below 2 V, 40 % at 1 V, 100 % at 0 V: the falling side of the joystick.
     LookupPoints points;
     points.x = {0.0, 1.0, 2.0, 2.0, 5.0};
     points.y = {100.0, 40.0, 10.0, 0.0, 0.0};
@@ -160,7 +161,7 @@ TEST(LookupTable, ProfileOfTenDaysIsExact) {
     EXPECT_DOUBLE_EQ(after((9 * day) + (day / 4), profile), 92.5);
     EXPECT_DOUBLE_EQ(after(10 * day, profile), 100.0);
     EXPECT_DOUBLE_EQ(after((1000 * day) + (day / 10), profile, true), 1.0);
-    // A microsecond before the end of the last stretch: 100 - 10 / 8.64e10
+    // A microsecond before the end of the last interval: 100 - 10 / 8.64e10
     EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile, false), 100.0);
 }
 

@@ -1,4 +1,4 @@
-// Math blocks of AX130751, 1.7: the eighteen operators of Table 21 and how functions are chained.
+// Math blocks of the AX130751, 1.7: the eighteen operators of Table 21 and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -17,7 +17,7 @@ constexpr std::uint8_t divided_by = 15;
 constexpr std::uint8_t minimum = 16;
 constexpr std::uint8_t maximum = 17;
 
-/// A percentage as an input, 0 to 100 % scaled, as shipped.
+/// Returns an input in percent, scaled 0 to 100 % by default.
 MathInput percent(double value, double gain = 1.0) {
     return {{value, 0.0, 100.0, SignalState::valid}, 0.0, 100.0, gain, 0};
 }
@@ -168,13 +168,13 @@ TEST(MathBlock, NegativeGainKeepsANegativeDifference) {
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9 - 0.7);
     // -0.2 - -0.5 = 0.3
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50, -1), unused, unused}, {minus, plus, plus}), 0.5 - 0.2);
-    // gain of input 1 does not reach function 2: (−0.2 + 0.3) − 0.5 is held at 0
+    // the gain of input 1 does not affect function 2: (−0.2 + 0.3) − 0.5 is clamped to 0
     EXPECT_EQ(run({percent(20, -1), percent(30), percent(50), unused}, {plus, minus, plus}), 0.0);
 }
 
 TEST(MathBlock, NegativeResultKeepsItsSignThroughTheChain) {
     verifies<req::AOR_MATH_005>();
-    // -0.2 - 0.5 = -0.7; times 0.5, no difference, is -0.35; + 0.9
+    // -0.2 - 0.5 = -0.7; times 0.5, not a difference, is -0.35; + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(50), percent(90)}, {minus, times, plus}), 0.9 - 0.35);
     // -0.7 - -0.2 = -0.5, a difference with a negative gain; + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20, -1), percent(50), percent(20, -1), percent(90)}, {minus, minus, plus}),
@@ -183,15 +183,15 @@ TEST(MathBlock, NegativeResultKeepsItsSignThroughTheChain) {
 
 TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
     verifies<req::AOR_MATH_005>();
-    // 0 - 0.5 is held at 0; 0 + 0.9
+    // 0 - 0.5 is clamped to 0; 0 + 0.9
     EXPECT_EQ(run({percent(20, 0), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9);
-    // -0.2 - 0.5 = -0.7; -0.7 - 0 is held at 0; 0 + 0.9
+    // -0.2 - 0.5 = -0.7; -0.7 - 0 is clamped to 0; 0 + 0.9
     EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
 }
 
 TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
-    // function 1: 0.2 - 0.5 = -0.3, as chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
+    // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 it is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
@@ -216,7 +216,7 @@ TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
 
 TEST(MathBlock, LaterFunctionIsReadWithItsLastValue) {
     verifies<req::AOR_MATH_009>();
-    // Input 1 is the block's own function 3, which adds 0.1 for each cycle: a counter.
+    // Input 1 is function 3 of the same block, which adds 0.1 in each cycle: a counter.
     MathBlock block;
     const MathConfig config{{result_of(3), percent(10), unused, percent(0)}, {plus, plus, plus}};
     EXPECT_DOUBLE_EQ(block.advance(config).value, 0.1);
@@ -236,7 +236,7 @@ TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
-    // Function 1 = itself + 0.1; the others are not used.
+    // Function 1 = function 1 + 0.1; the other functions are not used.
     const MathConfig counts{{result_of(1), percent(10), unused, unused}, operators};
     EXPECT_DOUBLE_EQ(block.advance(counts).value, 0.1);
     EXPECT_FALSE(block.is_settled());
@@ -250,7 +250,7 @@ TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
 TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the greater of function 2 and 0.5; function 2 = that + input 3.
+    // Function 1 = the larger of function 2 and 0.5; function 2 = function 1 + input 3.
     const auto config = [](double third) {
         return MathConfig{{result_of(2), percent(50), percent(third), unused}, {maximum, plus, plus}};
     };
@@ -265,7 +265,7 @@ TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
 TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
     verifies<req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the greater of function 3 and 0.5; function 2 = that; function 3 = that + input 4.
+    // Function 1 = the larger of function 3 and 0.5; function 2 = function 1; function 3 = function 2 + input 4.
     const auto config = [](double fourth) {
         return MathConfig{{result_of(3), percent(50), percent(0), percent(fourth)}, {maximum, plus, plus}};
     };
@@ -280,8 +280,8 @@ TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
 TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = that - input 3; function 3 = that +
-    // function 1.
+    // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = function 1 - input 3; function 3 = function
+    // 2 + function 1.
     const auto config = [](double third) {
         return MathConfig{{result_of(2, -1.0), percent(20), percent(third), result_of(1)}, {minimum, minus, plus}};
     };
@@ -297,7 +297,7 @@ TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
 TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
     verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
     MathBlock block;
-    // Function 1 = function 2 + 0.2; function 2 = that less 0.5: first a difference, held at 0, then a sum.
+    // Function 1 = function 2 + 0.2; function 2 = function 1 - 0.5: first as a difference, clamped to 0, then as a sum.
     const MathConfig difference{{result_of(2), percent(20), percent(50), unused}, {plus, minus, plus}};
     const MathConfig sum{{result_of(2), percent(20), percent(50, -1.0), unused}, {plus, plus, plus}};
     EXPECT_DOUBLE_EQ(block.advance(difference).value, 0.0);
@@ -310,7 +310,7 @@ TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
 
 TEST(MathBlock, SkippedFunctionFeedsBackZero) {
     verifies<req::AOR_MATH_007, req::AOR_MATH_009>();
-    // Function 1 = function 2 + 0.1; function 2 = that + input 3, which then is not used.
+    // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3, which is not used later.
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
     const MathConfig whole{{result_of(2), percent(10), percent(20), unused}, operators};
@@ -333,7 +333,7 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
 
 TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheOwnSignal) {
     verifies<req::AOR_MATH_002>();
-    // There are three functions: 4 reads the input's own signal, 0 of 100 here.
+    // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);
 }
 

@@ -1,4 +1,4 @@
-// Ramps of AX130751, 2330h and 2331h.
+// Ramps of the AX130751, 2330h and 2331h.
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -34,7 +34,7 @@ TEST(Ramp, RampCrossesTheSpanInTheTimeDown) {
     Ramp ramp;
     ramp.set(10.0);
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(0)), 10.0);
-    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 a second
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 per second
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 
@@ -77,7 +77,8 @@ TEST(Ramp, NewRampTimesApplyAtOnce) {
 
 TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
-    const RampTimes odd{10.0, milliseconds(7000), milliseconds(7000)};  // 10 / 7000 a millisecond: no binary number
+    const RampTimes odd{10.0, milliseconds(7000),
+                        milliseconds(7000)};  // 10 / 7000 per millisecond: not representable in binary
     Ramp often;
     Ramp once;
     often.follow(10.0, odd, at(0));

@@ -1,4 +1,4 @@
-// The relay block of AX130751, 1.4; polarities as Table 10 prints them.
+// The relay block of the AX130751, 1.4; polarities as in Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 
 #include "generated/ax130751/requirements.hpp"
@@ -24,7 +24,7 @@ constexpr RelayPolarity never_unlatched{{Row{keep, change}, Row{keep, keep}}, Un
 constexpr RelayPolarity inverse_latched{{Row{keep, keep}, Row{change, keep}}, UnlatchEffect::to_on};
 constexpr RelayPolarity toggle{{Row{off, blink}, Row{off, blink}}, UnlatchEffect::ignored};
 
-/// A relay whose inputs are rows of characters, a millisecond each: # ON, . OFF.
+/// A relay with its inputs as rows of characters, one per millisecond: # ON, . OFF.
 class RelayTest : public testing::Test {
   protected:
     std::string run(const std::string& controls, const RelayPolarity& polarity, const std::string& unlatch = "",
@@ -83,13 +83,14 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
 
 TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
     verifies<req::AOR_RELAY_005>();
-    // ON since 0; unlatched from 2 to 3; control still ON: nothing. OFF at 6, ON at 7: latches again.
+    // ON since 0; unlatched from 2 to 3; control still ON: no change. OFF at 6, ON at 7: latches again.
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
 TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
     verifies<req::AOR_RELAY_005>();
-    // Goes ON at 3 while unlatched and stays ON: not ON until it has been OFF at 6 and ON at 7.
+    // The control goes ON at 3 while unlatched and stays ON: the relay stays OFF until the control was OFF at 6 and ON
+    // at 7.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
@@ -105,13 +106,14 @@ TEST_F(RelayTest, ControlThatIsOffAtUnlatchingLatchesAtItsNextEdge) {
 
 TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     verifies<req::AOR_RELAY_006>();
-    // Falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: nothing until it was ON at 6 and goes OFF at 7.
+    // The control falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: no change until it was ON at 6 and goes OFF
+    // at 7.
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
 TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
-    // Unlatched when another polarity is chosen; chosen again, it takes the first edge.
+    // Unlatched when another polarity is chosen; chosen again, the latch accepts the first edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -214,7 +216,7 @@ TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
 TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     verifies<req::AOR_RELAY_015>();
     times = {milliseconds(4), milliseconds(4), milliseconds(1)};
-    //                                    control ON at 0: begins at 4; OFF at 8: goes on to 12
+    // control ON at 0: starts at 4; OFF at 8: continues to 12
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 
@@ -236,7 +238,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
 
 TEST_F(RelayTest, RampOffPutsTheRelayOff) {
     verifies<req::AOR_RELAY_012>();
-    // A relay has no ramp: what ramps an output off switches it off, with its delay.
+    // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
     times.off_delay = milliseconds(2);
     EXPECT_EQ(run("##", normal), "##");
     EXPECT_EQ(run("####", normal, "", OutputDrive::ramp_off), "##..");

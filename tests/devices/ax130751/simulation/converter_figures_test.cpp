@@ -1,4 +1,4 @@
-// The figures of the AX130751 show what its manual's examples say.
+// Checks that the figures of the AX130751 show the examples of its manual.
 #include "devices/ax130751/simulation/converter_figures.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A recorded bus played to the AX130751 through the program's replay: the session of 3.1.3 and an RPDO behind it.
+// Replays a recorded bus on the AX130751: the session of 3.1.3 and an RPDO after it.
 #include "host/sim/replay/replay.hpp"
 
 #include <gmock/gmock.h>
@@ -54,7 +54,7 @@ TEST(Ax130751Replay, SessionOfTheManualGivesItsFrames) {
               "(43.017000) can0 750#00\n");
 }
 
-// As shipped a voltage of 0 to 5 V climbs in 1000 ms: 1 V after 200 ms, 2 V after 400 ms, then a fault of the supply
+// By default a voltage of 0 to 5 V rises in 1000 ms: 1 V after 200 ms, 2 V after 400 ms, then a supply fault
 TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     verifies<req::AOR_PDO_001, req::AOR_PDO_004, req::AOR_OUT_012, req::AOR_DIAG_006, req::AOR_DIAG_007,
              req::AOR_S_SUPPLY, req::AOR_S_VOLTAGE, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
@@ -72,7 +72,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     EXPECT_THAT(played.outputs.substr(played.outputs.find("\n2.00")), HasSubstr("relay_nc,0\n"));
 }
 
-// The other part number: its own housing and isolation, the same device on the bus
+// The other part number has another housing and isolation; on the bus the device is the same
 TEST(Ax130751Replay, Ax130771AnswersLikeTheAx130751) {
     verifies<req::AOR_ID_001>();
     const std::string log =

@@ -1,4 +1,4 @@
-// Fixed point of 64 bits: products and polynomials against values worked out by hand.
+// Fixed point of 64 bits: products and polynomials compared with values calculated by hand.
 #include "devices/ax188001/firmware/fixed_point.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace ax188001;
 
-/// As long as those of the firmware, whose functions are then the ones that run here.
+/// As long as in the firmware, so that the functions of the firmware are tested.
 using Coefficients = std::array<double, InversePiece::size>;
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST(FixedPoint, UpperProductIsAtMostTwoTooSmall) {
 
 TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     shows_rule("numbers in fixed point");
-    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the furthest is 3 away: 2^2.
+    // x^2 - 3 x + 5 = (x - 2)^2 + (x - 2) + 3; from -1 to 5 the largest distance is 3: 2^2.
     const auto made = fixed_polynomial(Coefficients{5.0, -3.0, 1.0}, 3U, -1.0, 5.0);
     EXPECT_EQ(made.centre, to_fixed(2.0));
     EXPECT_EQ(made.reach, 2U);
@@ -65,14 +65,14 @@ TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     for (double x = -1.9; x < 5.9; x += 0.05) {
         ASSERT_NEAR(from_fixed(made.value(to_fixed(x))), x * x - 3.0 * x + 5.0, 1e-11) << x;
     }
-    // Beyond 2^2 from the middle it stays as at 6 and -2: 23 and 15.
+    // Beyond 2^2 from the middle the value is that at 6 and -2: 23 and 15.
     EXPECT_NEAR(from_fixed(made.value(to_fixed(1000.0))), 23.0, 1e-11);
     EXPECT_NEAR(from_fixed(made.value(to_fixed(-1000.0))), 15.0, 1e-11);
 }
 
 TEST(FixedPoint, ReachIncludesTheEndsOfTheRange) {
     shows_rule("numbers in fixed point");
-    // x itself, from -1 to 1: a reach of 2^0 would end before them.
+    // x itself, from -1 to 1: a reach of 2^0 would end before the ends.
     const auto made = fixed_polynomial(Coefficients{0.0, 1.0}, 2U, -1.0, 1.0);
     EXPECT_EQ(made.reach, 1U);
     EXPECT_EQ(made.value(to_fixed(1.0)), to_fixed(1.0));

@@ -71,12 +71,12 @@ TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_EQ(adc.gain(circuit), 32);
     convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that showed it counts
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that shows it counts
     convert(5.0, 3);
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
     EXPECT_NEAR(adc.microvolts(), 5.0, 1.2);
-    EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest
+    EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest gain
 }
 
 TEST_F(Converter, GainRisesToTheHighestInOneStep) {
@@ -93,7 +93,7 @@ TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
     EXPECT_FALSE(adc.is_open());
     convert(100000.0);  // 1 + 4 + 4 conversions of 165 ms: 1485 ms
     EXPECT_TRUE(adc.is_open());
-    EXPECT_EQ(adc.microvolts(), 0.0);  // the last that was read
+    EXPECT_EQ(adc.microvolts(), 0.0);  // the last valid reading
     convert(25000.0);
     EXPECT_FALSE(adc.is_open());
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);

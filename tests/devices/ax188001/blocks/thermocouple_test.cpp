@@ -1,5 +1,4 @@
-// Thermocouple functions of the AX188001 (1.1, Table 1, appendix A) against the ITS-90 written out in
-// support/its90.hpp.
+// Thermocouple functions of the AX188001 (1.1, Table 1, appendix A) compared with the ITS-90 functions in its90.hpp.
 #include "devices/ax188001/firmware/thermocouple.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +20,7 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Where the voltage begins to rise for good: B falls up to 21.02 degC.
+/// Returns the temperature from which the voltage rises monotonically: type B falls up to 21.02 degC.
 long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
@@ -32,7 +31,7 @@ TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
              req::TCS_K_EXPONENTIAL_A1, req::TCS_K_EXPONENTIAL_A2>();
     for (const auto& type : its90_types()) {
-        // Steps of 0.25 degC also fall beside every border between two pieces.
+        // Steps of 0.25 degC include both sides of every border between two pieces.
         for (long double celsius = type.lowest(); celsius <= type.highest(); celsius += 0.25L) {
             ASSERT_NEAR(reference_mv(curve_of(type), static_cast<double>(celsius)),
                         static_cast<double>(type.mv(celsius)), 1e-9)
@@ -113,7 +112,7 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
             if (celsius < lowest_convertible(type)) {
                 continue;
             }
-            // Half a digit of the table, 0.0005 mV, is worth so many degrees here.
+            // Half a digit of the table, 0.0005 mV, in degrees here.
             const long double slope = (type.mv(celsius + 0.5L) - type.mv(celsius - 0.5L));
             EXPECT_NEAR(exact_celsius(curve_of(type), mv), celsius, static_cast<double>(0.0005L / slope) * 1.05 + 1e-6)
                 << type.letter << " at " << celsius;
@@ -123,8 +122,8 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
 
 TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     verifies<req::TCS_CONV_002>();
-    // 0.02 degC are promised. The two published functions of type J lie 7.5e-8 mV apart where they meet, at 760 degC:
-    // over a slope of 0.0639 mV/degC that is 1.17e-6 degC, and a rounding decides which of them a voltage comes from.
+    // 0.02 degC are required. The two published functions of type J are 7.5e-8 mV apart where they meet, at 760 degC:
+    // with a slope of 0.0639 mV/degC that is 1.17e-6 degC, and rounding decides which of them a voltage comes from.
     constexpr double most = 1.18e-6;
     for (const auto& type : its90_types()) {
         double worst = 0.0;
@@ -138,7 +137,7 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
 
 TEST(Thermocouple, LowestTemperaturesAreFoundFromEveryVoltage) {
     verifies<req::TCS_CONV_002>();
-    // There the curves are flat and the inverse functions do not reach: the search begins from outside.
+    // There the curves are flat and the inverse functions are not defined: the search starts from outside.
     for (const auto& type : its90_types()) {
         for (int step = 0; step <= 2000; ++step) {
             const long double celsius = lowest_convertible(type) + step * 0.001L;
@@ -154,13 +153,13 @@ TEST(Thermocouple, InverseFunctionsMatchIts90) {
     for (const auto& type : its90_types()) {
         for (std::size_t i = 0; i < type.inverse.size(); ++i) {
             const auto& piece = type.inverse[i];
-            // Pieces of R and S overlap; the lower one holds up to its own end.
+            // Pieces of R and S overlap; the lower one applies up to its own end.
             const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
             for (int step = 1; step <= 2000; ++step) {
                 const long double mv = from + (piece.to - from) * step / 2000.0L;
                 const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
                 ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << type.letter << " " << step;
-                // NIST's own bounds reach 0.06 degC; the ends are rounded to 0.001 mV
+                // The bounds of NIST are up to 0.06 degC; the ends are rounded to 0.001 mV
                 ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
                     << type.letter << " at " << static_cast<double>(mv);
             }
@@ -187,7 +186,7 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
 
 TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
-    constexpr double step_mv = 1.0 / 1099511627776.0;  // of the numbers, 2^-40; 300 of them are worth 1e-6 degC at most
+    constexpr double step_mv = 1.0 / 1099511627776.0;  // of the numbers, 2^-40; 300 of them are at most 1e-6 degC
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
         const double low_mv = reference_mv(curve, curve.lowest_c());
@@ -202,7 +201,7 @@ TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
             EXPECT_NEAR(high, curve.highest_c(), 1e-6) << type.letter;
             const double low = exact_celsius(curve, low_mv + steps * step_mv);
             EXPECT_GE(low, curve.lowest_c()) << type.letter;
-            if (type.letter != 'B') {  // which is flat there
+            if (type.letter != 'B') {  // its curve is flat there
                 EXPECT_NEAR(low, curve.lowest_c(), 1e-6) << type.letter;
             }
         }
@@ -257,8 +256,8 @@ TEST(Thermocouple, ReferenceFunctionsContinueBeyondTheirRange) {
 
 TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
-    // No constant, and as long as the firmware's: what the compiler computes, or makes for a test alone, is not
-    // altered.
+    // Not a constant, and as long as in the firmware: mutation does not alter code that the compiler evaluates or that
+    // is instantiated for a test only.
     std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
     EXPECT_EQ(terms_of(coefficients), 2U);
     coefficients = {0.0, 0.0, 1e-30};
@@ -269,8 +268,7 @@ TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
 
 TEST(ThermocoupleArithmetic, ExponentTooSteepForTheRangeIsClamped) {
     shows_rule("thermocouples in fixed point");
-    // 1024 °C from the centre 2e-4 × 1024² = 209.7 is e^-209.7 = 2^-302.6: more than the 256 halvings that a fraction
-    // holds.
+    // 1024 °C from the centre 2e-4 × 1024² = 209.7 gives e^-209.7 = 2^-302.6: more than the 256 halvings of a fraction.
     EXPECT_EQ(exponential_term(1.0, -2e-4, 0.0).halvings, UINT64_MAX);
     // 1e-4 × 1024² / ln 2 = 151.3 halvings of 256, in steps of 2^-64.
     const double halvings = 1e-4 * 1048576.0 / 0.6931471805599453 / 256.0;
@@ -285,7 +283,7 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     for (double celsius = -40.0; celsius <= 1372.0; celsius += 0.13) {
         const long double distance = static_cast<long double>(celsius) - 126.9686L;
         const long double right = 0.1185976L * std::exp(-1.183432e-4L * distance * distance);
-        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11) << celsius;  // 1e-9 is promised
+        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11) << celsius;  // 1e-9 is required
     }
     EXPECT_NEAR(exponential_mv(term, 126.9686), 0.1185976, 1e-11);
     EXPECT_EQ(exponential_mv(term, 126.9686 + 1024.0), 0.0);
@@ -294,7 +292,7 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
 
 TEST(Thermocouple, BadFirstGuessOnASteepCurveIsSolvedByBisection) {
     shows_rule("work is bounded");
-    // t^3 from 0 to 100, first guess 1: Newton's next step from there would be 1 + (125000 - 1) / 3, far outside.
+    // t^3 from 0 to 100, first guess 1: the next Newton step would be 1 + (125000 - 1) / 3, far outside.
     ThermocoupleCurve cubic{};
     cubic.reference[0] = reference_piece(0.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
@@ -306,8 +304,8 @@ TEST(Thermocouple, BadFirstGuessOnASteepCurveIsSolvedByBisection) {
 
 TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
     shows_rule("work is bounded");
-    // t^3 from -100 to 100, first guess 10, -5000 wanted. No parabola through there is 0: its slope 300 alone leads
-    // 6000 / 300 = 20 down, to -10, which is a step of 20 and not the end of the search. The root is -17.0997594668.
+    // t^3 from -100 to 100, first guess 10, target -5000. No parabola through this point reaches 0: its slope 300 alone
+    // gives a step of 6000 / 300 = 20 down, to -10; the search must not end there. The root is -17.0997594668.
     ThermocoupleCurve cubic{};
     cubic.reference[0] = reference_piece(-100.0, 100.0, {0.0, 0.0, 0.0, 1.0});
     cubic.reference_count = 1U;
@@ -320,7 +318,7 @@ TEST(Thermocouple, StepToTheOppositeTemperatureDoesNotEndTheSearch) {
 
 TEST(Thermocouple, OscillatingSearchEnds) {
     shows_rule("work is bounded");
-    // t - 5 below 0 degC and t + 5 above: from 5 the line leads to -5, and from there back to 5.
+    // t - 5 below 0 degC and t + 5 above: the step from 5 leads to -5, and from there back to 5.
     ThermocoupleCurve gap{};
     gap.reference[0] = reference_piece(-100.0, 0.0, {-5.0, 1.0});
     gap.reference[1] = reference_piece(0.0, 100.0, {5.0, 1.0});
@@ -334,7 +332,7 @@ TEST(Thermocouple, OscillatingSearchEnds) {
 
 TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     shows_rule("work is bounded");
-    // A step at 40 degC, with slopes so flat that Newton overshoots: halving runs to the end of its patience.
+    // A jump at 40 degC, with slopes so flat that Newton overshoots: bisection runs to its limit.
     ThermocoupleCurve step{};
     step.reference[0] = reference_piece(0.0, 40.0, {});
     step.reference[1] = reference_piece(40.0, 1e6, {10.0});
@@ -342,7 +340,7 @@ TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
     step.highest = to_fixed(1e6);
-    // It ends in the middle of the first interval that is no longer than 1e-5 degC.
+    // It ends in the middle of the first interval that is at most 1e-5 degC long.
     EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 5e-6);
 }
 

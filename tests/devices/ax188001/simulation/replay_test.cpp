@@ -1,4 +1,4 @@
-// A ramp through all limits, with a wire that breaks, replayed from stimuli: each emergency message at its due time.
+// Replays a ramp through all limits, with an open circuit, from stimuli: each emergency message at its due time.
 #include "host/sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::string replayed(const std::string& log, const std::string& stimuli, double 
     return frames.str();
 }
 
-/// From -32 degC by 10 degC a second, up from second 11 to 42 and down from second 58 to 88.
+/// Returns a ramp from -32 degC by 10 degC per second, up from second 11 to 42 and down from second 58 to 88.
 std::string ramp() {
     std::ostringstream csv;
     csv << "0,tc1_celsius,-32\n";
@@ -81,7 +81,7 @@ TEST(Ax188001Replay, ReplayIsTheSameEveryTime) {
     EXPECT_EQ(outputs[0], outputs[1]);
 }
 
-// 100 degC is 5968 = 1750h; 25 degC 4768 = 12A0h. Each value is that of the last reading before the TPDO.
+// 100 degC is 5968 = 1750h; 25 degC is 4768 = 12A0h. Each value is that of the last reading before the TPDO.
 TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
     verifies<req::TCS_PDO_001, req::TCS_S_CELSIUS>();
     EXPECT_EQ(replayed("(0.500000) can0 000#0100\n", "2.4,tc1_celsius,100\n", 3.6),
@@ -92,13 +92,13 @@ TEST(Ax188001Replay, ProcessValuesAreSentEverySecond) {
               "(3.500000) can0 1FF#5017A012\n");
 }
 
-// The wire is of the type that 6110h is set to, until tc1_wire names another: K's 4.096 mV at 100 degC are 78 degC in
-// J.
+// The wire has the type of 6110h until tc1_wire names another: 4.096 mV of type K at 100 degC are 78 degC in type J.
 TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
     verifies<req::TCS_S_WIRE, req::TCS_S_CELSIUS, req::TCS_S_MICROVOLTS>();
     const std::string read_pv = "(1.000000) can0 67F#4030710100000000\n(3.000000) can0 67F#4030710100000000\n";
     const std::string to_k = "(0.200000) can0 67F#2B10610102000000\n";
-    // Without tc1_wire a K wire at 100 degC, then at 1 V of hum-free microvolts: 0 uV is the cold junction's 25 degC.
+    // Without tc1_wire a K wire at 100 degC, then a voltage of 0 uV without hum: 25 degC, the cold junction
+    // temperature.
     EXPECT_EQ(replayed(to_k + read_pv, "0.5,tc1_celsius,100\n2,tc1_microvolts,0\n", 3.1),
               "(0.000000) can0 77F#00\n"
               "(0.200000) can0 5FF#6010610100000000\n"

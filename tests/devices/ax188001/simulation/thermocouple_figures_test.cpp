@@ -1,4 +1,4 @@
-// The figures of the AX188001 show what its manual promises (1.1, appendix A).
+// Checks that the figures of the AX188001 show the properties of its manual (1.1, appendix A).
 #include "devices/ax188001/simulation/thermocouple_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(ThermocoupleFigures, ChannelErrsByAtMostOneDegree) {
     for (const Curve& curve : plot.curves) {
         EXPECT_EQ(curve.points.size(), 301U);
         EXPECT_LT(worst(curve), 1.0) << curve.name;
-        EXPECT_GT(worst(curve), 0.001) << curve.name;  // the converter's steps show
+        EXPECT_GT(worst(curve), 0.001) << curve.name;  // the steps of the converter are visible
     }
 }
 
@@ -73,7 +73,7 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
     for (const PlotMark& mark : plot.marks) {
         words.push_back(mark.word);
     }
-    // As worked out in the test of the replay.
+    // Calculated in the test of the replay.
     EXPECT_EQ(words, (std::vector<std::string>{"low warning 5.000", "cleared 12.045", "high warning 31.070",
                                                "shutdown 44.105", "open circuit 52.355", "cleared 55.110",
                                                "cleared 61.050", "cleared 74.085", "low warning 93.110"}));
@@ -86,7 +86,8 @@ TEST(ThermocoupleFigures, RampPlotMarksEachEmcyMessage) {
             EXPECT_NEAR(celsius, 58.0, 0.1);  // sent at 20.100; last read at 19.965: -32 + 9 * 10
         }
     }
-    EXPECT_EQ(gaps, 8);  // TPDOs at 47.1 (before the break is known) … 48.1 to 55.1, the repair read at 55.11
+    EXPECT_EQ(gaps,
+              8);  // TPDOs at 47.1 (before the open circuit is detected) … 48.1 to 55.1, the repair is read at 55.11
 }
 
 }  // namespace canproof::host::test

@@ -12,7 +12,7 @@ using ::testing::SizeIs;
 TEST(OutputFigures, ReplayOfTheManualTelegramsGivesItsOutputs) {
     const LinePlot plot = analog_outputs_plot();
     ASSERT_THAT(plot.curves, SizeIs(4));
-    // CBX-AO412 7.10.2.3: 3EB3h is 5.0 V, C14Dh is -5.0 V; a bit of the twelve is some 5 mV.
+    // CBX-AO412 7.10.2.3: 3EB3h is 5.0 V, C14Dh is -5.0 V; one of the 12 bits is about 5 mV.
     const auto& first = plot.curves[0].points;
     ASSERT_GE(first.size(), 3U);
     EXPECT_DOUBLE_EQ(first[2].first, 0.010);
