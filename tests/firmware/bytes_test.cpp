@@ -1,4 +1,4 @@
-// Bytes that nobody can read or write beyond their end (firmware/base/bytes.hpp).
+// Bytes that cannot be read or written beyond their end (firmware/base/bytes.hpp).
 #include "firmware/base/bytes.hpp"
 
 #include <gtest/gtest.h>
@@ -74,8 +74,8 @@ TEST(Bytes, CopyEndsAtTheEndOfTheTarget) {
     MutableBytes first_four{room.data(), 4U};
     first_four.copy(2U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 1, 2, 0, 0}}));
-    first_four.copy(5U, ByteView{source});  // begins behind the end
-    first_four.copy(1U, ByteView{source});  // ends behind it: 1, 2 and 3 fit
+    first_four.copy(5U, ByteView{source});  // starts beyond the end
+    first_four.copy(1U, ByteView{source});  // ends beyond the end: 1, 2 and 3 fit
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 1, 2, 3, 0, 0}}));
     first_four.copy(0U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));
@@ -109,7 +109,7 @@ TEST(Bytes, NumberReadAcrossTheEndHasZerosThere) {
     EXPECT_EQ(get_le<2U>(four, 4U), 0U);
     EXPECT_EQ(get_le<2U>(four, 6U), 0U);
     for (const std::size_t count : {std::size_t{1U}, std::size_t{2U}, std::size_t{3U}, std::size_t{4U}}) {
-        EXPECT_EQ(read_le(four, 5U, count), 0U);  // begins behind the end
+        EXPECT_EQ(read_le(four, 5U, count), 0U);  // starts beyond the end
     }
     EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
@@ -120,7 +120,7 @@ TEST(Bytes, NumberTakesAsManyBytesAsItsType) {
     MutableBytes six{room.data(), 6U};
     six.set_le(0U, 3U, 0x44332211U);
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0x11, 0x22, 0x33, 9, 9, 9, 9, 9}}));
-    six.put_le<2U>(7U, 0xFFFFU);  // begins behind the end
+    six.put_le<2U>(7U, 0xFFFFU);  // starts beyond the end
     for (const std::size_t count : {std::size_t{1U}, std::size_t{2U}, std::size_t{3U}, std::size_t{4U}}) {
         six.set_le(7U, count, 0xFFFFFFFFU);
     }
@@ -129,14 +129,14 @@ TEST(Bytes, NumberTakesAsManyBytesAsItsType) {
 
 namespace {
 
-constexpr std::size_t room_size = 18;  // 8 bytes of a view, and 10 behind it
+constexpr std::size_t room_size = 18;  // 8 bytes of a view, and 10 after it
 using Room = std::array<std::uint8_t, room_size>;
 
 constexpr Room numbered() {
     return {{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18}};
 }
 
-/// Byte by byte, what `value` leaves in the first `size` bytes.
+/// Returns the bytes after writing `value` byte by byte within the first `size` bytes.
 Room written(std::size_t size, std::size_t at, std::size_t count, std::uint64_t value) {
     Room room = numbered();
     for (std::size_t i = 0; i < count && at + i < size; ++i) {
@@ -153,7 +153,7 @@ std::uint64_t number(std::size_t size, std::size_t at, std::size_t count) {
     return value;
 }
 
-/// Reads and writes `count` bytes at `at` of a view of `size` bytes.
+/// Reads and writes `count` bytes at `at` in a view of `size` bytes.
 template <std::size_t N>
 void expect_bytes(std::size_t size, std::size_t at, std::uint64_t value) {
     Room room = numbered();

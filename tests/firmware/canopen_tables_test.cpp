@@ -33,7 +33,7 @@ TEST(CanopenTables, RestrictedIdentifiersFollowCiA301) {
     EXPECT_EQ(t::find(0x800), nullptr);
 }
 
-// CiA 301, 7.4.1: communication from 1000h, the maker's from 2000h, those of a device profile from 6000h
+// CiA 301, 7.4.1: communication from 1000h, manufacturer from 2000h, device profile from 6000h
 TEST(CanopenTables, DictionaryAreasFollowCiA301) {
     verifies<req::CO_NMT_006>();
     EXPECT_EQ(parameter_group(0x1000), ParameterGroup::communication);
@@ -44,7 +44,7 @@ TEST(CanopenTables, DictionaryAreasFollowCiA301) {
     EXPECT_EQ(parameter_group(0x9FFF), ParameterGroup::application);
 }
 
-// CiA 301, 7.3.2.3: no service before boot-up, no one of these in stopped, PDOs in operational only
+// CiA 301, 7.3.2.3: no service before boot-up, none of these in stopped, PDOs in operational only
 TEST(CanopenTables, ServicesByStateFollowCiA301) {
     verifies<req::CO_T_SERVICES>();
     namespace t = own::nmt_services;
@@ -85,7 +85,7 @@ TEST(CanopenTables, TransmissionTypesFollowCiA301) {
     }
 }
 
-// CiA 305, 6.7.4: LSS Fastscan has seven bytes behind its command, and its slave answers by the command alone, 4Fh
+// CiA 305, 6.7.4: LSS Fastscan has seven bytes after its command; the slave answers with the command 4Fh alone
 TEST(CanopenTables, FastscanLengthsFollowCiA305) {
     verifies<req::CO_T_LSS>();
     const auto* row = own::lss_requests::find(own::LssCommand::fastscan);

@@ -1,5 +1,5 @@
-// The check that the compiler runs on every generated dictionary, on a small one that is sound and on ones that are
-// not.
+// The check that the compiler runs on every generated dictionary, tested with a small valid dictionary and with invalid
+// ones.
 #include "firmware/canopen/dictionary_check.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 namespace canproof {
 namespace {
 
-/// 1000h with one entry of 4 bytes in flash, 2000h with two of 1 byte each; factor 1 << 16 puts index i at slot i & 3.
+/// 1000h with one entry of 4 bytes in flash, 2001h with two of 1 byte each; factor 1 << 16 puts index i into slot i &
+/// 3.
 struct Dictionary {
     std::array<ObjectRow, 2> objects{{{0x1000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 2U, ObjectKind::array}}};
     std::array<EntryRow, 3> entries{
@@ -38,7 +39,7 @@ TEST(DictionaryCheck, SoundDictionaryIsAccepted) {
     Dictionary neighbours;
     neighbours.objects[1].index = 0x1001U;
     EXPECT_TRUE(neighbours.sound());
-    Dictionary two_first;  // the second object's first entry has another number than the object
+    Dictionary two_first;  // the first entry of the second object has another number than the object
     two_first.objects = {{{0x1000U, 0U, 2U, ObjectKind::array}, {0x2001U, 2U, 1U, ObjectKind::var}}};
     two_first.entries[1].subindex = 1U;
     two_first.entries[2].subindex = 0U;
@@ -79,7 +80,7 @@ TEST(DictionaryCheck, SubindicesOutOfOrderAreRefused) {
 
 TEST(DictionaryCheck, MoreThan8PdosOfADirectionAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
-    // Factor 1 << 16: 1407h and 1807h lie in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh and
+    // Factor 1 << 16: 1407h and 1807h are in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh and
     // 19FFh in slot 3.
     const auto with = [](const std::uint16_t index, const std::size_t slot) {
         Dictionary dictionary;
@@ -128,21 +129,21 @@ TEST(DictionaryCheck, HashTableFindsEachObjectAndEndsEachSearch) {
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};
     EXPECT_FALSE(lost.sound());
-    Dictionary later;  // 2001h was displaced by another at its slot: the search goes on to the next
+    Dictionary later;  // 2001h was displaced by another object at its slot: the search continues at the next
     later.objects[1].index = 0x2000U;
     EXPECT_TRUE(later.sound());
-    Dictionary behind_a_gap;  // where the search has ended
+    Dictionary behind_a_gap;  // the search has ended there
     behind_a_gap.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_FALSE(behind_a_gap.sound());
-    Dictionary apart;  // a search that begins at the slot of another object ends at the gap
+    Dictionary apart;  // a search that starts at the slot of another object ends at the gap
     apart.objects[1].index = 0x2002U;
     apart.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_TRUE(apart.sound());
-    Dictionary onwards;  // both belong to slot 1: the second goes on at slot 2, not at slot 0
+    Dictionary onwards;  // both belong to slot 1: the second continues at slot 2, not at slot 0
     onwards.objects[0].index = 0x1001U;
     onwards.slots = {{no_object, 0U, 1U, no_object}};
     EXPECT_TRUE(onwards.sound());
-    Dictionary round;  // both belong to slot 3: the second goes on at slot 0
+    Dictionary round;  // both belong to slot 3: the second continues at slot 0
     round.objects[0].index = 0x1003U;
     round.objects[1].index = 0x2003U;
     round.slots = {{1U, no_object, no_object, 0U}};
@@ -150,13 +151,14 @@ TEST(DictionaryCheck, HashTableFindsEachObjectAndEndsEachSearch) {
     Dictionary full;
     full.slots = {{0U, 0U, 0U, 0U}};
     EXPECT_FALSE(full.sound());
-    Dictionary odd;  // three slots: the mask of the search skips one
+    Dictionary odd;  // three slots: the mask of the search skips one slot
     std::array<std::uint16_t, 3> three{{0U, 1U, no_object}};
     EXPECT_FALSE(
         has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(three), 1U}));
     std::array<std::uint16_t, 2> two{{0U, 1U}};
     EXPECT_FALSE(has_free_slot(DictionaryTables{table_view(odd.objects), {}, {}, {}, {}, {}, 0U, table_view(two), 1U}));
-    const Dictionary tight;  // each is found, at 1000h & 1 and 2001h & 1, but what is absent is searched for ever
+    const Dictionary
+        tight;  // each object is found, at 1000h & 1 and 2001h & 1, but the search for an absent object never ends
     EXPECT_FALSE(is_sound(DictionaryTables{
         table_view(tight.objects), table_view(tight.entries), table_view(tight.limits), table_view(tight.allowed),
         table_view(tight.constants), table_view(tight.defaults), 0U, table_view(two), tight.factor}));

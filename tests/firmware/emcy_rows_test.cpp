@@ -1,4 +1,4 @@
-// Errors that are not listed, or not sent: what a row of the error table asks for (firmware/canopen/emcy.hpp).
+// Errors that are not listed, or not sent, as their row of the error table requires (firmware/canopen/emcy.hpp).
 #include <gtest/gtest.h>
 
 #include "firmware/canopen/emcy.hpp"
@@ -10,12 +10,12 @@ namespace canproof::test {
 
 namespace {
 
-constexpr ErrorId quiet = ErrorId::can_overrun;        // in 1001h alone
+constexpr ErrorId quiet = ErrorId::can_overrun;        // only in 1001h
 constexpr ErrorId unlisted = ErrorId::error_passive;   // in 1001h and sent
 constexpr ErrorId unsent = ErrorId::sync_length;       // in 1001h and listed
-constexpr ErrorId usual = ErrorId::internal_software;  // all three
+constexpr ErrorId usual = ErrorId::internal_software;  // in 1001h, listed and sent
 
-/// On the dictionary of the slave, whose own emergencies are in nobody's way.
+/// An EMCY service on the dictionary of the slave, without emergencies of the slave itself.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {
   protected:
     void SetUp() override {
@@ -29,7 +29,7 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
         power_on();
         keep(ErrorList::active);
     }
-    /// Begins with a list of that kind.
+    /// Starts with a list of that kind.
     void keep(ErrorList list) {
         emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, list, EmcyContent::detail);
         emcy_->set_node_id(5);
@@ -96,7 +96,7 @@ TEST_F(EmcyRows, MomentaryErrorIsReportedAsItsTableRowRequires) {
     EXPECT_TRUE(sent().empty());
     EXPECT_EQ(listed(1), 0x8240U);
     emcy().report(unlisted, now);
-    EXPECT_EQ(sent(), Frames{"085#2081000000000000"});  // none of them lasts: 1001h reads 0
+    EXPECT_EQ(sent(), Frames{"085#2081000000000000"});  // no error is active: 1001h reads 0
     EXPECT_EQ(listed(0), 1U);
     EXPECT_EQ(error_register(), 0U);
 }

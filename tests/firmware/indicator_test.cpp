@@ -1,4 +1,4 @@
-// The eight indicator states of the CAN-CBX-AO412 (3.2.1), each watched for two rounds in steps of 50 ms.
+// The eight indicator states of the CAN-CBX-AO412 (3.2.1), each for two rounds in steps of 50 ms.
 #include "firmware/canopen/indicator.hpp"
 
 #include "generated/cbx_ao412/requirements.hpp"
@@ -17,7 +17,7 @@ IndicatorPattern pattern(State state) {
     return {row->flashes, milliseconds(row->on_ms), milliseconds(row->gap_ms), milliseconds(row->pause_ms)};
 }
 
-/// # lit, . dark, a character each 50 ms from time 0.
+/// Returns the state over time, one character per 50 ms from time 0: # lit, . dark.
 std::string watch(State state, std::size_t steps, Duration shift = Duration{}) {
     std::string seen;
     for (std::size_t i = 0; i < steps; ++i) {

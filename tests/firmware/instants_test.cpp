@@ -1,4 +1,4 @@
-// Points in time and sequence numbers (firmware/base).
+// Instants and sequence numbers (firmware/base).
 #include <gtest/gtest.h>
 
 #include "firmware/base/sequence_number.hpp"

@@ -1,4 +1,4 @@
-// Node-ID and bit rate in the memory (CiA 305, 6.4.5).
+// Node-ID and bit rate in the non-volatile memory (CiA 305, 6.4.5).
 #include "firmware/canopen/lss_store.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(LssStore, StoreUsesTheEndOfTheMemory) {
 
 TEST(LssStore, PowerCutAtAnyByteLeavesTheOldOrTheNewConfiguration) {
     verifies<req::CO_LSS_016>();
-    // One byte makes the slot void, 20 fill it, one commits it, one makes the other slot void.
+    // One byte invalidates the slot, 20 fill it, one commits it, one invalidates the other slot.
     for (std::size_t cut = 0; cut <= 23; ++cut) {
         host::Memory memory{64};
         LssStore{memory}.store({1, 10000});
@@ -95,7 +95,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
     LssStore{memory}.store({1, 10000});
     auto& bytes = memory.bytes();
     bytes[64 - 40] ^= 1;
-    Crc32 crc{};  // of its first 16 bytes, in the last four: right for what stands there
+    Crc32 crc{};  // of its first 16 bytes, in the last four: valid for the present content
     crc.add(ByteView{bytes.data() + 64 - 40, 16});
     for (std::size_t i = 0; i < 4; ++i) {
         bytes[64 - 40 + 16 + i] = static_cast<std::uint8_t>(crc.value() >> (8 * i));
@@ -105,7 +105,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
 
 TEST(LssStore, DamagedSlotIsIgnored) {
     verifies<req::CO_LSS_017, req::CO_LSS_065>();
-    for (const int stores : {1, 2, 3}) {  // the latest in the first slot, in the second, in the first
+    for (const int stores : {1, 2, 3}) {  // the latest is in the first slot, in the second, in the first
         for (std::size_t at = 0; at < 40; ++at) {
             host::Memory memory{64};
             for (int node_id = 1; node_id <= stores; ++node_id) {
@@ -113,7 +113,8 @@ TEST(LssStore, DamagedSlotIsIgnored) {
             }
             memory.bytes()[64 - 40 + at] ^= 0xFF;
             const std::size_t latest = stores == 2 ? 20 : 0;
-            const bool hit = at >= latest && at < latest + 20 && at != latest + 3;  // the marker alone harms nothing
+            const bool hit =
+                at >= latest && at < latest + 20 && at != latest + 3;  // a change of the marker alone has no effect
             const LssConfiguration found = LssStore{memory}.load(shipped);
             EXPECT_EQ(found.damaged, hit) << stores << ' ' << at;
             expect(found, found.damaged ? 127 : stores, found.damaged ? 125000 : 20000);
@@ -129,12 +130,12 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
             for (int node_id = 1; node_id <= stores; ++node_id) {
                 LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
             }
-            memory.bytes()[64 - 40 + (stores == 2 ? 20 : 0) + 12] ^= 1;  // the node-ID of the latest
+            memory.bytes()[64 - 40 + (stores == 2 ? 20 : 0) + 12] ^= 1;  // the node-ID of the latest slot
             memory.cut_power_after(cut);
             LssStore{memory}.store({9, 50000});
             memory.restore_power();
             const LssConfiguration found = LssStore{memory}.load(shipped);
-            EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;  // until the damaged slot is void
+            EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;  // until the damaged slot is invalidated
             expect(found, cut < 23 ? 127 : 9, cut < 23 ? 125000 : 50000);
             EXPECT_EQ(LssStore{memory}.store({10, 10000}), LssError::none);
             expect(LssStore{memory}.load(shipped), 10, 10000);
@@ -145,7 +146,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
 
 TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
-    // Only a copy of a slot can bring this about: 20 bytes each, at the end of the memory.
+    // Only a copy of a slot can cause this: 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     auto& bytes = memory.bytes();
@@ -188,7 +189,7 @@ TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {
         host::Memory memory{64};
-        LssStore{memory}.store({9, 500000});  // older, and it stays unused
+        LssStore{memory}.store({9, 500000});  // the older slot, which is not used either
         LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
         const bool counts = (node_id >= 1 && node_id <= 127) || node_id == 255;
         const LssConfiguration found = LssStore{memory}.load(shipped);

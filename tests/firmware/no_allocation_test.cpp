@@ -1,4 +1,4 @@
-// After start nothing allocates: a session of every service runs while the allocator fails.
+// After the start nothing allocates memory: a session of every service runs while the allocator fails.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -37,7 +37,7 @@ bool may_allocate() {
 #define CANPROOF_SANITIZED
 #endif
 
-// A sanitizer has an allocator of its own; there only operator new is watched.
+// A sanitizer has its own allocator; there only operator new is monitored.
 #if !defined(CANPROOF_SANITIZED)
 extern "C" {
 void* __libc_malloc(std::size_t size);
@@ -92,7 +92,7 @@ namespace canproof::test {
 
 namespace {
 
-/// While it lives, every allocation fails.
+/// Makes every allocation fail during its lifetime.
 class FailingAllocator {
   public:
     FailingAllocator() {
@@ -104,7 +104,7 @@ class FailingAllocator {
     FailingAllocator& operator=(const FailingAllocator&) = delete;
 };
 
-/// What came back, counted without a container: SDO answers and aborts, and everything else.
+/// The received answers, counted without a container: SDO answers and aborts, and all other frames.
 struct Tally {
     int sdo_answers{0};
     int sdo_aborts{0};
@@ -130,7 +130,7 @@ std::vector<Frame> parsed(const std::vector<std::string>& lines) {
     return frames;
 }
 
-/// Feeds the frames 100 ms apart, keeping every deadline; then 5 s of silence.
+/// Sends the frames 100 ms apart and keeps every deadline; then 5 s without frames.
 template <typename Device>
 Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& frames, Instant now) {
     Tally tally;
@@ -183,7 +183,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
     SlaveBench bench;
     bench.device->take_domain_memory();
     const auto frames = parsed({
-        // SDO: expedited, segmented and block, both ways, refused, aborted, stalled
+        // SDO: expedited, segmented and block, in both directions, refused, aborted, stalled
         "605#4000100000000000",
         "605#2B00220064000000",
         "605#2B00220065000000",
@@ -219,7 +219,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "705#R",
         "605#2B15100064000000",
         "605#2305100080000000",
-        // PDOs: remapping, operational, received at once and with SYNC, sent on change, too short
+        // PDOs: remapping, operational, immediate and synchronous reception, sent on change, too short
         "605#2300140105020080",
         "605#2F00160000000000",
         "605#2300160108010020",
@@ -260,7 +260,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
     bench.device->fill(SlaveBench::program_index, 0, {1, 2, 3});
     const Tally tally = session(*bench.device, bench.queue, frames, bench.now);
     EXPECT_EQ(refused, 0);
-    // the session did happen: most SDO requests were confirmed, and the other services spoke
+    // the session took place: most SDO requests were confirmed, and the other services sent frames
     EXPECT_GE(tally.sdo_answers, 35);
     EXPECT_LE(tally.sdo_aborts, 12);
     EXPECT_GE(tally.others, 12);

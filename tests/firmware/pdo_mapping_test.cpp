@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Three objects of two bytes each in the image, one behind the other, and two in flash: 2000h to 2002h, 2010h, 2011h.
+/// Three objects of two bytes each in the image, one after the other, and two in flash: 2000h to 2002h, 2010h, 2011h.
 /// 1A00h maps four entries.
 class SmallDictionary {
   public:
@@ -24,7 +24,7 @@ class SmallDictionary {
         }
     }
 
-    /// What a PDO carries that maps 16 bits of each of these objects.
+    /// Returns the data of a PDO that maps 16 bits of each of these objects.
     std::uint64_t carried(const std::vector<std::uint16_t>& mapped) {
         objects_view_.write(0x1A00, 0, static_cast<std::uint32_t>(mapped.size()));
         for (std::size_t i = 0; i < mapped.size(); ++i) {
@@ -75,7 +75,7 @@ class SmallDictionary {
 
 }  // namespace
 
-// The image holds A000h + index, flash F010h and F011h. 2000h has eight bytes behind it, 2001h and 2002h have not.
+// The image has A000h + index, flash has F010h and F011h. 2000h has eight bytes after it, 2001h and 2002h have fewer.
 TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;
@@ -98,7 +98,7 @@ TEST(Mapping, MappingContainsItsNamedValuesOnly) {
     objects.load_defaults(ParameterGroup::communication, 5);
     std::array<PdoLine, 8> places{};
     PdoMapping mapping;
-    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // as shipped: 2001h:1 and 2001h:2, a byte each
+    mapping.resolve(objects, 0x1A00, Slots<PdoLine>{places});  // default: 2001h:1 and 2001h:2, one byte each
     EXPECT_EQ(mapping.length(), 2U);
     EXPECT_TRUE(mapping.maps(0x2001, 1));
     EXPECT_TRUE(mapping.maps(0x2001, 2));

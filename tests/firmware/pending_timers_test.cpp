@@ -1,5 +1,5 @@
-// What waits in the services that all devices share, 100 ms long, and each event 40 ms later that can end it, keep it
-// or renew it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
+// Pending activities of the services that all devices share, 100 ms long, and each event 40 ms later that can end, keep
+// or restart them (CiA 301, 7.2.2, 7.2.5, 7.2.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace {
 struct Case {
     std::string name;
     std::vector<std::string> event;  ///< frames to the node
-    Frames later;                    ///< what comes within 300 ms of the event
+    Frames later;                    ///< frames within 300 ms of the event
 };
 
-/// `arms` begins the wait; then each event in turn, on a slave that has just booted.
+/// Starts the activity with `arms`; then performs each event in turn, each on a newly booted slave.
 void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases) {
     for (const Case& one : cases) {
         SlaveBench bench;
@@ -33,7 +33,7 @@ void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases
     }
 }
 
-/// At `first` milliseconds and each `period` after it.
+/// Returns `frame` at `first` milliseconds and every `period` after it.
 Frames each(int first, int period, const std::string& frame) {
     Frames all;
     for (int at = first; at <= 300; at += period) {
@@ -170,7 +170,7 @@ TEST(PendingTimer, TpdoSyncCountIsKeptEndedOrRestartedByEachEvent) {
     for (const Case& one : cases) {
         SlaveBench bench;
         for (const char* frame :
-             {"605#2F00180203000000", "000#0105", "080#", "080#"}) {  // each third SYNC, two are gone
+             {"605#2F00180203000000", "000#0105", "080#", "080#"}) {  // every third SYNC, two have passed
             bench.send(frame);
         }
         for (const std::string& frame : one.event) {

@@ -1,5 +1,5 @@
-// What a device gets that asks for no more than it must: the answers of Application and LssApplication themselves, and
-// of a node and a dictionary used by hand.
+// A device that implements only what it must: the default answers of Application and LssApplication, and of a node and
+// a dictionary used directly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device that lends memory for a DOMAIN but does not say what to do with it, and stores nothing.
+/// A device that lends memory for a DOMAIN but does not process it, and stores nothing.
 class PlainApplication final : public Application {
   public:
     AbortCode check_access(const EntryRef& entry) override {
@@ -28,7 +28,7 @@ class PlainApplication final : public Application {
     void booted(Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// What it answers when it is asked; nothing of its own where empty.
+    /// The answers of the application; the default where empty.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
     /// What it was told to have a new value.
@@ -52,7 +52,7 @@ class PlainNode {
     Instant next_deadline() const { return node_.next_deadline(); }
 
     PlainApplication& application() { return application_; }
-    /// Gives an object of one entry to a service.
+    /// Assigns an object of one entry to a service.
     void give(std::uint16_t index, Service service) {
         const auto is_wanted = [index](const ObjectRow& row) { return row.index == index; };
         const auto& objects = description_.rows.objects;
@@ -172,7 +172,7 @@ TEST_F(ByHand, SelfStartNeedsCommunicationUnless1029hSelectsNoChange) {
     node.set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state_after_start(), NmtState::pre_operational);
     node.set_can_state(CanState::error_active, now);
-    sent();                                                                   // what bus-off left to tell
+    sent();                                                                   // the emergency messages after bus-off
     EXPECT_EQ(send("605#2F29100101000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 1: no change of state
     node.set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state_after_start(), NmtState::operational);

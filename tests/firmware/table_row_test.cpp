@@ -1,4 +1,4 @@
-// A decision table read cell by cell (firmware/base/table_row.hpp).
+// Access to the cells of a decision table (firmware/base/table_row.hpp).
 #include "firmware/base/table_row.hpp"
 
 #include <gtest/gtest.h>

@@ -42,7 +42,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // and stays as it was
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the queue is unchanged
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 
@@ -121,7 +121,7 @@ TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 2));
     EXPECT_TRUE(queue.boot_up_waits());
-    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // stays behind it
+    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // it stays behind the boot-up message
     EXPECT_EQ(queue.pop().data[0], 2);
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 4));

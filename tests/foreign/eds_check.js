@@ -1,4 +1,5 @@
-// eds_check.js FILE.eds FILE.json: every entry of the dictionary as the foreign parser read it, against the register's.
+// eds_check.js FILE.eds FILE.json: compares every entry of the dictionary, as the foreign parser read it, with the
+// requirements register.
 const fs = require('fs');
 const { Eds } = require('canopen/source/eds');
 const { AccessType, DataType } = require('canopen/source/types');
@@ -15,7 +16,7 @@ function compare(where, what, found, expected) {
     }
 }
 
-// A number as the sheet spells it; a text as it is.
+// Returns a number as the sheet writes it; a text unchanged.
 function number(text) {
     return typeof text === 'string' && text.trim() !== '' && !Number.isNaN(Number(text)) ? Number(text) : text;
 }
@@ -47,9 +48,9 @@ function compareEntry(where, found, entry) {
         compare(where, 'default', number(found.defaultValue), Number(entry.default));
     }
     for (const [key, limit] of [['minimum', found.lowLimit], ['maximum', found.highLimit]]) {
-        // A sheet gives no limit of a real, see write_eds.cpp.
+        // A sheet has no limits of a REAL32, see write_eds.cpp.
         if (typeof entry[key] === 'number' && !entry.zero && !entry.type.startsWith('REAL')) {
-            compare(where, key, number(limit) ?? 0, entry[key]);  // this parser forgets a limit that is 0
+            compare(where, key, number(limit) ?? 0, entry[key]);  // this parser drops a limit that is 0
         }
     }
 }

@@ -19,7 +19,7 @@ import tempfile
 PROGRAM = sys.argv[1]
 NODE = 5
 INVALID = 0x80000000
-# Device: PDO communication object, mapping object, wanted entries. A mapping of the sheet, in another order.
+# Device: PDO communication object, mapping object, wanted entries: a mapping of the sheet, in another order.
 CASES = {
     "ax130751": (0x1800, 0x1A00, [0x23700210, 0x23700110]),
     "ax188001": (0x1800, 0x1A00, [0x71300210, 0x71300110]),

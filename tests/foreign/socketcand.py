@@ -12,7 +12,7 @@ import threading
 
 import can
 
-PATIENCE = 120  # seconds; only a broken program lets it run out
+PATIENCE = 120  # seconds; reached only by a broken program
 
 
 def frame(identifier, data):
@@ -34,7 +34,7 @@ def converse(port):
     two = can.Bus(interface="socketcand", channel="can0", host="127.0.0.1", port=port)
     one.send(frame(0x603, "4000100000000000"))
     wait_for(one, 0x583, "4300100091010800")
-    wait_for(two, 0x603, "4000100000000000")  # another client hears the request
+    wait_for(two, 0x603, "4000100000000000")  # another client receives the request
     wait_for(two, 0x583, "4300100091010800")  # and the answer
     two.send(frame(0x603, "2B1710000A000000"))  # heartbeat every 10 ms
     wait_for(two, 0x583, "6017100000000000")
@@ -44,7 +44,7 @@ def converse(port):
     second = wait_for(one, 0x703, "05")
     period = second.timestamp - first.timestamp
     assert abs(period - 0.010) < 0.0015, f"heartbeat after {period} s"
-    two.send(frame(0x606, "4000100000000000"))  # behind the client that another program is: AX060805 4.2.1
+    two.send(frame(0x606, "4000100000000000"))  # the device behind the other CANopen program: AX060805 4.2.1
     wait_for(two, 0x586, "430010009A010310")
     two.send(frame(0x605, "4000100100000000"))  # 1000h has no sub-index 1
     wait_for(two, 0x585, "8000100111000906")
@@ -60,7 +60,7 @@ def wait_for_boot_up(run, nodes):
         line = run.stdout.readline()
         assert line, f"the program ended without {missing}"
         missing.discard(line.split()[2])
-    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and forgotten
+    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and dropped
 
 
 def main():
@@ -69,7 +69,7 @@ def main():
     programs = [run]
     try:
         port = None
-        while not port:  # other lines, such as those that name the devices, come before it
+        while not port:  # other lines, such as the device names, come before it
             said = run.stderr.readline()
             assert said, "the program ended before it named its port"
             port = re.search(r"listens at port (\d+)", said)

@@ -1,4 +1,4 @@
-// Files and lines: what is read, and what is refused instead of taken for the end.
+// Files and lines: what is read, and errors that must not be taken as the end of the file.
 #include "host/base/reading.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The device `box` as a register describes it: objects, behaviour and the enumerations of CANopen that it uses.
+// The device `box` as described in a register: objects, behaviour and the enumerations of CANopen that it uses.
 #pragma once
 
 #include <string>

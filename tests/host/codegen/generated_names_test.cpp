@@ -1,4 +1,4 @@
-// Indices, profile, names of tables and the notation of numbers: what the register already knows is written for the
+// Indices, profile, names of tables and the notation of numbers: data of the register that are generated for the
 // firmware. Expected lines follow from spec/README.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::string table(const std::string& head, const std::string& rows) {
            "outputs = [ { name = \"code\", type = \"UNSIGNED16\" } ]\nrows = [" + rows + "]\n";
 }
 
-/// The part of a sound register that has these items.
+/// Returns the part of a valid register with these items.
 Part box_with(const std::string& items) {
     const LoadResult loaded = load_register(with(items_file, items));
     EXPECT_EQ(all_faults(loaded), "");
@@ -157,7 +157,7 @@ TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectWithFamiliesAsOne) {
     EXPECT_THAT(text, HasSubstr("    if ((index >= 0x3010U) && (index < 0x3040U)) {\n"));
     EXPECT_THAT(text, HasSubstr("static_cast<Parameter>(0x3010U + (offset % 0x10U)),\n"
                                 "                       static_cast<std::uint8_t>(1U + (offset / 0x10U)), subindex};"));
-    // Where another object lies in between, each member stands alone.
+    // With another object in between, each member is listed separately.
     const std::string mixed = write_written(box_with(family + object("0x3025", "Other") + heard));
     EXPECT_THAT(mixed, Not(HasSubstr("offset")));
     EXPECT_THAT(mixed, HasSubstr("    block_2_source = 0x3020U,\n    block_2_gain = 0x3024U,\n    other = 0x3025U,\n"));

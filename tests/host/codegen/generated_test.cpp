@@ -1,4 +1,5 @@
-// What a sound register becomes. Every expected line is worked out by hand from spec/README.md and object_types.hpp.
+// Code generated from a valid register. Every expected line is derived by hand from spec/README.md and
+// object_types.hpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -64,8 +65,8 @@ TEST_F(Generated, ObjectRowsHaveFirstEntryAndCount) {
 TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
     const std::string text = write_objects(box());
     const std::string rw = "rights::read | rights::write";
-    // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (emcy keeps
-    // it), 1014h at 1, 1018h:4 at 5 (factory), 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21, 22,
+    // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (maintained by
+    // emcy), 1014h at 1, 1018h:4 at 5 (factory), 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21, 22,
     // 23, 27.
     for (const std::string& row : {
              std::string{
@@ -93,7 +94,7 @@ TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
 
 TEST_F(Generated, LimitRowsHaveTheBitsOfTheEntryType) {
     const std::string text = write_objects(box());
-    // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the table's settings 0…3 have no hole.
+    // -100 as INTEGER16 is FF9Ch; 10.0 as REAL32 is 41200000h; the settings 0…3 of the table have no gap.
     EXPECT_THAT(text, HasSubstr("    {{LimitKind::value, 0x00000001U, 0}, {LimitKind::none, 0U, 0}},\n"
                                 "    {{LimitKind::value, 0x0000FF9CU, 0}, {LimitKind::entry, 0x002001FFU, -3}},\n"
                                 "    {{LimitKind::list, 0x00000002U, 0}, {LimitKind::none, 0U, 0}},\n"
@@ -111,7 +112,7 @@ TEST_F(Generated, PoolsHaveLittleEndianValuesOneEntryPerLine) {
                                 "    0x02U,  // 9: AO4-OD-2000 Highest sub-index\n"
                                 "    0x02U,  // 10: AO4-OD-2001 Highest sub-index\n"
                                 "}};"));
-    // -6 is FFFAh, 1.5F is 3FC00000h; the text keeps its capacity of four bytes.
+    // -6 is FFFAh, 1.5F is 3FC00000h; the text has its capacity of four bytes.
     EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 28U> default_image{{\n"
                                 "    0x00U,  // 0: AO4-OD-1001 Error Register\n"
                                 "    0x80U, 0x00U, 0x00U, 0x00U,  // 1: AO4-OD-1014 COB-ID EMCY\n"
@@ -210,7 +211,7 @@ TEST_F(Generated, EmbeddedFilesAreSplitForCompilers) {
         large["spec/a.toml"] += line;
     }
     const std::string text = write_embedded(large);
-    // 80 lines of 99 bytes are the most below 8000: 200 lines make three pieces.
+    // 80 lines of 99 bytes are the most below 8000 bytes: 200 lines give three pieces.
     std::size_t pieces = 0;
     for (std::size_t at = text.find("R\"~~~~("); at != std::string::npos; at = text.find("R\"~~~~(", at + 1)) {
         ++pieces;

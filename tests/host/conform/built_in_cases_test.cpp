@@ -1,4 +1,4 @@
-// The cases that the program carries.
+// The cases that are built into the program.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,5 +1,5 @@
-// The conformance cases as a set: the public transcript is there number by number, requirements and risks are named,
-// and each case finds a slave that it applies to.
+// The set of conformance cases: it covers the public transcript number by number, names requirements and risks, and
+// each case applies to some slave.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ const std::vector<Case>& cases() {
     return built_in_cases().cases;
 }
 
-/// The numbers of the public transcript, as its groups count them.
+/// Returns the numbers of the public transcript by its groups.
 std::vector<std::string> public_numbers() {
     struct Row {
         const char* group;
@@ -44,7 +44,7 @@ std::vector<std::string> public_numbers() {
     return numbers;
 }
 
-/// The texts of the cases in the files, from their headings on.
+/// Returns the texts of the cases in the files, each from its heading on.
 std::vector<std::string> case_texts() {
     std::vector<std::string> texts;
     for (const auto& [path, text] : case_files()) {
@@ -90,7 +90,7 @@ Entry entry(std::uint8_t subindex, const char* type, const char* access, std::in
     return made;
 }
 
-/// The two COB-IDs of an SDO.
+/// Returns an object with the two COB-IDs of an SDO.
 Object sdo_parameter(std::uint16_t index, const char* access, std::int64_t to_server, std::int64_t to_client) {
     Object made;
     made.index = index;
@@ -101,7 +101,8 @@ Object sdo_parameter(std::uint16_t index, const char* access, std::int64_t to_se
     return made;
 }
 
-/// The slave with every service, and with objects that none of ours has: they keep what is written and do nothing else.
+/// Returns the slave with every service, and with objects that none of our devices has: they store what is written and
+/// have no effect.
 Part slave_with_more_objects() {
     Part part = canproof::test::slave_part();
     Object window;
@@ -166,7 +167,7 @@ TEST(ConformCases, CasesTestRequirementsInForce) {
     }
 }
 
-// On equipment that must stay as it is, the runner leaves out what says that it may change it.
+// On equipment that must not change, the runner skips cases that declare a change.
 TEST(ConformCases, CasesDeclareTheirRisksForTheEquipment) {
     const std::vector<std::string> texts = case_texts();
     ASSERT_EQ(texts.size(), cases().size());
@@ -191,7 +192,7 @@ TEST(ConformCases, CasesPassOnEachSlaveAndEachCaseAppliesToOne) {
     for (const Part& part : {canproof::test::slave_part(), slave_with_more_objects()}) {
         run_on(std::make_unique<GenericSimulation>(part), sheet_of(part), applied);
     }
-    const std::set<std::string> unseen{"dictionary-structure"};  // no slave of ours answers sub-index FFh
+    const std::set<std::string> unseen{"dictionary-structure"};  // none of our slaves answers sub-index FFh
     for (const Case& one : cases()) {
         EXPECT_EQ(applied.count(one.id), unseen.count(one.id) == 0 ? 1U : 0U) << one.id;
     }

@@ -13,7 +13,7 @@
 
 namespace canproof::host::conform::test {
 
-/// The conformance slave, each of its frames passed by a hook: false drops it.
+/// The conformance slave with a hook for each of its frames: false drops the frame.
 class HookedSlave final : public SimulatedDevice {
   public:
     using Hook = std::function<bool(Frame&)>;
@@ -61,14 +61,14 @@ class HookedSlave final : public SimulatedDevice {
     Hook hook_;
 };
 
-/// As a real bus looks to the runner: a failure may not repeat itself, nobody can switch the slave off, and the user
-/// may want an end.
+/// A target that behaves like a real bus: a failure may not repeat, the slave cannot be switched off, and the user may
+/// interrupt.
 class BusLikeTarget final : public Target {
   public:
     explicit BusLikeTarget(std::unique_ptr<SimulatedDevice> device) : inner_{std::move(device), 5} {
         inner_.listen([this](const FrameRecord& record) { tell(record); });
     }
-    /// Ctrl-C at that time.
+    /// Simulates Ctrl-C at that time.
     void interrupt_at(Instant time) { interrupt_at_ = time; }
     SimulatedDevice& device() { return inner_.device(); }
 
@@ -100,13 +100,13 @@ inline std::unique_ptr<SimulatedDevice> hooked_slave(HookedSlave::Hook hook) {
     return std::make_unique<HookedSlave>(std::move(hook));
 }
 
-/// A case `id` with these lines of its table, and these steps.
+/// Returns the text of a case `id` with these keys and these steps.
 inline std::string case_text(const std::string& id, const std::string& steps, const std::string& keys = "") {
     return "[[case]]\nid = \"" + id + "\"\ngroup = \"sdo\"\nshows = \"Something.\"\nsection = \"CiA 301 7.2.4.3\"\n" +
            keys + "\nsteps = '''\n" + steps + "\n'''\n";
 }
 
-/// The cases of one file; every fault as text in `faults`.
+/// Returns the cases of one file; every fault is added as text to `faults`.
 inline CaseBook book_of(const std::string& text, std::vector<std::string>* faults = nullptr) {
     Faults found;
     CaseBook book = parse_cases({{"spec/conformance/some.toml", text}}, found);
@@ -127,7 +127,7 @@ inline ConformReport run_on(Target& target, const std::string& text, const Confo
     return run_cases(book_of(text), sheet, target, options);
 }
 
-/// One case with these steps, on the sound slave in virtual time.
+/// Runs one case with these steps on the correct slave in virtual time.
 inline CaseResult run_steps_on_slave(const std::string& steps, const std::string& keys = "") {
     VirtualTarget target{sound_slave(), 5};
     return run_on(target, case_text("some", steps, keys)).results.at(0);

@@ -1,4 +1,4 @@
-// The case that judges the data sheet itself: public number 1.0.
+// The case that checks the data sheet itself: public number 1.0.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -20,7 +20,7 @@ CaseResult judged(const ConformSheet& sheet) {
     return run_cases(built_in_cases(), sheet, target, options).results.front();
 }
 
-/// The slave's data sheet with `found` replaced.
+/// Returns the data sheet of the slave with `found` replaced.
 ConformSheet altered(const std::string& found, const std::string& replacement) {
     const ConformSheet sheet = sheet_of(canproof::test::slave_part());
     std::string text = sheet.text;
@@ -38,7 +38,7 @@ TEST(EdsFormCase, DataSheetOfTheSlavePasses) {
 }
 
 TEST(EdsFormCase, DataSheetWithAnErrorFailsWithItsLine) {
-    // Of the three mandatory objects of CiA 301 the list counts two.
+    // The list counts two of the three mandatory objects of CiA 301.
     const CaseResult result = judged(altered("SupportedObjects=3", "SupportedObjects=2"));
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_NE(result.why.find("error(s) in the data sheet; the first: slave.eds:"), std::string::npos) << result.why;

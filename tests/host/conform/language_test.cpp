@@ -1,4 +1,4 @@
-// The case language: expressions, frames, filters, and what is said of a line that is no step.
+// The case language: expressions, frames, filters, and messages for a line that is no step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(ConformExpression, OperatorPrecedenceIsThatOfC) {
     EXPECT_EQ(number("1 + 2 * 3"), 7);
     EXPECT_EQ(number("(1 + 2) * 3"), 9);
     EXPECT_EQ(number("1 << 4 | 3"), 19);
-    EXPECT_EQ(number("6 & 3 == 3"), 0);  // 6 & 1, as C reads it
+    EXPECT_EQ(number("6 & 3 == 3"), 0);  // 6 & 1, as in C
     EXPECT_EQ(number("7 - 2 - 1"), 4);
     EXPECT_EQ(number("-5 + 3"), -2);
     EXPECT_EQ(number("!0 && ~0 == -1"), 1);
@@ -77,7 +77,7 @@ TEST(ConformExpression, DivisionByZeroAndTooLongShiftsAreRefused) {
     EXPECT_THROW(number("$nothing"), BrokenCase);
 }
 
-// CRC-16 with polynomial 1021h and start 0: the check value of "123456789" is 31C3h.
+// CRC-16 with polynomial 1021h and start value 0: the check value of "123456789" is 31C3h.
 TEST(ConformFunctions, CrcFunctionIsThatOfBlockTransfer) {
     const std::string digits = "123456789";
     EXPECT_EQ(block_crc(Bytes(digits.begin(), digits.end())), 0x31C3);
@@ -139,7 +139,7 @@ TEST(ConformFilter, FilterSelectsEntriesOfTheDataSheet) {
 
 TEST(ConformLanguage, ErrorNamesFileLineAndFix) {
     const auto faults = faults_of_steps("read 1000:00\nexpekt 580+N: 43 ...");
-    // [[case]] stands in line 1, id, group, shows, section and the empty line follow, then steps = ''' in line 7.
+    // [[case]] is line 1; id, group, shows, section and an empty line follow, then steps = ''' in line 7.
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_THAT(faults.front(), HasSubstr("spec/conformance/some.toml:9: `expekt` is no step"));
     EXPECT_THAT(faults.front(), HasSubstr("begin with one of send, expect"));

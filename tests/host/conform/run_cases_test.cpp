@@ -1,4 +1,4 @@
-// Verdicts of the conformance engine on slaves that are sound, wrong, silent or moody.
+// Verdicts of the conformance engine on slaves that are correct, wrong, silent or unstable.
 #include "host/conform/run/run_cases.hpp"
 
 #include <gmock/gmock.h>
@@ -103,7 +103,7 @@ TEST(ConformRun, ValuesWrittenByACaseAreRestored) {
 }
 
 TEST(ConformRun, MappingIsRestoredInTheOrderThatASlaveAccepts) {
-    // Saved and restarted, it would stay: only the way back through COB-ID and count undoes it.
+    // Saved and restarted, the value would stay: only the way back through COB-ID and count restores it.
     const std::string steps =
         "read 1800:01 -> cob\nwrite 1800:01 = $cob | 0x80000000\nwrite 1A00:00 = 0\nwrite 1010:01 = \"save\"\n"
         "write 1800:02 = 254";
@@ -225,7 +225,7 @@ TEST(ConformRun, BackgroundTrafficFillsTheBus) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
         run_on(target, case_text("some", "traffic 80 % high\nwait 1 s\nread 1000:00 fails any"));
-    // 125 kbit/s, about 125 bits a frame: 800 frames in the second.
+    // 125 kbit/s, about 125 bits per frame: 800 frames in the second.
     EXPECT_NEAR(static_cast<double>(report.results.at(0).frames.size()), 800.0, 40.0);
 }
 

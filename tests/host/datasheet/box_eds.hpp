@@ -1,4 +1,4 @@
-// A data sheet of a small device, written by hand, and what tests do with it.
+// A hand-written data sheet of a small device, and helpers for it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return text.replace(at, from.size(), to);
 }
 
-/// Line in which `text` first stands.
+/// Returns the first line with `text`.
 inline std::size_t line_of(const std::string& file, const std::string& text) {
     return static_cast<std::size_t>(
         std::count(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(file.find(text)), '\n') + 1);

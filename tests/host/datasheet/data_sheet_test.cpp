@@ -1,5 +1,4 @@
-// The dictionary for tools: EDS (CiA 306), XDD (CiA 311), JSON and Markdown, written out by hand for a box of five
-// objects.
+// The dictionary for tools: EDS (CiA 306), XDD (CiA 311), JSON and Markdown, written by hand for a box of five objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -248,7 +247,7 @@ TEST_F(DataSheet, XddHoldsEachObjectWithItsEntries) {
     EXPECT_STREQ(document.select_node("//baudRate").node().attribute("defaultValue").value(), "125 Kbps");
     EXPECT_STREQ(document.select_node("//DeviceFunction//characteristicContent/label").node().text().get(),
                  "Small Manual, revision 1.2 of 2020-02-03");
-    // the box has no mapping that can be changed
+    // the box has no changeable mapping
     EXPECT_STREQ(document.select_node("//CANopenGeneralFeatures").node().attribute("granularity").value(), "0");
 }
 

@@ -20,7 +20,7 @@ TEST(EdsNumbers, NumberBasesAreThoseOfC) {
     EXPECT_EQ(value_of("0XfF", "UNSIGNED32"), "255");
     EXPECT_EQ(value_of("010", "UNSIGNED32"), "8");
     EXPECT_EQ(value_of("0", "UNSIGNED32"), "0");
-    EXPECT_EQ(value_of("0x10UL", "UNSIGNED32"), "16");  // as C spells it
+    EXPECT_EQ(value_of("0x10UL", "UNSIGNED32"), "16");  // the C notation
     EXPECT_EQ(value_of("10u", "UNSIGNED32"), "10");
     EXPECT_EQ(value_of("-5L", "INTEGER64"), "-5");
     EXPECT_EQ(value_of("0x1234567890ABCDEFLL", "INTEGER64"), "1311768467294899695");
@@ -47,7 +47,7 @@ TEST(EdsNumbers, HexadecimalOfASignedTypeMayBeItsBitPattern) {
     EXPECT_EQ(value_of("0xFFFF", "INTEGER16"), "-1");
     EXPECT_EQ(value_of("0x7FFF", "INTEGER16"), "32767");
     EXPECT_EQ(value_of("0x10000", "INTEGER16"), "none");
-    EXPECT_EQ(value_of("32768", "INTEGER16"), "none");  // decimal numbers are what they say
+    EXPECT_EQ(value_of("32768", "INTEGER16"), "none");  // a decimal number is never a bit pattern
     EXPECT_EQ(value_of("0xFFFFFFFFFFFFFFFE", "INTEGER64"), "-2");
 }
 

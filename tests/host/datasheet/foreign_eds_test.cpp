@@ -1,5 +1,5 @@
-// Data sheets as others write them: every way in which one can be wrong is told by line with what is assumed, and the
-// device runs; what is no data sheet at all is refused.
+// Data sheets of other authors: every fault is reported by line with the assumption that is used, and the device runs;
+// a text that is no data sheet is refused.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The XDD of each device: every object and entry is there, every attribute is of the set that CiA 311 allows, elements
-// stand in the order of its schema. The schema itself may not be passed on; what it says of these files is written out.
+// The XDD of each device has every object and entry, only attributes that CiA 311 allows, and elements in the order of
+// its schema. The schema itself must not be redistributed; its rules for these files are written here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ List children_of(const pugi::xml_node& node) {
     return names;
 }
 
-/// A child that may stand several times is kept once.
+/// Returns the names with repeated neighbours removed.
 List without_repeats(List names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
@@ -51,7 +51,7 @@ void check_attributes(const pugi::xml_node& node, const Words& required, const W
     }
 }
 
-/// A number, or one that counts from the node-ID: decimal or 0x….
+/// Returns a number, decimal or 0x…, or one relative to the node-ID.
 std::optional<long double> number_in(std::string text, long double node_id) {
     const std::string variable = "$NODEID+";
     long double base = 0;
@@ -64,7 +64,7 @@ std::optional<long double> number_in(std::string text, long double node_id) {
     return text.empty() || *end != '\0' ? std::nullopt : std::optional{base + value};
 }
 
-/// Limits are numbers, and the default lies between them.
+/// Checks that limits are numbers with the default between them.
 void check_limits(const pugi::xml_node& node, const std::string& where) {
     const auto low = node.attribute("lowLimit");
     const auto high = node.attribute("highLimit");
@@ -101,7 +101,7 @@ bool is_like(const pugi::xml_node& node, const char* attribute, const char* patt
     return std::regex_match(node.attribute(attribute).value(), std::regex{pattern});
 }
 
-/// Attributes of what holds a value.
+/// Checks the attributes of an element with a value.
 void check_value(const pugi::xml_node& node, const std::string& where) {
     EXPECT_TRUE(is_like(node, "dataType", "00[0-9A-F]{2}")) << where;
     EXPECT_TRUE(is_of(node, "accessType", {"const", "ro", "wo", "rw"})) << where;

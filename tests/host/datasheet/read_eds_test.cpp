@@ -1,4 +1,4 @@
-// An EDS written out by hand, as a device that runs.
+// A hand-written EDS as a running device.
 #include "host/datasheet/read_eds.hpp"
 
 #include <gmock/gmock.h>
@@ -158,7 +158,7 @@ TEST_F(RunningBox, AcceptanceFiltersFollowTheDictionary) {
     for (const char* frame : {"606#40", "206#00", "585#40", "703#05", "00000205#00"}) {
         EXPECT_FALSE(hears(frame)) << frame;
     }
-    send("605#2300140105020080");  // the PDO goes
+    send("605#2300140105020080");  // the PDO is not valid any more
     const auto without = acceptance_filters(*device->objects(), 5);
     EXPECT_EQ(without.size() + 1, accepted.size());
     EXPECT_EQ(acceptance_filters(*device->objects(), 255).size(), 2U);  // NMT and LSS
@@ -186,7 +186,7 @@ TEST_F(RunningBox, DomainStoresAndReturnsAProgram) {
 }
 
 TEST(OwnEds, EachDeviceReadFromItsEdsIsUnchanged) {
-    // From [DeviceInfo] on: what stands before it, and the comments, tell of the file and not of the device.
+    // From [DeviceInfo] on: the text before it and the comments describe the file and not the device.
     const auto body = [](std::string text) {
         text.erase(0, text.find("[DeviceInfo]"));
         const auto comments = text.find("[Comments]");

@@ -1,5 +1,5 @@
-// Device descriptions of CiA 311 in XML, as devices that run: 1.0 with values in attributes, 1.1 with values in
-// parameters; and what others write wrong.
+// Device descriptions of CiA 311 in XML as running devices: 1.0 with values in attributes, 1.1 with values in
+// parameters; and faults in descriptions of other authors.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ const std::string box_1_1 = R"(<?xml version="1.0"?>
 </c:ISO15745ProfileContainer>
 )";
 
-/// Every object and entry in words. A data sheet in INI form has no limits of reals.
+/// Returns every object and entry as text. A data sheet in INI form has no limits of REAL32.
 std::string described(const Part& part) {
     std::string all;
     for (const Object& object : part.objects) {

@@ -1,4 +1,4 @@
-// PDOs of a data sheet beyond those that a node serves are refused by name.
+// PDOs of a data sheet beyond those that a node supports are refused by name.
 #include "host/sim/devices/served_pdos.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// The box with further PDO objects, each a RECORD with a COB-ID.
+/// Returns the box with further PDO objects, each a RECORD with a COB-ID.
 std::string box_with(const std::vector<std::string>& indices) {
     std::string text = box;
     for (const std::string& index : indices) {

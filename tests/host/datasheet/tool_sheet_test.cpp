@@ -1,4 +1,4 @@
-// The forms of a data sheet on which the tools of others depend: object codes of CiA 301, the count of errors, reals.
+// Details of data sheets on which foreign tools depend: object codes of CiA 301, the count of errors, REAL32.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
               3 * 8 + 2);  // four RPDOs and four TPDOs of each Axiomatic device, two RPDOs of the CAN-CBX-AO412
 }
 
-// 1003h sub-index 0 reads 0 to 4 here; a write takes 0 only, which the data sheet cannot say.
+// 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.
 TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEveryFormat) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));

@@ -1,4 +1,4 @@
-// The frames of a device as DBC, read back by a small reader of this test's own.
+// The frames of a device as DBC, read back by a small reader in this test.
 #include "host/datasheet/write_dbc.hpp"
 
 #include <fmt/format.h>
@@ -46,10 +46,10 @@ struct Message {
 struct Database {
     std::vector<std::string> nodes;
     std::map<std::uint32_t, Message> messages;
-    std::string faults;  ///< of its form
+    std::string faults;  ///< faults of the format
 };
 
-/// Takes the lines apart, and looks whether the file keeps to the form.
+/// Parses the lines and checks the format of the file.
 class DbcReader {
   public:
     Database read(const std::string& text) {
@@ -137,7 +137,7 @@ class DbcReader {
         return message.signals[name];
     }
 
-    /// VAL_ 5 Name 1 "one" 2 "two" ; as long as it may be.
+    /// Reads VAL_ 5 Name 1 "one" 2 "two" ; of any length.
     void read_words(const std::string& line) {
         std::istringstream in{line.substr(5)};
         std::string id;
@@ -162,7 +162,7 @@ class DbcReader {
         }
     }
 
-    /// Signals lie within the frame, and share no bits unless the switch chooses one of them.
+    /// Checks that signals are within the frame and share no bits unless the multiplexer selects one of them.
     void check_places(const Message& message) {
         std::map<std::string, std::set<unsigned>> used;  // by switch value
         for (const auto& [name, signal] : message.signals) {
@@ -269,16 +269,16 @@ TEST(WriteDbc, SdoIsMultiplexedByIndexAndSubIndex) {
         EXPECT_EQ(place(gain), "32|32-");
         EXPECT_EQ(gain.real, 1);
     }
-    // 1018h:04 is read only: 4 x 65536 + 4120
+    // 1018h:04 is read-only: 4 x 65536 + 4120
     EXPECT_EQ(response.signals.at("x1018_04_Identity_Entry_4").multiplex, "m266264");
     EXPECT_EQ(request.signals.count("x1018_04_Identity_Entry_4"), 0U);
-    // 6200h:02 is written only: 2 x 65536 + 25088
+    // 6200h:02 is write-only: 2 x 65536 + 25088
     EXPECT_EQ(request.signals.at("x6200_02_Outputs_Entry_2").multiplex, "m156160");
     EXPECT_EQ(response.signals.count("x6200_02_Outputs_Entry_2"), 0U);
     EXPECT_EQ(request.signals.at("Object").words.at(156160), "6200h:02");
     EXPECT_EQ(request.signals.at("Command").words.at(0x2B), "download 2 bytes");
     EXPECT_EQ(response.signals.at("Command").words.at(0x4B), "upload 2 bytes");
-    // Strings and DOMAINs go in segments.
+    // Strings and DOMAINs are transferred in segments.
     EXPECT_EQ(response.signals.count("x2001_00_Name"), 0U);
 }
 

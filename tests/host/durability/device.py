@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import time
 
-LONGEST_WAIT = 120.0  # only a program that hangs takes it
+LONGEST_WAIT = 120.0  # reached only by a program that hangs
 
 
 class Broken(Exception):
@@ -21,11 +21,11 @@ class Broken(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Device:
-    name: str  # as `canproof run` takes it
+    name: str  # the name for `canproof run`
     node: int
     objects: tuple  # index, sub-index: numbers of 16 bit that 1010h:1 stores
-    kinds: tuple  # of stores
-    shipped: int  # node-ID of the factory, which a damaged store of LSS gives (CO-LSS-065)
+    kinds: tuple  # kinds of stores
+    shipped: int  # factory node-ID, which applies when the LSS store is damaged (CO-LSS-065)
 
 
 CBX_AO412 = Device("cbx-ao412@3", 3, ((0x1017, 0), (0x2404, 1), (0x6411, 1)), ("save", "restore", "save"), 3)
@@ -58,7 +58,7 @@ class Running:
         try:
             self.process.stdin.write("".join(frame + "\n" for frame in frames).encode())
         except BrokenPipeError:
-            pass  # it has ended: what it still said is read
+            pass  # it has ended: its remaining output is read
 
     def kill_after(self, seconds):
         self.deadline = time.monotonic() + seconds
@@ -113,7 +113,7 @@ class Model:
         self.defaults = None
         self.kept = None  # acknowledged
         self.asked = None
-        self.maybe = set()  # asked for since the last acknowledgement, and not answered or refused: may be there or not
+        self.maybe = set()  # requested since the last acknowledgement and not answered or refused: may be stored or not
         self.past = set()
 
     def kinds(self):

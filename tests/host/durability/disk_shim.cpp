@@ -1,10 +1,10 @@
-// A disk that fails on demand, loaded before the C library (LD_PRELOAD): the program under test stays as it is.
+// A disk that fails on demand, loaded before the C library (LD_PRELOAD): the program under test is unchanged.
 //
-// Counts the calls that change files below DURABILITY_FOLDER. At call number DURABILITY_AT it does DURABILITY_DO:
-//   before     kill the program, nothing done
+// Counts the calls that change files below DURABILITY_FOLDER. At call number DURABILITY_AT it performs DURABILITY_DO:
+//   before     kill the program before the call
 //   half       do half of a write, or all of another call, and kill the program
-//   after      do all of it and kill the program
-//   once:ERR   fail with that errno, this call alone
+//   after      do the call and kill the program
+//   once:ERR   fail with that errno at this call only
 //   on:ERR     fail with that errno from this call on; a write first writes half
 // DURABILITY_TRACE is a file that gets the name of each counted call.
 #include <dlfcn.h>
@@ -80,7 +80,7 @@ bool is_watched(int file) {
     }
 }
 
-/// `whole` does the call, `half` a part of it; both return what the call returns.
+/// Counts a call. `whole` performs the call, `half` a part of it; both return the result of the call.
 template <typename Whole, typename Half>
 auto counted(const char* name, Whole whole, Half half) -> decltype(whole()) {
     Plan& now = plan();

@@ -1,4 +1,4 @@
-// HTTP as it comes in: whole or in pieces, sound or broken, and never more of it than the bounds.
+// HTTP requests in one piece or in several, valid or invalid, never beyond the bounds.
 #include "host/http/http_request.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ HttpRequest read(const std::string& text, std::size_t piece = 1000000) {
     return request;
 }
 
-/// The refusal's status; 0 for a sound request, -1 for one that is not whole.
+/// Returns the status of the refusal; 0 for a valid request, -1 for an incomplete one.
 int status(const std::string& text) {
     const HttpRequest request = read(text);
     return request.refusal() ? request.refusal()->status : request.is_done() ? 0 : -1;
@@ -75,11 +75,11 @@ TEST(HttpRequest, LinesAndHeadAreBounded) {
     const auto line_of = [](std::size_t length) { return "GET /" + std::string(length - 14, 'a') + " HTTP/1.1"; };
     EXPECT_EQ(status(line_of(2048) + "\r\n\r\n"), 0);
     EXPECT_EQ(status(line_of(2049) + "\r\n\r\n"), 414);
-    EXPECT_EQ(status(std::string(2049, 'a')), 414);  // before its end has come
+    EXPECT_EQ(status(std::string(2049, 'a')), 414);  // before its end was received
     const auto header_of = [](std::size_t length) { return "X: " + std::string(length - 3, 'a') + "\r\n"; };
     EXPECT_EQ(status(start + header_of(8192) + "\r\n"), 0);
     EXPECT_EQ(status(start + header_of(8193) + "\r\n"), 431);
-    // 16384 bytes with the line of 16 bytes, that of 17, a header of 8000 and the empty line: 8349 are left.
+    // 16384 bytes minus the line of 16 bytes, that of 17, a header of 8000 and the empty line: 8349 are left.
     const std::string most =
         start + header_of(8000) + header_of(4000) + header_of(16384 - 33 - 8002 - 4002 - 2 - 2) + "\r\n";
     EXPECT_EQ(most.size(), 16384U);

@@ -1,4 +1,4 @@
-// Who may talk to the panel.
+// Requests that the panel accepts or refuses.
 #include "host/http/request_guard.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Warnings about a sound register: open statements, coverage from elsewhere, requirements that ask for several things.
+// Warnings about a valid register: open statements, coverage from other places, requirements with several demands.
 #include "host/register/advice.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Registers that are far too deep, too large or no files at all: told as faults, in bounded time and memory.
+// Registers that are much too deep, too large or no files: reported as faults, in bounded time and memory.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -29,7 +29,7 @@ std::string told(const std::string& items) {
     return all_faults(load_register(with(items_file, items)));
 }
 
-/// A table with these inputs, one output `o`, and these rows.
+/// Returns a table with these inputs, one output `o`, and these rows.
 std::string table(const std::string& inputs, const std::string& rows) {
     return "[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\ninputs = [" + inputs +
            "]\noutputs = [\"o\"]\nrows = [" + rows + "]\n";
@@ -75,7 +75,7 @@ TEST(TomlDepth, TextsAndCommentsAreNotCounted) {
     }
     EXPECT_EQ(too_deep_in("# " + dots + "\n"), std::nullopt);
     EXPECT_EQ(too_deep_in("a = \"\\\"" + dots + "\"\n"), std::nullopt);  // \" is no end
-    EXPECT_EQ(too_deep_in("a = '\\'\nb" + dots + "\n"), 2U);             // a backslash is one in '…'
+    EXPECT_EQ(too_deep_in("a = '\\'\nb" + dots + "\n"), 2U);             // a backslash has no special meaning in '…'
     EXPECT_EQ(too_deep_in("a = \"\"\"\n" + dots + "\n\"\"\"\n"), std::nullopt);
     EXPECT_EQ(too_deep_in("a = \"\"\"x\"\"\"\"\"\nb" + dots + "\n"), 2U);  // x"" is the text
     EXPECT_EQ(too_deep_in("a = \"open\nb" + dots + "\n"), 2U);
@@ -112,7 +112,7 @@ TEST(BoundedRegister, NamesOfAMillionCharactersAreFaults) {
     EXPECT_THAT(told("[[constant]]\nid = \"AO4-C-1\"\nname = \"" + name +
                      "-\"\ntype = \"REAL32\"\nvalue = 1\nsource = [\"M1:1\"]\n"),
                 HasSubstr("AAA…; use letters"));
-    EXPECT_EQ(told(table("\"a\"", "[\"" + digits + ".." + digits + "\", 1]")), "");  // a word, no range of numbers
+    EXPECT_EQ(told(table("\"a\"", "[\"" + digits + ".." + digits + "\", 1]")), "");  // a text, no range of numbers
     EXPECT_LT(told("[[constant]]\nid = \"" + name + "\"\n").size(), 10000U);
 }
 

@@ -1,4 +1,4 @@
-// Each [[object]] that must be refused: with which line, which words, and which fix.
+// Each [[object]] that must be refused: with its line, message and fix.
 #include <gtest/gtest.h>
 
 #include "tests/host/register/broken_register.hpp"
@@ -11,7 +11,7 @@ const std::string var = R"([[object]]
 index = 0x2000
 name = "One"
 source = ["M1:1"]
-)";  // four lines; what a case adds begins in line 5
+)";  // four lines; the addition of a case begins in line 5
 
 const std::string rw16 = var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines
 

@@ -1,4 +1,4 @@
-// One broken register and the fault it must raise.
+// One broken register and the fault that it must cause.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Broken {
     std::string file;  ///< of the small register, replaced or added
     std::string text;
     unsigned line;
-    std::string what;  ///< both: words that the fault must contain
+    std::string what;  ///< texts that the fault must contain
     std::string mend;
 };
 
@@ -27,7 +27,7 @@ inline std::string case_name(const testing::TestParamInfo<Broken>& info) {
     return info.param.name;
 }
 
-/// Given a register with one fault, that fault is told: its line, what is wrong and how to fix it.
+/// A register with one fault: the fault is reported with its line, its reason and its fix.
 class BrokenRegister : public testing::TestWithParam<Broken> {};
 
 }  // namespace canproof::host::test

@@ -201,7 +201,7 @@ const std::vector<Broken> other_cases{
 
 const std::string heartbeat_topic = "topic = \"heartbeat.range\"\n";
 
-/// AO4-R-2, which chooses otherwise or not; its topic stands in line 15.
+/// Returns AO4-R-2, with another choice or the same; its topic is in line 15.
 std::string second(const std::string& last_lines) {
     return replaced(requirement, "R-1", "R-2") + heartbeat_topic + last_lines;
 }

@@ -1,5 +1,4 @@
-// Items that answer one question are held against each other: devices of one maker, and a device against what is
-// shared.
+// Items that answer the same topic are compared: devices of one maker, and a device with the shared requirements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +15,7 @@ using testing::HasSubstr;
 
 const std::string other_file = "spec/devices/lid/items.toml";
 
-/// A requirement of six lines with topic heartbeat.range in line 7, its choice and what else is said.
+/// Returns a requirement of six lines with topic heartbeat.range in line 7, its choice and further lines.
 std::string item(const std::string& id, const std::string& source, const std::string& choice,
                  const std::string& last_lines = "") {
     return "[[requirement]]\nid = \"" + id + "\"\ntext = \"The box is square.\"\nsource = [\"" + source +
@@ -34,7 +33,7 @@ std::string of_all(const std::string& choice, const std::string& last_lines = ""
     return item("CO-R-1", "CiA301:7", choice, last_lines);
 }
 
-/// The small register, its twin `lid` with prefix INC, and the items given.
+/// Loads the small register, its twin `lid` with prefix INC, and the given items.
 LoadResult loaded(const std::string& box, const std::string& lid, const std::string& shared = "",
                   const std::string& maker_of_lid = "Nobody") {
     SpecFiles files = with(items_file, box);
@@ -50,7 +49,7 @@ LoadResult loaded(const std::string& box, const std::string& lid, const std::str
     return load_register(files);
 }
 
-/// Makes the register a whole one, as it has decisions.
+/// A decision makes the register a complete one.
 const std::string decision_of_box =
     "[[decision]]\nid = \"AO4-D-1\"\nquestion = \"?\"\nreadings = [ { says = \"a\", source = \"M1:1\" }, { says = "
     "\"b\", "
@@ -133,7 +132,7 @@ TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
                 HasSubstr("CO-R-1 is shared and has no services.lss; leave this topic to the devices"));
 }
 
-/// The program has the register built in without the devices' decisions.
+/// The built-in register of the program has no decisions of devices.
 TEST(DecisionTopics, WithoutDeviceDecisionsNoAnswerIsReportedMissing) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),

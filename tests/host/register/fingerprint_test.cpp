@@ -1,4 +1,4 @@
-// A fingerprint changes with what an item demands, and with nothing else.
+// A fingerprint changes with the content of an item, and with nothing else.
 #include "host/register/fingerprint.hpp"
 
 #include <gtest/gtest.h>

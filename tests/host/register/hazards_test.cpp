@@ -1,4 +1,4 @@
-// Hazards: read as they are written; what they name must exist, and every output must be named.
+// Hazards are read as written; the items that they name must exist, and every output must be named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

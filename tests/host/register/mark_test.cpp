@@ -1,4 +1,4 @@
-// Marks: the same words have the same mark, however they are set; what is no mark is refused.
+// Marks: the same words have the same mark, whatever their layout; an invalid mark is refused.
 #include "host/register/mark.hpp"
 
 #include <gtest/gtest.h>

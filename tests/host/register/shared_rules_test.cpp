@@ -1,4 +1,4 @@
-// The shared rules of canproof in a project that has none of its own.
+// The shared rules of canproof in a project that has no shared rules.
 #include <gtest/gtest.h>
 
 #include "host/register/spec_files.hpp"

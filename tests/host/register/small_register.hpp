@@ -1,4 +1,4 @@
-// A sound register of a few lines; each test breaks one thing in it.
+// A valid register of a few lines; each test breaks one thing in it.
 #pragma once
 
 #include <string>
@@ -53,7 +53,7 @@ lss = true
     return files;
 }
 
-/// The small register with one file more, or one file replaced.
+/// Returns the small register with one file added or replaced.
 inline SpecFiles with(const std::string& path, const std::string& text) {
     SpecFiles files = small_register();
     files[path] = text;
@@ -68,7 +68,7 @@ inline std::string all_faults(const LoadResult& loaded) {
     return text;
 }
 
-/// The text with CRLF line ends, as an EDS has them.
+/// Returns the text with CRLF line ends, as in an EDS.
 inline std::string crlf(const std::string& text) {
     std::string out;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// Statements of a manual: read from the manual's folder, numbered, and held against the register.
+// Statements of a manual: read from the folder of the manual, numbered, and checked against the register.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// `zero = true`: 0 beside a range that begins above it, from the register to the abort code and the data sheet.
+// `zero = true` allows 0 in addition to a range that begins above it, from the register to the abort code and the data
+// sheet.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

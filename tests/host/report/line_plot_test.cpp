@@ -51,7 +51,7 @@ TEST(LinePlot, PlotHasItsTextsAndCurves) {
     for (const auto& path : document.child("svg").children("path")) {
         paths.emplace_back(path.attribute("d").value());
     }
-    // The area goes from 84, 360 to 940, 44.
+    // The plot area extends from 84, 360 to 940, 44.
     EXPECT_EQ(paths, (std::vector<std::string>{"M84.0 360.0L940.0 44.0", "M84.0 296.8L940.0 296.8"}));
 }
 
@@ -83,10 +83,10 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
         has_grouped_tick = has_grouped_tick || word == "2,500,000";
     }
     ASSERT_EQ(places.size(), 18U);
-    EXPECT_EQ(places[6].first, places[0].first);  // six beside each other
+    EXPECT_EQ(places[6].first, places[0].first);  // six in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // no two look alike
+    EXPECT_EQ(looks.size(), 18U);  // all different
     EXPECT_TRUE(has_grouped_tick);
 }
 

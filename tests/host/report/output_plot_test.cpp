@@ -1,4 +1,4 @@
-// Outputs of a run drawn: steps, not slopes.
+// Plots of the outputs of a run: steps, not slopes.
 #include "host/report/output_plot.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// A device is read without the rest of the register, and is what the whole register says of it.
+// A device is read without the rest of the register, and equals the same device in the whole register.
 #include "host/app/cli/built_in.hpp"
 
 #include <gtest/gtest.h>

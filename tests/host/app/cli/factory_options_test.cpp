@@ -1,4 +1,4 @@
-// --factory: what one unit has from the factory. Each key of the register reaches the dictionary of the device.
+// --factory: factory data of one unit. Each key of the register sets its entry in the dictionary of the device.
 #include "host/app/cli/factory_options.hpp"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,8 @@ TEST(FactoryData, OptionsSetTheIdentityOfEveryDevice) {
     }
 }
 
-/// CiA 301 reserves the serial number 0; the manuals print no default, the CAN-CBX-AO412's an example (7.9.18).
+/// CiA 301 reserves the serial number 0; the manuals print no default, the manual of the CAN-CBX-AO412 an example
+/// (7.9.18).
 TEST(FactoryData, WithoutOptionsTheRegisterDefaultsApply) {
     EXPECT_EQ(entry_of(device_with("cbx-ao412", {}), 0x1018, 4), 0xC1C20105U);
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
@@ -87,7 +88,7 @@ TEST(FactoryData, OptionsSetCalibrationAndVersionsOfTheCbx) {
     EXPECT_EQ(entry_of(chosen, 0x1009, 0), 0x30312E31U);  // "1.10", least significant byte first
 }
 
-/// The keys are those of the register, and each of them with a number changes its entry.
+/// The keys are those of the register, and each numeric key changes its entry.
 TEST(FactoryData, EveryKeySetsItsEntry) {
     for (const std::string& name : canproof::test::every_device()) {
         std::set<std::string> names;
@@ -110,7 +111,7 @@ TEST(FactoryData, EveryKeySetsItsEntry) {
     }
 }
 
-/// AX060805 3.5, Table 8. 4030h has the pitch, one count a degree as shipped (4.3.7).
+/// AX060805 3.5, Table 8. 4030h has the pitch, one count per degree by default (4.3.7).
 TEST(FactoryData, OptionsSetTheAngleRangesOfTheInclinometer) {
     const auto pitch_at_minus_10 = [](const std::vector<std::string>& given) {
         FactoryOptions options{given};
@@ -123,7 +124,7 @@ TEST(FactoryData, OptionsSetTheAngleRangesOfTheInclinometer) {
     EXPECT_EQ(pitch_at_minus_10({}), -10);
     EXPECT_EQ(pitch_at_minus_10({"angle_range=180"}), -10);
     EXPECT_EQ(pitch_at_minus_10({"angle_range=360"}), 350);
-    EXPECT_EQ(pitch_at_minus_10({"angle_range=90"}), 10);  // by its distance from the level
+    EXPECT_EQ(pitch_at_minus_10({"angle_range=90"}), 10);  // the distance from level
     EXPECT_THAT(refusal("ax060805", {"angle_range=270"}), HasSubstr("180, 360, 90"));
 }
 

@@ -1,4 +1,4 @@
-// NODE of NAME@NODE and of --node: 1…127 and 255 alone are node-IDs; coding switches take any value (CBX-AO412 3.2.6).
+// NODE of NAME@NODE and of --node: only 1…127 and 255 are node-IDs; coding switches take any value (CBX-AO412 3.2.6).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What the device sends in a tenth of a second from power-on.
+/// Returns the frames that the device sends in a tenth of a second from power-on.
 std::string first_frames(ChosenDevice chosen) {
     ReplayInput input;
     input.until = Instant{100000};
@@ -26,7 +26,7 @@ std::string first_frames(ChosenDevice chosen) {
     return out.str();
 }
 
-/// A data sheet with the mandatory objects of CiA 301 alone.
+/// Returns the path of a data sheet with only the mandatory objects of CiA 301.
 std::string small_eds() {
     const std::string path = testing::TempDir() + "small.eds";
     std::ofstream{path}
@@ -95,7 +95,7 @@ TEST(ChosenDevices, CodingSwitchesTakeAnyValue_AndAnInvalidNodeIdIsReported) {
     EXPECT_THAT(choose_device("cbx-ao412@200").notice, HasSubstr("C8h"));  // 200 = 12 * 16 + 8
     const ChosenDevice at_0 = choose_device("cbx-ao412@0");
     at_0.device->power_on(Instant{});
-    EXPECT_EQ(int{at_0.device->node_id()}, 255);  // none, for filters, table and panel
+    EXPECT_EQ(int{at_0.device->node_id()}, 255);  // no node-ID, for filters, table and panel
     EXPECT_THROW(choose_device("cbx-ao412@256"), InputError);
     EXPECT_THROW(choose_device("cbx-ao412@"), InputError);
 }

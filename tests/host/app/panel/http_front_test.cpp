@@ -1,5 +1,5 @@
-// The panel over a real loopback socket: who is served, who is slow, who is refused. Time is a number that the test
-// moves on; what a client sends has arrived when the front says so.
+// The panel over a real loopback socket: clients that are served, slow or refused. Time is a number that the test
+// advances; data of a client have arrived when the front reports it.
 #include "host/app/panel/http_front.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 12000;  // only a broken test waits so long
+constexpr int most_looks = 12000;  // only a broken test waits that long
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {
@@ -50,7 +50,7 @@ class Front : public testing::Test {
         EXPECT_TRUE(until([&] { return visitor.ended(); }));
         return visitor.heard();
     }
-    /// Clients that have begun a request, and go no further.
+    /// Returns clients that have begun a request and do not continue.
     std::vector<std::unique_ptr<TcpClient>> slow_ones(std::size_t count) {
         std::vector<std::unique_ptr<TcpClient>> all;
         for (std::size_t i = 0; i < count; ++i) {
@@ -108,7 +108,7 @@ TEST_F(Front, SlowClientsDoNotDelayOtherClients) {
 TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
-    EXPECT_TRUE(slow.front()->ended());  // it has been slow for longest
+    EXPECT_TRUE(slow.front()->ended());  // the slowest one
     EXPECT_FALSE(slow.back()->ended());
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
@@ -130,7 +130,7 @@ TEST_F(Front, SlowRequestEndsAtItsDeadline) {
 }
 
 TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
-    answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel holds for it
+    answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel buffers
     const TcpClient deaf{front.port()};
     deaf.say(plain_get);
     ASSERT_TRUE(until([&] { return asked == 1; }));
@@ -145,7 +145,7 @@ TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
 TEST_F(Front, ClientThatNeverClosesIsClosedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
-    ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has all, and keeps its side open
+    ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has received all, and keeps its side open
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
     EXPECT_EQ(front.connections(), 1U);
     now = now + HttpFront::close_limit;

@@ -1,4 +1,4 @@
-// LEDs in words, from their edges alone. Patterns by hand from CAN-CBX-AO412, Table 5, and CiA 303-3.
+// Names of LED states, derived from their edges. Patterns are taken by hand from CAN-CBX-AO412, Table 5, and CiA 303-3.
 #include "host/app/panel/lamp.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Plays a round of so many milliseconds on, off, on, off … until `end_ms`.
+/// Plays rounds of these milliseconds on, off, on, off … until `end_ms`.
 std::string after(const std::vector<std::uint64_t>& round_ms, std::uint64_t end_ms) {
     LampHistory lamp;
     std::uint64_t at = 0;
@@ -47,7 +47,7 @@ TEST(LampWords, EveryFlashPatternOfTheManualIsNamed_AtAnyMoment) {
 }
 
 TEST(LampWords, RunLampFollowsCia303) {
-    // Operational: steadily lit. Pre-operational: 200 ms on, 200 ms off. Stopped: 200 ms on, 1000 ms off.
+    // Operational: always lit. Pre-operational: 200 ms on, 200 ms off. Stopped: 200 ms on, 1000 ms off.
     EXPECT_TRUE(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).lit);
     EXPECT_EQ(indicator_phase(run_lamp(NmtState::operational), Instant{123U}, {}).next_change, never);
     EXPECT_EQ(run_lamp(NmtState::pre_operational).period().us, 400000U);

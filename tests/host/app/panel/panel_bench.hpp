@@ -1,4 +1,4 @@
-// A panel over devices of the catalogue on the in-process bus, in virtual time.
+// A panel for devices of the catalogue on the in-process bus, in virtual time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class PanelBench {
         now_ = Instant{ms * 1000U};
         panel.advance_to(now_);
     }
-    /// Each look at the clock takes so long from now on, and with it each step.
+    /// Makes each reading of the clock, and with it each step, take this long.
     void slow_down(Duration cost) { cost_ = cost; }
     nlohmann::json get(const std::string& path, std::uint64_t changes = 0, std::uint64_t frames = 0) {
         PanelRequest request = from_own_page("GET", path);
@@ -58,7 +58,7 @@ class PanelBench {
     int send(const std::string& frame) { return post("/api/frame", nlohmann::json{{"frame", frame}}.dump()).status; }
     std::string stimuli_csv() { return panel.answer(from_own_page("GET", "/stimuli.csv")).body; }
 
-    /// Times of the edges of a channel, in milliseconds, and what it was from then on.
+    /// Returns the times of the edges of a channel, in milliseconds, and its value from then on.
     std::vector<std::pair<double, double>> changes_of(const std::string& device, const std::string& channel) {
         const nlohmann::json all = get("/api/panel");
         std::size_t at = 0;

@@ -1,4 +1,4 @@
-// The panel's model: what it tells of a session, what it lets a page do.
+// The model of the panel: what it shows of a session, and which actions of a page it accepts.
 #include "host/app/panel/panel.hpp"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
     bench.run_until(1000);
     ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1: no delay
     bench.run_until(1100);
-    // 4020h:1 as shipped is 250.0 °C.
+    // The default of 4020h:1 is 250.0 °C.
     ASSERT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 300.0), 200);
     bench.run_until(2000);
 
@@ -46,7 +46,7 @@ TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
     EXPECT_EQ(device.at("error_register"), 1);
     EXPECT_EQ(device.at("lamps").at("error"), "on");
     const nlohmann::json frames = frames_of(bench, "EMCY");
-    ASSERT_EQ(frames.size(), 2U);  // past the high warning limit as well
+    ASSERT_EQ(frames.size(), 2U);  // also above the high warning limit
     EXPECT_EQ(frames.at(1).at("id"), "082");
     EXPECT_EQ(frames.at(1).at("from"), "ax188001@2");
 
@@ -78,7 +78,7 @@ TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_WithRarePolling) {
     bench.run_until(1000);
     ASSERT_EQ(bench.send("000#0202"), 200);
     bench.run_until(6000);
-    // Stopped: 200 ms on, 1000 ms off; rounds count from time 0, so that 4800 ms is a fifth round's start.
+    // Stopped: 200 ms on, 1000 ms off; rounds count from time 0, so that 4800 ms is the start of the fifth round.
     const auto edges = bench.changes_of("ax188001@2", "run");
     ASSERT_GE(edges.size(), 3U);
     EXPECT_THAT(std::vector(edges.end() - 3, edges.end()),
@@ -95,7 +95,7 @@ TEST(Panel, InputsShowTheValuesComputedByThePlant) {
     ASSERT_EQ(inputs.size(), values.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs.at(i).at("name") == "acceleration_x") {
-            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // nose up by 90°: X feels gravity alone
+            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // nose up by 90°: gravity is along X
         }
     }
 }
@@ -119,7 +119,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndChangesNothing) {
 
 TEST(Panel, DeviceMayBeNamedWithoutItsNodeIdWhenUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
-    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // README's own request
+    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request of the README
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
     EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"cbx-ao412","signal":"supply","value":24})").body,
                 HasSubstr("cbx-ao412@3, cbx-ao412@4"));
@@ -286,7 +286,7 @@ TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
 TEST(Panel, PageLoadsNothingFromOtherHosts) {
     for (const auto& [name, text] : panel_assets()) {
         for (std::size_t at = text.find("http"); at != std::string::npos; at = text.find("http", at + 1)) {
-            // Names of XML are no addresses that anyone asks for.
+            // Names of XML namespaces are no requested addresses.
             EXPECT_EQ(text.substr(at, 18), "http://www.w3.org/") << name;
         }
     }
@@ -321,7 +321,7 @@ TEST(Panel, SimulationThatFallsBehindIsReported_AndRequestsAreAnswered) {
     EXPECT_EQ(bench.get("/api/state").at("notices").size(), 1U);
     const auto before = bench.get("/api/state").at("now").get<std::uint64_t>();
     ASSERT_EQ(bench.send("703#R"), 200);
-    EXPECT_LT(bench.get("/api/state").at("now").get<std::uint64_t>(), before + 100000U);  // not all that is due
+    EXPECT_LT(bench.get("/api/state").at("now").get<std::uint64_t>(), before + 100000U);  // not all due work
     bench.slow_down(Duration{});
     bench.run_until(2000);
     EXPECT_EQ(bench.get("/api/state").at("bus").at("lag_us"), 0);

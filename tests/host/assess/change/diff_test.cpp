@@ -1,4 +1,4 @@
-// What a change touches: two registers compared, a revision read from a small repository of git, impact and verdicts.
+// Effects of a change: two registers compared, a revision read from a small git repository, impact and verdicts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ const ItemChange* change_of(const std::string& id, const std::vector<ItemChange>
     return nullptr;
 }
 
-/// A repository with one commit that holds the small register; removed with this.
+/// A repository with one commit that contains the small register; the destructor removes it.
 class Repository {
   public:
     Repository() : root_{fs::temp_directory_path() / ("canproof-diff-" + std::to_string(getpid()))} {

@@ -1,5 +1,5 @@
-// Coverage from llvm-cov's export to gaps, records and Cobertura (host/coverage). The source below is small enough to
-// count by hand.
+// Coverage from the export of llvm-cov to gaps, records and Cobertura (host/coverage). The source below is small enough
+// to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -94,7 +94,7 @@ std::vector<std::string> words(const std::vector<CoverageGap>& gaps) {
 
 TEST_F(Coverage, UnreachedCodeIsListedWithItsText) {
     const auto files = read();
-    ASSERT_THAT(files, SizeIs(1));  // nothing but the firmware
+    ASSERT_THAT(files, SizeIs(1));  // only the firmware
     EXPECT_EQ(files[0].file, "src/firmware/base/one.cpp");
     EXPECT_THAT(words(files[0].gaps),
                 ElementsAre("2 condition a: not shown to decide alone", "2 condition b: not shown to decide alone",
@@ -152,10 +152,11 @@ TEST_F(Coverage, BusesAndReplayOfTheHostHaveTheirOwnFigure) {
 
 TEST_F(Coverage, LinesBranchesConditionsAndFunctionsAreCounted) {
     const FileCoverage one = read().at(0);
-    // All twelve lines hold code. Run: 1, 2, 5, 6, 7. Line 4 closes what never ran, 9 what never ran to its end.
+    // All twelve lines have code. Executed: 1, 2, 5, 6, 7. Line 4 ends a block that never ran, line 9 one that never
+    // ran to its end.
     EXPECT_EQ(one.line_count().total, 12U);
     EXPECT_EQ(one.line_count().covered, 5U);
-    EXPECT_EQ(one.branches.total, 6U);  // three, two ways each
+    EXPECT_EQ(one.branches.total, 6U);  // three branches, two ways each
     EXPECT_EQ(one.branches.covered, 3U);
     EXPECT_EQ(one.conditions.total, 2U);
     EXPECT_EQ(one.conditions.covered, 0U);
@@ -195,7 +196,7 @@ TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     verdict.gaps.clear();
     verdict.unused.push_back({"a.cpp", "branch", "a", "cannot be", 1});
     EXPECT_FALSE(verdict.holds());
-    // The fixture's measurement: two conditions, none of them shown.
+    // The measurement of the fixture: two conditions, none of them shown.
     EXPECT_EQ(judge_coverage(read(), {}).conditions.total, 2U);
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }
@@ -205,11 +206,12 @@ TEST_F(Coverage, RecordOfRemovedCodeIsReportedWithoutAMeasurement) {
         return CoverageRecord{file, kind, code, "reason", 1};
     };
     const std::string one = "src/firmware/base/one.cpp";
-    EXPECT_THAT(stale_records({record(one, "branch", "a && b"), record("src/firmware/", "line", "return 2;"),
-                               record(one, "condition", "b) { return 1;"),  // breaks are spaces in a gap's text
-                               record(one, "function", "canproof::idle"), record(one, "function", "canproof::run")},
-                              root_),
-                IsEmpty());
+    EXPECT_THAT(
+        stale_records({record(one, "branch", "a && b"), record("src/firmware/", "line", "return 2;"),
+                       record(one, "condition", "b) { return 1;"),  // line breaks are spaces in the text of a gap
+                       record(one, "function", "canproof::idle"), record(one, "function", "canproof::run")},
+                      root_),
+        IsEmpty());
     const auto stale =
         stale_records({record(one, "branch", "a || b"), record("src/firmware/base/two.cpp", "branch", "a"),
                        record("src/firmware/canopen/", "branch", "a"), record(one, "function", "canproof::idl"),

@@ -1,4 +1,4 @@
-// The documents that are generated from a small register, and what they say is missing.
+// The documents that are generated from a small register, and what they list as missing.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -156,7 +156,7 @@ class Documents : public ::testing::Test {
 
     const Part& box() const { return *content_.part("box"); }
 
-    /// All rows of all tables whose caption begins like this.
+    /// Returns all rows of all tables whose caption begins with this text.
     static std::vector<std::vector<std::string>> rows_of(const Document& document, const std::string& caption) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& chapter : document.chapters) {
@@ -237,7 +237,7 @@ TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
     EXPECT_THAT(messages, Contains(ElementsAre("SDO response", "sent", "583h", "8", "")));
     EXPECT_THAT(messages, Contains(ElementsAre("LSS request", "received", "7E5h", "8", "")));
     EXPECT_THAT(rows_of(interface, "RPDOs"), IsEmpty());
-    // 180h + 3; two values of 16 bits, the second behind the first
+    // 180h + 3; two values of 16 bits, one after the other
     EXPECT_THAT(rows_of(interface, "TPDOs"),
                 ElementsAre(ElementsAre("TPDO1, 1800h", "183h", "254 (event)", "", "",
                                         "bit 0: 2000h:01 Level 1 (16 bit), bit 16: 2000h:02 Level 2 (16 bit)")));
@@ -278,7 +278,7 @@ mode = "missing"
     EXPECT_THAT(rows_of(made, "Messages and memory"),
                 ElementsAre(ElementsAre("heartbeat", "missing", "missing", "missing", "missing", "")));
     EXPECT_THAT(rows_of(made, "Outputs"), Contains(Contains("not prevented: Nothing measures it.")));
-    // In the inputs 1 + 3 + 3 + 3 cells; of the message its mode, which is the same word, and three more.
+    // 1 + 3 + 3 + 3 cells of the inputs; 4 cells of the message: its mode and three more.
     EXPECT_EQ(count_missing(made), 14U);
 }
 
@@ -334,17 +334,18 @@ TEST_F(Documents, DocumentHasTheSameContentAsPageMarkdownAndJson) {
 }
 
 TEST(ResidualErrors, ResidualErrorsFollowTheBinomialDistribution) {
-    // Three bits, each wrong with 1/2: of the eight patterns 3 + 1 have two or more wrong bits.
+    // Three bits, each wrong with probability 1/2: of the eight patterns 3 + 1 have two or more wrong bits.
     EXPECT_DOUBLE_EQ(two_or_more_wrong(3, 0.5), 4.0 / 8.0);
-    // Four bits, each wrong with 1/10: 6 * 0.01 * 0.81 + 4 * 0.001 * 0.9 + 0.0001 = 0.0486 + 0.0036 + 0.0001.
+    // Four bits, each wrong with probability 1/10: 6 * 0.01 * 0.81 + 4 * 0.001 * 0.9 + 0.0001 = 0.0486 + 0.0036 +
+    // 0.0001.
     EXPECT_NEAR(two_or_more_wrong(4, 0.1), 0.0523, 1e-15);
-    // 111 bits, 1e-8: the pairs 111 * 110 / 2 = 6105 times 1e-16 are all that counts.
+    // 111 bits, 1e-8: only the pairs matter, 111 * 110 / 2 = 6105 times 1e-16.
     EXPECT_NEAR(two_or_more_wrong(111, 1e-8), 6105e-16, 6105e-16 * 2e-6);
     EXPECT_EQ(two_or_more_wrong(111, 0.0), 0.0);
     EXPECT_EQ(longest_frame_bits, 111);
-    // A frame passes a CRC of 15 bits with 1 / 32768.
+    // A frame passes a CRC of 15 bits with probability 1 / 32768.
     EXPECT_NEAR(undetected_in_frame(1e-8), 6105e-16 / 32768.0, 1e-22);
-    // 111,000 bit/s carry 1000 frames of 111 bits in a second.
+    // 111,000 bit/s carry 1000 frames of 111 bits per second.
     EXPECT_DOUBLE_EQ(frames_an_hour(111000.0), 3600000.0);
 }
 

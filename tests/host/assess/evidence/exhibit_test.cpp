@@ -31,7 +31,7 @@ class ExhibitFolder : public ::testing::Test {
     }
     ~ExhibitFolder() override { std::filesystem::remove_all(root_); }
     void write(const std::string& name, const std::string& text) const { std::ofstream{root_ / name} << text; }
-    /// What is said of this description.
+    /// Returns the message for this description.
     std::string told(const std::string& text) const {
         write("fuzz/exhibit.json", text);
         try {
@@ -45,7 +45,7 @@ class ExhibitFolder : public ::testing::Test {
 };
 
 TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
-    // Paths compare as text: GoogleTest would print them as lists of themselves.
+    // Paths are compared as text: GoogleTest would print them as nested lists.
     ASSERT_EQ(exhibit_folders(root_).size(), 1U);
     EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
     EXPECT_TRUE(exhibit_folders(root_ / "nowhere").empty());

@@ -1,4 +1,4 @@
-// What a measurement speaks of, and the files that people write for the pack.
+// Freshness of measurements, and the hand-written files of the pack.
 #include "host/assess/evidence/freshness.hpp"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     write(measured, "figures", std::chrono::seconds{10});
     const auto changed = [&] { return changed_source(root, {"spec"}, measured); };
     EXPECT_EQ(changed(), "");
-    // Written again with the same contents: nothing has changed, whatever the time says.
+    // Written again with the same contents: nothing has changed, whatever the time.
     write(root / "spec/a.toml", "one", std::chrono::seconds{1});
     EXPECT_EQ(changed(), "");
     // Other contents with an old time.
@@ -114,7 +114,7 @@ TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
     run("release", std::chrono::seconds{30});
     const std::string coverage = run("coverage", std::chrono::seconds{10});
     run("debug", std::chrono::seconds{20});
-    run("mutation", std::chrono::seconds{1});  // of altered tables
+    run("mutation", std::chrono::seconds{1});  // verdicts of altered tables
     EXPECT_EQ(newest_verdicts(root).string(), coverage);
     fs::remove_all(root);
 }

@@ -1,4 +1,4 @@
-// The page of hazards: each failure with what prevents it, and whether that is shown in this build.
+// The page of hazards: each failure with the requirement that prevents it, and whether that is shown in this build.
 #include "host/assess/evidence/hazards_page.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What `evidence --full` makes, in which order, and what it says of it.
+// Evidence that `evidence --full` makes, its order, and its messages.
 #include "host/assess/evidence/make_evidence.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(MakeEvidence, EvidenceIsMadeWhereAbsentOrStaleWithACommand) {
                       {"fuzz", exhibit("fuzz", State::stale)},
                       {"misra", exhibit("misra", State::open)},
                       {"target", exhibit("target", State::absent)}};
-    // misra is measured and open: measuring it again would not help. scale is not there at all.
+    // misra is measured and open: measuring it again would not help. scale is absent.
     EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("fuzz", "scale"));
     exhibits["tests"].state = State::stale;
     EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("coverage", "fuzz", "scale"));

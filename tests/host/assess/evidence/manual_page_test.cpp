@@ -1,4 +1,4 @@
-// The page of a manual: each section in its state, our statements with links, and none of the manual's text.
+// The page of a manual: each section with its state, our statements with links, and no text of the manual.
 #include "host/assess/evidence/manual_page.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A device whose items D-A-001 and D-A-002 are shown until a test says otherwise.
+/// A device with the items D-A-001 and D-A-002, which are shown unless a test changes that.
 class ManualPage : public testing::Test {
   protected:
     ManualPage() {
@@ -76,7 +76,7 @@ class ManualPage : public testing::Test {
         audit_statements(content_, input_.audits);
         return manual_page(input_, input_.audits[0], manual());
     }
-    /// The tile of a section in the overview.
+    /// Returns the tile of a section in the overview.
     std::string tile(const std::string& ref) {
         const std::string markup = page();
         const auto end = markup.find(" " + ref + "</a>");

@@ -1,4 +1,4 @@
-// An evidence pack of a small register, with evidence made by hand.
+// An evidence pack of a small register, with hand-made evidence.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ class Pack : public ::testing::Test {
         input_.audits = {audit_part(content_, content_.parts[0], input_.evidence)};
         return make_pack(input_);
     }
-    /// `✓ holds` or `✗ open` behind the id of a claim on the overview.
+    /// Returns the state after the id of a claim on the overview: `✓ holds` or `✗ open`.
     std::string state_of(const std::string& id) {
         const std::string page = make().at("index.html");
         const auto at = page.find("<b>" + id + "</b>");

@@ -101,7 +101,7 @@ TEST_F(Pack, BillOfMaterialsNamesEachPackage) {
     EXPECT_EQ(library.at("hashes").at(0).at("content"), std::string(64, 'a'));
     EXPECT_EQ(library.at("licenses").at(0).at("expression"), "MIT");
     EXPECT_FALSE(sbom.at("components").at(1).contains("licenses"));
-    // The program depends on what it links, not on what builds it.
+    // The program depends on the libraries that it links, not on the build tools.
     EXPECT_EQ(sbom.at("dependencies").at(0).at("dependsOn").size(), 1U);
     EXPECT_EQ(sbom.at("dependencies").at(0).at("dependsOn").at(0), "pkg:deb/debian/libx@1.2-3");
     EXPECT_EQ(sbom.at("vulnerabilities").at(0).at("analysis").at("state"), "not_affected");
@@ -129,7 +129,7 @@ TEST_F(Pack, ArgumentIsExportedWithGoalsAndSolutions) {
     EXPECT_EQ(argument.at("goals").at(1).at("context"), "Not on silicon.");
     EXPECT_EQ(argument.at("goals").at(1).at("solutions").size(), 2U);
     EXPECT_EQ(argument.at("solutions").at("tests").at("state"), "holds");
-    // The graph on the argument's page: a box for each claim and each piece of evidence, each a link.
+    // The graph on the page of the argument: a box for each claim and each piece of evidence, each with a link.
     const std::string page = make().at("argument.html");
     EXPECT_THAT(page, HasSubstr("<a href=\"#C1\">"));
     EXPECT_THAT(page, HasSubstr("role=\"group\""));

@@ -1,4 +1,4 @@
-// The evidence pack of a small register: what it claims, what it tells as open, its pages.
+// The evidence pack of a small register: its claims, its open points, its pages.
 #include "host/assess/evidence/pack.hpp"
 
 #include <gmock/gmock.h>
@@ -173,7 +173,8 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     input_.exhibits = {exhibit};
     const PackFiles files = make();
     const std::string page = files.at("scale.html");
-    // A column of numbers stands right and in groups of three; one with anything else, here sections, does not.
+    // A column of numbers is right-aligned and grouped by three digits; a column with other text, here sections, is
+    // not.
     EXPECT_THAT(page, HasSubstr("<th scope=col class=n>devices<th scope=col class=n>seconds<th scope=col>case"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000,000<td class=n data-h=\"seconds\">0.5"
                                 "<td data-h=\"case\">2.1.1"));
@@ -191,7 +192,7 @@ TEST_F(Pack, RunsOnARealKernelAreSeparateEvidence) {
     input_.argument.claims[1].evidence = {"socketcan"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.socketcan = Evidence{};
-    EXPECT_EQ(state_of("C1"), "✗ open");  // no run is no evidence
+    EXPECT_EQ(state_of("C1"), "✗ open");  // an empty run is no evidence
     input_.socketcan->tests = 2;
     input_.socketcan->cases = {{"socketcan", "sends", true, ""}, {"socketcan", "joins", true, ""}};
     EXPECT_EQ(state_of("C1"), "✓ holds");

@@ -1,4 +1,4 @@
-// The report's section on the microcontroller, from figures made up here.
+// The section of the report on the microcontroller, from invented figures.
 #include "host/assess/evidence/target_html.hpp"
 
 #include <gmock/gmock.h>

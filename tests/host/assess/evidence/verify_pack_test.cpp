@@ -1,4 +1,4 @@
-// A pack that was changed after it was written is told, and so is a signature by another key.
+// A pack that was changed after it was written is rejected, and so is a signature by another key.
 #include "host/assess/evidence/verify_pack.hpp"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ class SignedPack : public ::testing::Test {
     void write(const std::string& name, const std::string& text) const {
         std::ofstream{pack_ / name, std::ios::binary} << text;
     }
-    /// Makes a key pair with OpenSSL's own program; returns the stem of NAME.key and NAME.pub.
+    /// Makes a key pair with the OpenSSL program; returns the stem of NAME.key and NAME.pub.
     fs::path key(const std::string& name, const std::vector<std::string>& kind) const {
         const fs::path stem = folder_ / name;
         std::vector<std::string> words{"openssl", "genpkey", "-out", stem.string() + ".key"};

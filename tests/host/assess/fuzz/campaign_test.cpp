@@ -1,4 +1,4 @@
-// Whole campaigns with a shell script in libFuzzer's place.
+// Whole campaigns with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Does what the campaign asks libFuzzer for. An input with the word BUG in it violates a requirement. Fuzzing finds
-/// the input `one` and prints two lines of progress; what else it does stands in `fuzzing`.
+/// Returns a script that behaves as the campaign expects of libFuzzer. An input with the word BUG violates a
+/// requirement. Fuzzing finds the input `one` and prints two lines of progress; `fuzzing` has additional commands.
 std::string stand_in(const std::string& fuzzing) {
     return R"(#!/bin/sh
 mode=run
@@ -79,7 +79,7 @@ class Campaign : public testing::Test {
         fs::permissions(program, fs::perms::owner_all);
         list_target(name);
     }
-    /// What the configure step writes of a target.
+    /// Writes the line of a target that the configure step writes.
     void list_target(const std::string& name) {
         std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app}
             << name << '\t' << (folder / "fuzz").string() << '\t' << (folder / "fuzz" / "seeds" / name).string()

@@ -28,7 +28,7 @@ TEST(FuzzerOutput, OtherLinesAreNoProgress) {
     EXPECT_FALSE(parse_progress(""));
 }
 
-/// As clang 19's libFuzzer prints a violated requirement.
+/// Output of libFuzzer of clang 19 for a violated requirement.
 const char* const violated =
     "requirement violated at /home/x/canproof/fuzz/pdo_fuzz.cpp:167\n"
     "==7== ERROR: libFuzzer: deadly signal\n"

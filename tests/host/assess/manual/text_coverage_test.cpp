@@ -1,5 +1,5 @@
-// Marks found in the text of a manual, sections found by their headings, and the text that no statement covers. The
-// text is made here; no manual is quoted.
+// Marks found in the text of a manual, sections found by their headings, and text that no statement covers. The text is
+// invented; no manual is quoted.
 #include "host/assess/manual/text_coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -98,7 +98,7 @@ TEST(ManualTextSections, SectionsBeginAtTheirHeadingsAndNotInTheContents) {
     const Manual made = manual();
     const auto found = section_lines(made, ManualText{text_of_manual}.lines());
     ASSERT_EQ(found.size(), 3U);
-    // Lines count from 0: the headings are the 6th, 9th and 13th.
+    // Lines count from 0: the headings are lines 6, 9 and 13 counted from 1.
     EXPECT_EQ(found[0].section->ref, "1");
     EXPECT_EQ(found[0].begin, 5U);
     EXPECT_EQ(found[0].end, 8U);
@@ -160,7 +160,7 @@ TEST(ManualTextCoverage, NormativeSectionsWithoutAHeadingAreReported) {
 
 namespace {
 
-/// Processor seconds of the quickest of three searches for 50 passages in a text of so many words.
+/// Returns the CPU seconds of the quickest of three searches for 50 passages in a text of so many words.
 double cost_of(const unsigned words) {
     std::string text;
     for (unsigned i = 0; i < words; ++i) {
@@ -184,7 +184,8 @@ double cost_of(const unsigned words) {
 }  // namespace
 
 TEST(ManualTextCoverage, CoverageTimeGrowsLinearlyWithTheText) {
-    // Four times the text: four times the work, and as much again to spare. Sixteen times would be its square.
+    // Four times the text takes four times the work; the limit allows twice that. Quadratic work would take sixteen
+    // times as much.
     EXPECT_LT(cost_of(8000), 8.0 * cost_of(2000));
 }
 

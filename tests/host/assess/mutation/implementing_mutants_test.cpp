@@ -1,4 +1,4 @@
-// Which mutants of code lie in the functions that implement an item.
+// Mutants of code within the functions that implement an item.
 #include "host/assess/mutation/implementing_mutants.hpp"
 
 #include <gtest/gtest.h>

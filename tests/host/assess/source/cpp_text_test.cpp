@@ -1,4 +1,4 @@
-// C++ sources as text: what is code, where blocks end, which function a link is about.
+// C++ sources as text: code without comments, ends of blocks, the function of a link.
 #include "host/assess/source/cpp_text.hpp"
 
 #include <gtest/gtest.h>

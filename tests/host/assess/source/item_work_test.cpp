@@ -1,4 +1,4 @@
-// Marks of an item's code and tests: they change with what is said there, and with nothing else.
+// Marks of the code and tests of an item: they change with their content and with nothing else.
 #include "host/assess/source/item_work.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The audit sees what is missing: a small register and evidence made by hand.
+// The audit detects what is missing: a small register with hand-made evidence.
 #include "host/assess/trace/audit.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ Requirement requirement(const std::string& id, const std::string& source, std::v
     return one;
 }
 
-/// As `canproof spec review` records them.
+/// Reviews all items, as `canproof spec review` records it.
 void review(Part& part) {
     part.reviews.clear();
     for (const auto& [id, print] : fingerprints(part)) {
@@ -258,7 +258,7 @@ TEST_F(AuditOfASmallRegister, StoryOfAnOpenItemIsMarkedOpen) {
 
 namespace {
 
-/// Processor seconds of the quickest of three audits of `count` requirements in a tenth as many sections.
+/// Returns the CPU seconds of the quickest of three audits of `count` requirements in a tenth as many sections.
 double cost_of(std::size_t count) {
     Register content;
     Evidence evidence;
@@ -292,8 +292,8 @@ double cost_of(std::size_t count) {
 }  // namespace
 
 TEST(AuditOfALargeRegister, AuditTimeGrowsLinearlyWithTheRegister) {
-    // Ten times the requirements and sections: ten times the work, and as much again to spare. An audit that compared
-    // each section with each item would cost a hundred times as much.
+    // Ten times the requirements and sections take ten times the work; the limit allows 25 times. An audit that
+    // compares each section with each item would take a hundred times as much.
     EXPECT_LT(cost_of(5000), 25.0 * cost_of(500));
 }
 

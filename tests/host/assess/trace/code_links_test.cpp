@@ -1,4 +1,4 @@
-// Which files of the firmware serve no requirement, and where code names what was generated from an item.
+// Files of the firmware without a requirement, and places where code names what was generated from an item.
 #include "host/assess/trace/code_links.hpp"
 
 #include <gmock/gmock.h>

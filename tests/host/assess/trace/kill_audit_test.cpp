@@ -1,5 +1,5 @@
-// reports/kills.csv: which tests notice a mutant of what they claim, and what the audit says when a test is gone or
-// changed.
+// reports/kills.csv: the tests that notice a mutant of the items they claim, and the messages of the audit when a test
+// was removed or changed.
 #include "host/assess/trace/kill_audit.hpp"
 
 #include <gmock/gmock.h>

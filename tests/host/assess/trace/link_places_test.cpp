@@ -1,4 +1,4 @@
-// Links from code to the register stand above what does it, few at a time.
+// Links from code to the register are above the code that implements the requirement, and at most three in one place.
 #include "host/assess/trace/link_places.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Records of reviews: written, read again, and renewed for what was named alone.
+// Records of reviews: written, read back, and renewed for named items only.
 #include "host/assess/trace/review.hpp"
 
 #include <gmock/gmock.h>

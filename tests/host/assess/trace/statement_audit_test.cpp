@@ -1,4 +1,4 @@
-// The audit of statements: a small manual, items that are shown or not, and what is reported of each statement.
+// The audit of statements: a small manual, items that are shown or not, and the report on each statement.
 #include "host/assess/trace/statement_audit.hpp"
 
 #include <gmock/gmock.h>
@@ -125,7 +125,7 @@ TEST_F(AuditOfStatements, StatementAboutAnObjectCountsForTheSectionOfTheObject) 
 }
 
 TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemWithItAsSource) {
-    // Nothing has section 2 as its source; its statements are covered by a decision and a reason.
+    // No item has section 2 as its source; its statements are covered by a decision and a reason.
     EXPECT_THAT(audits()[0].sections[1].covered_by, IsEmpty());
     EXPECT_TRUE(audits()[0].sections[1].covered);
 }

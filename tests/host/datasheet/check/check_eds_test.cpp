@@ -1,4 +1,4 @@
-// Every rule of `canproof eds check` by a bad and a good example, and the fixes.
+// Every rule of `canproof eds check` with a bad and a good example, and the fixes.
 #include "host/datasheet/check/check_eds.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::vector<EdsFinding> findings_in(const std::string& text) {
     return check_eds(text, "box.eds");
 }
 
-/// Lines in which a rule finds something.
+/// Returns the lines in which a rule has a finding.
 std::vector<unsigned> lines_of(const std::vector<EdsFinding>& findings, const std::string& rule) {
     std::vector<unsigned> lines;
     for (const EdsFinding& finding : findings) {

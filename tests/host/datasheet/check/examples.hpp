@@ -8,8 +8,8 @@ namespace canproof::host::test {
 
 struct RuleExample {
     std::string rule;
-    std::string bad;   ///< the rule finds it, in a line that a patch touches
-    std::string good;  ///< the rule finds nothing; empty: in the good sheet itself
+    std::string bad;   ///< the rule has a finding in a line that a patch touches
+    std::string good;  ///< the rule has no finding; empty: the good sheet itself
 };
 
 std::vector<RuleExample> file_examples();     ///< text, [FileInfo], [DeviceInfo], [DummyUsage], [Comments], DCF

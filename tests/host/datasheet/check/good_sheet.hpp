@@ -1,4 +1,4 @@
-// A data sheet without any finding, and changes of it in a short form.
+// A data sheet without findings, and changes of it in a short notation.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ const std::string& good_sheet();
 
 struct PatchedSheet {
     std::string text;
-    std::vector<unsigned> lines;  ///< that the patches touched; those marked with @ alone where there are any
+    std::vector<unsigned> lines;  ///< lines touched by the patches; only those marked with @ if there are any
 };
 
-/// good_sheet() with patches, which ` | ` separates:
-///   [1017] DefaultValue=5     sets a key, adding it or its section where it is missing
-///   [1017] +DefaultValue=5    adds a line even where the key stands
+/// Returns good_sheet() with patches, separated by ` | `:
+///   [1017] DefaultValue=5     sets a key; adds it or its section when missing
+///   [1017] +DefaultValue=5    adds a line even when the key exists
 ///   [1017] -DefaultValue      removes a line
-///   [1017] DataType~TEXT      puts TEXT in place of a line
-///   [1017] ~TEXT              puts TEXT in place of the section's line
+///   [1017] DataType~TEXT      replaces a line by TEXT
+///   [1017] ~TEXT              replaces the line of the section by TEXT
 ///   -[1017]                   removes a section
 ///   top TEXT, end TEXT        adds a line at the beginning or the end
-///   @[1017] @[1017] Key @1    touches a section's line, a key's line, or a line
+///   @[1017] @[1017] Key @1    touches the line of a section, of a key, or a line
 PatchedSheet patched_sheet(const std::string& patches);
 
 }  // namespace canproof::host::test

@@ -1,4 +1,4 @@
-// The good data sheet, and how patches change it.
+// The good data sheet, and the effect of patches on it.
 #include "tests/host/datasheet/check/good_sheet.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Writes object sections, and lists them.
+/// Writes object sections and lists them.
 class Writer {
   public:
     void var(unsigned index, const std::string& name, unsigned type, const std::string& access,
@@ -237,7 +237,7 @@ class Patcher {
     }
 
   private:
-    /// The section's line; the number of lines when there is none.
+    /// Returns the line of the section; the number of lines when there is none.
     std::size_t find(const std::string& section) const {
         std::size_t at = 0;
         while (at < lines_.size() && lines_[at].text != section) {
@@ -252,7 +252,7 @@ class Patcher {
         }
         return at;
     }
-    /// The key's line; the end of the section when it has none.
+    /// Returns the line of the key; the end of the section when it has none.
     std::size_t key_in(std::size_t section, const std::string& key) const {
         std::size_t at = section + 1;
         while (at < end_of(section) && lines_[at].text.rfind(key + "=", 0) != 0) {

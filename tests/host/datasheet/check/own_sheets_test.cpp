@@ -1,4 +1,4 @@
-// The data sheets that the program writes, by its own check.
+// The data sheets that the program writes, checked by its own rules.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Rules of warnings that the manuals cause.
+/// Returns the rules of warnings that the manuals cause.
 std::set<std::string> caused_by_the_manual(const std::string& device) {
     if (device == "cbx-ao412") {
         return {};
@@ -21,7 +21,8 @@ std::set<std::string> caused_by_the_manual(const std::string& device) {
     // compatibility entry of older issues of CiA 301.
     std::set<std::string> rules{"pdo-sub-reserved"};
     if (device == "ax130751") {
-        // The manual lets receive and transmit PDOs carry 6220h, 7300h, 2223h, 2250h and 2500h. Only rw says both.
+        // The manual allows receive and transmit PDOs for 6220h, 7300h, 2223h, 2250h and 2500h. Only access rw
+        // expresses both.
         rules.insert({"mapping-no-direction", "map-no-direction"});
     }
     return rules;

@@ -7,7 +7,7 @@ std::vector<RuleExample> service_examples() {
     return {
         {"map-count", "[1A00sub0] DefaultValue=3", "[1A00sub0] DefaultValue=0"},
         {"map-type", "[1A00sub1] DataType=0x0006", ""},
-        {"map-too-long",  // 9 x 8 bits would do, but so does a length that lies
+        {"map-too-long",  // 9 entries of 8 bits would also be too long; here one entry has the wrong length 57 bits
          "[1A00sub1] DefaultValue=0x60000139 | @[1A00]", "[1A00sub1] DefaultValue=0x60000138"},
         {"map-empty", "[1601sub0] DefaultValue=2 | @[1601sub2] DefaultValue", "[1601sub0] DefaultValue=1"},
         {"map-unknown", "[1A00sub1] DefaultValue=0x60000308", "[1A00sub1] DefaultValue=0x10010008"},
