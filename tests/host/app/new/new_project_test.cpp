@@ -1,4 +1,4 @@
-// What `canproof new` writes, and what it refuses.
+// Files that `canproof new` writes, and options that it refuses.
 #include "host/app/new/new_project.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ bool refuses(const NewProject& project) {
     }
 }
 
-/// A data sheet with one object of each kind.
+/// Returns a data sheet with one object of each kind.
 Part small_sheet() {
     Part part;
     part.info.node_id = 9;
@@ -132,7 +132,7 @@ TEST(NewProject, IdentityAndObjectsComeFromTheDataSheet) {
     EXPECT_TRUE(device.objects[1].entries[1].stored);
 }
 
-/// What the test of errors expects of node 5 when the data sheet has 1014h with this default.
+/// Returns the frame that the generated error test expects of node 5 when the data sheet has 1014h with this default.
 std::string expected_emergency(std::int64_t value, bool node_id) {
     NewProject project = project_named("box");
     project.eds = small_sheet();

@@ -1,4 +1,4 @@
-// Filters of a node from its dictionary, entry by entry, of a data sheet that names all that a node can hear.
+// Acceptance filters of a node, one test per kind of dictionary entry that names an identifier.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::string variable(unsigned index, std::uint32_t value) {
         index, value);
 }
 
-/// An object whose sub-index 0 says how many values follow.
+/// Returns an object as EDS text. Its sub-index 0 contains the number of values that follow.
 std::string record(unsigned index, const std::vector<std::uint32_t>& values) {
     std::string text = fmt::format(
         "[{0:X}]\nParameterName=Object {0:X}\nObjectType=0x8\nSubNumber={1}\n[{0:X}sub0]\nParameterName=Number\n"
@@ -36,7 +36,7 @@ std::string record(unsigned index, const std::vector<std::uint32_t>& values) {
     return text;
 }
 
-/// A device of nothing but these objects.
+/// Returns the filters of a device that has only these objects.
 std::vector<AcceptanceFilter> filters_with(const std::vector<std::pair<unsigned, std::string>>& objects,
                                            std::uint8_t as_node = node_id) {
     std::string text = box;
@@ -56,7 +56,7 @@ std::vector<AcceptanceFilter> filters_with(const std::vector<std::pair<unsigned,
     return acceptance_filters(*device.objects(), as_node);
 }
 
-/// As `703` or `00010205`: without a mask that leaves anything out.
+/// Returns each filter as `703` or `00010205`. Every filter must compare all bits of the identifier.
 std::vector<std::string> names(const std::vector<AcceptanceFilter>& filters) {
     std::vector<std::string> all;
     for (const AcceptanceFilter& one : filters) {
@@ -92,7 +92,7 @@ TEST(AcceptanceEntries, SyncGuardingAndTimeAreAcceptedWhateverTheirHighestBits) 
 TEST(AcceptanceEntries, EachIdentifierHasOneFilter) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x80)}})),
               (Names{"000", "7E5", "705", "605", "080"}));
-    // of 11 and of 29 bits they are two
+    // an 11-bit and a 29-bit identifier of the same value need two filters
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x20000080)}})),
               (Names{"000", "7E5", "705", "605", "080", "00000080"}));
 }
@@ -125,13 +125,13 @@ TEST(AcceptanceEntries, EveryMonitoredProducerIsAccepted) {
 }
 
 TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
-    std::vector<std::uint32_t> watched(128);  // the last one is beyond what CiA 301 has
+    std::vector<std::uint32_t> watched(128);  // one more than the 127 entries of CiA 301
     for (std::uint32_t i = 0; i < watched.size(); ++i) {
         watched[i] = (i + 1U) << 16U | 100U;
     }
     watched.back() = 0x00050064U;
     const Names all = names(filters_with({{0x1016, record(0x1016, watched)}}));
-    EXPECT_EQ(all.size(), 4U + 126U);  // 705h is the node's own guarding as well
+    EXPECT_EQ(all.size(), 4U + 126U);  // 705h is also the guarding identifier of the node itself
     EXPECT_EQ(all.back(), "77F");
     EXPECT_EQ(all[4], "701");
 }

@@ -1,4 +1,4 @@
-// Filters of a node whose data sheet names a 29-bit identifier, which none of the four devices takes.
+// Filters of a node whose data sheet contains a 29-bit identifier. None of the four devices accepts such an identifier.
 #include "host/sim/bus/acceptance.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace canproof::host::test {
 TEST(Acceptance, FilterOfA29BitIdentifierComparesAllOfIt) {
     std::string text = box;
     const std::string as_shipped = "DefaultValue=$NODEID+0x200";
-    text.replace(text.find(as_shipped), as_shipped.size(), "DefaultValue=0x20010205");  // bit 29: 29 bits
+    text.replace(text.find(as_shipped), as_shipped.size(),
+                 "DefaultValue=0x20010205");  // bit 29 selects a 29-bit identifier
     GenericSimulation device{read_eds(text, "box.eds").part};
     device.set_node_id(5);
     device.power_on(Instant{});

@@ -1,4 +1,4 @@
-// The in-process bus behaves as CAN does: arbitration, frame times, faults, recovery, bit rates, and the same again.
+// The in-process bus behaves as CAN does: arbitration, frame times, faults, recovery, bit rates, and repeatable runs.
 #include "host/sim/bus/arbitrated_bus.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Three plain nodes at 125 kbit/s: 8 us a bit.
+/// Three plain nodes at 125 kbit/s, where one bit lasts 8 us.
 class ArbitratedBusTest : public testing::Test {
   protected:
     void start(const BusFaultRates& faults = {}) {
@@ -86,7 +86,7 @@ TEST_F(ArbitratedBusTest, ReportCountsLoadAndWorstLatency) {
     const BusReport report = bus->report(Instant{1000000});
     EXPECT_EQ(report.frames, 2U);
     EXPECT_EQ(report.errors, 0U);
-    // busy while frames and their three bits of intermission last, of one second
+    // of one second, the bus is busy during the two frames and the 3 bits of intermission after each
     EXPECT_NEAR(report.load, static_cast<double>(first + second + 6 * 8) / 1.0e6, 1.0e-9);
     EXPECT_EQ(report.worst_latency.us, first + 3 * 8 + second);
     EXPECT_EQ(report.bit_rate, 125000U);
@@ -103,7 +103,7 @@ TEST_F(ArbitratedBusTest, FullBusHasALoadOfOne) {
 }
 
 TEST_F(ArbitratedBusTest, FractionalMicrosecondsPerBitDoNotAccumulate) {
-    // 800 kbit/s: 1.25 us a bit. 1000 frames of n bits and 999 intermissions.
+    // At 800 kbit/s, one bit lasts 1.25 us. The test sends 1000 frames of n bits with 999 intermissions.
     bus = std::make_unique<ArbitratedBus>("inproc", 800000, BusFaultRates{});
     bus->attach(a);
     bus->attach(b);
@@ -134,7 +134,7 @@ TEST_F(ArbitratedBusTest, FloodingGatewayLeavesTheBusToOthersAfterEachFrame) {
     a.send("77F#05");
     a.send("77F#05");
     run_until(*bus, Instant{0}, Instant{50000});
-    // 000h wins every arbitration that it takes part in; eight bit times after each frame of its own it does not.
+    // 000h wins each arbitration, but the gateway takes part in none during eight bit times after its own frame.
     EXPECT_EQ(log[0], "outside 000#");
     EXPECT_EQ(log[1], "a 77F#05");
     EXPECT_EQ(log[2], "outside 000#");
@@ -188,7 +188,7 @@ TEST_F(ArbitratedBusTest, LostFrameIsAnOverrunOfOneReceiverUntilTheNextArrives) 
     EXPECT_GT(told(b), 0U);
     EXPECT_GT(told(c), 0U);
     EXPECT_LT(b.heard.size(), 100U);
-    EXPECT_TRUE(b.overruns.front());  // begins before it ends
+    EXPECT_TRUE(b.overruns.front());  // the first call reports the begin of an overrun
     for (std::size_t i = 1; i < b.overruns.size(); ++i) {
         EXPECT_NE(b.overruns[i], b.overruns[i - 1]);
     }
@@ -199,7 +199,7 @@ TEST_F(ArbitratedBusTest, BusOffLasts128TimesElevenBitsAndEndsActive) {
     run_until(*bus, Instant{0}, Instant{1000});
     bus->switch_off(a, Instant{1000});
     b.send("703#05");
-    a.send("083#");  // sent while off the bus
+    a.send("083#");  // sent while the node is off the bus
     run_until(*bus, Instant{1000}, Instant{100000});
     // 128 × 11 bits × 8 us = 11264 us
     EXPECT_THAT(a.states, ElementsAre("1000 3", "12264 0"));
@@ -215,9 +215,9 @@ TEST_F(ArbitratedBusTest, FrameOfANodeThatGoesBusOffIsLostWithAnErrorFrame) {
     bus->switch_off(a, Instant{80});
     b.send("703#05");
     run_until(*bus, Instant{80}, Instant{100000});
-    // 20 bits of error frame and 3 of intermission, 8 us each, then b's frame
+    // an error frame of 20 bits and an intermission of 3 bits, 8 us each, then the frame of b
     EXPECT_THAT(c.heard, ElementsAre(fmt::format("{} 703#05", 80 + 23 * 8 + time_of("703#05"))));
-    // 128 x 11 bits of 8 us, whatever was on the wire when it fell off
+    // 128 × 11 bits of 8 us, whatever was on the wire when the node went off the bus
     EXPECT_THAT(a.states, ElementsAre("80 3", "11344 0"));
     EXPECT_EQ(bus->report(Instant{100000}).errors, 1U);
 }
@@ -225,7 +225,7 @@ TEST_F(ArbitratedBusTest, FrameOfANodeThatGoesBusOffIsLostWithAnErrorFrame) {
 TEST_F(ArbitratedBusTest, CorruptedFrameOfANodeThatWentBusOffIsNotSentLater) {
     BusFaultRates faults;
     faults.corrupted = 0.9;
-    faults.seed = 1;  // the first frame is corrupted
+    faults.seed = 1;  // with this seed, the first frame is corrupted
     start(faults);
     a.send("083#");
     run_until(*bus, Instant{0}, Instant{2000});
@@ -253,7 +253,7 @@ TEST_F(ArbitratedBusTest, LatencyOfARepeatedFrameCountsFromItsFirstAttempt) {
         EXPECT_EQ(fmt::format("{} 083#", 100 + one.report(Instant{1000000}).worst_latency.us), y.heard[0]);
         errors += one.report(Instant{1000000}).errors;
     }
-    EXPECT_GT(errors, 0U);  // some were repeated
+    EXPECT_GT(errors, 0U);  // at least one frame was corrupted
 }
 
 TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheNextQueuedFrame) {
@@ -262,7 +262,7 @@ TEST_F(ArbitratedBusTest, LatencyOfAFrameIsNotThatOfTheNextQueuedFrame) {
     a.send("083#");
     bus->advance(Instant{0});
     const std::uint64_t first = time_of("000#") + 3 * 8;
-    run_until(*bus, Instant{0}, Instant{first});  // 083 begins, 24 bits late
+    run_until(*bus, Instant{0}, Instant{first});  // 083h begins after the first frame and its intermission of 24 us
     a.send("084#");
     run_until(*bus, Instant{first}, Instant{100000});
     EXPECT_EQ(bus->report(Instant{100000}).worst_latency.us, first + time_of("083#"));
@@ -276,7 +276,7 @@ TEST_F(ArbitratedBusTest, GatewayDetachedDuringItsFrameLeavesAnErrorFrame) {
     bus->attach_gateway(second);
     second.put(parse_frame("123#", "test"));
     bus->advance(Instant{0});
-    bus->detach_gateway(first);  // not the sender: the frame goes on
+    bus->detach_gateway(first);  // this gateway does not send, so the frame continues
     run_until(*bus, Instant{0}, Instant{1000});
     EXPECT_THAT(log, ElementsAre("outside 123#"));
     second.put(parse_frame("123#", "test"));
@@ -291,20 +291,20 @@ TEST_F(ArbitratedBusTest, GatewayDetachedDuringItsFrameLeavesAnErrorFrame) {
 TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     FaultConfinement one;
     for (int i = 0; i < 12; ++i) {
-        EXPECT_EQ(one.state(), CanState::error_active) << i;  // 0, 8 … 88
+        EXPECT_EQ(one.state(), CanState::error_active) << i;  // the counter is 0, 8 … 88
         one.transmit_failed();
     }
-    EXPECT_EQ(one.state(), CanState::warning);  // 96
+    EXPECT_EQ(one.state(), CanState::warning);  // the counter is 96
     for (int i = 0; i < 4; ++i) {
         one.transmit_failed();
     }
-    EXPECT_EQ(one.state(), CanState::error_passive);  // 128
+    EXPECT_EQ(one.state(), CanState::error_passive);  // the counter is 128
     one.transmitted();
-    EXPECT_EQ(one.state(), CanState::warning);  // 127
+    EXPECT_EQ(one.state(), CanState::warning);  // the counter is 127
     for (int i = 0; i < 17; ++i) {
         one.transmit_failed();
     }
-    EXPECT_EQ(one.state(), CanState::bus_off);  // 263
+    EXPECT_EQ(one.state(), CanState::bus_off);  // the counter is 263
     one.recover();
     EXPECT_EQ(one.state(), CanState::error_active);
     for (int i = 0; i < 130; ++i) {
@@ -315,7 +315,7 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
     EXPECT_EQ(one.receive_errors(), 119U);
     one.switch_off();
     one.recover();
-    EXPECT_EQ(one.state(), CanState::error_active);  // both counters begin anew
+    EXPECT_EQ(one.state(), CanState::error_active);  // both counters start at 0 again
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 
@@ -336,7 +336,7 @@ TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsDisconnectedUntilMostNodesHaveCh
     EXPECT_EQ(bus->report(Instant{20000}).bit_rate, 250000U);
     EXPECT_THAT(log, ElementsAre("b 702#05", "a 701#05"));
     EXPECT_EQ(b.heard.back(), fmt::format("{} 701#05", 10000 + time_of("701#05", 4)));
-    EXPECT_THAT(c.heard, SizeIs(1));  // still at 125 kbit/s
+    EXPECT_THAT(c.heard, SizeIs(1));  // the bus still has 125 kbit/s
     EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; it hears and is heard by no other",
                                      "b: LSS sets 250000 bit/s; the bus has it now"));
 }

@@ -1,4 +1,4 @@
-// What the in-process bus reports of its load, and which bit rate it has: counted in bits by hand.
+// The load that the in-process bus reports and its bit rate, compared with numbers of bits counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ std::uint64_t time_of(const std::string& frame) {
     return std::uint64_t{frame_bits(parse_frame(frame, "test"))} * us_per_bit;
 }
 
-/// Two nodes at 125 kbit/s: 8 us a bit.
+/// Two nodes at 125 kbit/s, where one bit lasts 8 us.
 class BusLoad : public testing::Test {
   protected:
     BusLoad() {
@@ -44,7 +44,7 @@ TEST_F(BusLoad, LoadOfARunningFrameCountsFromItsStart) {
     a.send("703#05");
     bus.advance(Instant{100});
     EXPECT_DOUBLE_EQ(load_at(0), 0.0);    // no time has passed
-    EXPECT_DOUBLE_EQ(load_at(100), 0.0);  // it begins now
+    EXPECT_DOUBLE_EQ(load_at(100), 0.0);  // the frame begins now
     EXPECT_NEAR(load_at(200), 0.5, exact);
     EXPECT_NEAR(load_at(400), 0.75, exact);
 }
@@ -54,7 +54,7 @@ TEST_F(BusLoad, LoadOfTheLastSecondCountsThePartOfAFrameWithinIt) {
     run_until(bus, Instant{0}, Instant{second});
     const std::uint64_t busy = time_of("703#05") + 3 * us_per_bit;
     EXPECT_NEAR(load_at(second), static_cast<double>(busy) / 1.0e6, exact);
-    bus.advance(Instant{second + 100});  // 100 us of the frame lie before the last second
+    bus.advance(Instant{second + 100});  // 100 us of the frame are before the last second
     EXPECT_NEAR(load_at(second + 100), static_cast<double>(busy - 100) / 1.0e6, exact);
     bus.advance(Instant{second + busy - 1});
     EXPECT_NEAR(load_at(second + busy - 1), 1.0e-6, exact);
@@ -64,7 +64,7 @@ TEST_F(BusLoad, LoadOfTheLastSecondCountsThePartOfAFrameWithinIt) {
 }
 
 TEST_F(BusLoad, LoadIsOneDuringAFrameLongerThanASecond) {
-    // 10 bit/s: the shortest frame takes more than four seconds.
+    // At 10 bit/s, the shortest frame takes more than four seconds.
     ArbitratedBus slow{"inproc", 10, {}};
     slow.attach(a);
     a.send("703#05");
@@ -77,7 +77,7 @@ TEST_F(BusLoad, LoadIncludesInterruptedFrames) {
     bus.advance(Instant{0});
     bus.switch_off(a, Instant{80});
     run_until(bus, Instant{80}, Instant{second});
-    // 80 us of the frame, 20 bits of error frame, 3 of intermission
+    // 80 us of the frame, 20 bits of error frame, 3 bits of intermission
     EXPECT_NEAR(load_at(second), (80.0 + 23.0 * 8.0) / 1.0e6, exact);
     EXPECT_EQ(bus.report(Instant{second}).frames, 0U);
 }
@@ -103,7 +103,7 @@ TEST(BusBitRate, BitRateIs125000WithoutANumber) {
 }
 
 TEST(BusBitRate, BitTimeIsRoundedToTheNearestNanosecond) {
-    // 300 kbit/s: 3333.33 ns a bit. A frame and its intermission: (n + 3) bits, each sum rounded by itself.
+    // At 300 kbit/s, one bit lasts 3333.33 ns. The time of a frame and that of its intermission are rounded separately.
     ArbitratedBus bus{"inproc", 300000, {}};
     PlainNode a{"a"};
     PlainNode b{"b"};
@@ -129,7 +129,7 @@ TEST_F(BusLoad, BitRateFollowsTheMajorityAndStaysOnATie) {
     bus.attach(c);
     run_until(bus, Instant{100}, Instant{200});
     EXPECT_EQ(bus.report(Instant{200}).bit_rate, 250000U);
-    EXPECT_THAT(notices, IsEmpty());  // nobody has changed its rate
+    EXPECT_THAT(notices, IsEmpty());  // no node has changed its rate
 }
 
 TEST_F(BusLoad, BitRateOfTheNodesReplacesThatOfTheBus) {
@@ -138,7 +138,7 @@ TEST_F(BusLoad, BitRateOfTheNodesReplacesThatOfTheBus) {
     EXPECT_EQ(bus.report(Instant{100}).bit_rate, 500000U);
     a.send("703#05");
     run_until(bus, Instant{100}, Instant{10000});
-    EXPECT_EQ(b.heard.size(), 1U);  // b takes whatever the bus has
+    EXPECT_EQ(b.heard.size(), 1U);  // b has no bit rate of its own
 }
 
 TEST_F(BusLoad, BitRateChangesBetweenFramesNotDuringAFrame) {
@@ -170,7 +170,7 @@ TEST_F(BusLoad, NoDeadlineIsSetWhileNoNodeMaySend) {
     a.send("703#05");
     a.rate = 250000;
     bus.advance(Instant{0});
-    EXPECT_EQ(bus.next_deadline(), never);  // a tie: the bus keeps 125 kbit/s, and a is not heard
+    EXPECT_EQ(bus.next_deadline(), never);  // on a tie the bus keeps 125 kbit/s, and a is not received
     a.rate = 125000;
     EXPECT_EQ(bus.next_deadline(), Instant{0});
 }
@@ -219,7 +219,7 @@ TEST_F(BusLoad, SwitchingOffAnAbsentOrOffNodeChangesNothing) {
     bus.switch_off(a, Instant{0});
     bus.switch_off(a, Instant{1000});
     run_until(bus, Instant{1000}, Instant{100000});
-    EXPECT_THAT(a.states, ElementsAre("0 3", "11264 0"));  // 128 x 11 bits of 8 us from the first time on
+    EXPECT_THAT(a.states, ElementsAre("0 3", "11264 0"));  // 128 × 11 bits of 8 us after the first call
 }
 
 TEST_F(BusLoad, EachInterruptedFrameIsAnErrorOfItsReceivers) {
@@ -234,14 +234,14 @@ TEST_F(BusLoad, EachInterruptedFrameIsAnErrorOfItsReceivers) {
         now = now + milliseconds(1);
         bus.advance(now);
     }
-    ASSERT_EQ(a.states.size(), 1U);  // 96: warning
+    ASSERT_EQ(a.states.size(), 1U);  // 96 errors lead to the warning state
     EXPECT_EQ(a.states[0].back(), '1');
     EXPECT_EQ(bus.report(now).errors, 96U);
 }
 
 TEST(BusErrors, SenderCountsItsBrokenFramesAsTransmitErrorsOnly) {
-    // One of twenty is broken: eight up and nineteen down. As a receiver it would never count down, for it hears
-    // nobody.
+    // One frame of twenty is corrupted, so the transmit error counter rises by 8 and falls by 19. If the bus also
+    // counted receive errors for a, that counter would never fall, because a receives no frame.
     ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.05, 0.0, 0.0, 7}};
     PlainNode a{"a"};
     PlainNode b{"b"};
@@ -274,7 +274,7 @@ TEST_F(BusLoad, LatencyCountsFromWhenAFrameBecameTheFirstInItsQueue) {
     a.send("703#05");
     a.send("704#05");
     run_until(bus, Instant{0}, Instant{100000});
-    // the second one is first from the end of the one before it
+    // the second frame becomes the first of its queue at the end of the first frame
     EXPECT_EQ(bus.report(Instant{100000}).worst_latency.us, 3 * us_per_bit + time_of("704#05"));
     EXPECT_GE(time_of("704#05"), time_of("703#05"));
 }

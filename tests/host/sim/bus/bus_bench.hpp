@@ -1,4 +1,4 @@
-// Nodes made of a list of frames, and a bus that is run from event to event.
+// Nodes made of a list of frames, and a function that runs a bus from event to event.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 namespace canproof::host::test {
 
-/// Sends what it is given, keeps what it hears.
+/// Sends the frames that a test queues and records the frames that it receives.
 class PlainNode : public BusNode {
   public:
     explicit PlainNode(std::string name = "node") : name_{std::move(name)} {}
@@ -49,7 +49,7 @@ class PlainNode : public BusNode {
     std::string name_;
 };
 
-/// Runs a bus to `end`, keeping each of its deadlines.
+/// Runs a bus until `end` and stops at each of its deadlines.
 inline void run_until(Bus& bus, Instant start, Instant end) {
     bus.advance(start);
     while (bus.next_deadline() <= end) {

@@ -1,4 +1,4 @@
-// Frames as bits: lengths counted by hand, the CRC against its catalogue value and by division, stuffing bit by bit.
+// Frames as bits: lengths counted by hand, the CRC compared with its catalogue value and a division, and stuff bits.
 #include "host/sim/bus/can_bits.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Frame frame(const std::string& text) {
     return parse_frame(text, "test");
 }
 
-/// Remainder of the polynomial division of `bits` times x^15, the way it is done on paper.
+/// Returns the remainder of the polynomial division of `bits` × x^15, computed as on paper.
 unsigned divided(std::vector<bool> bits) {
     const std::vector<bool> divisor = bits_of("1100010110011001");  // x^15+x^14+x^10+x^8+x^7+x^4+x^3+1
     bits.insert(bits.end(), 15, false);
@@ -43,7 +43,7 @@ unsigned divided(std::vector<bool> bits) {
         for (std::size_t k = 0; bits[i] && k < divisor.size(); ++k) {
             bits[i + k] = bits[i + k] != divisor[k];
             if (k == 0) {
-                // the leading bit stays set for the rest of this subtraction
+                // the loop condition needs the leading bit until the subtraction ends
                 bits[i] = true;
             }
         }
@@ -83,9 +83,9 @@ TEST(CanBits, CrcEqualsTheRemainderOfALongDivision) {
 TEST(CanBits, FieldsHaveTheOrderOfTheStandard) {
     // SOF, identifier 703h, RTR, IDE, r0, DLC 1, one byte 05h
     EXPECT_EQ(text_of(unstuffed_bits(frame("703#05"))), text_of(bits_of("0 11100000011 0 0 0 0001 00000101")));
-    // remote: RTR recessive, no data
+    // a remote frame has a recessive RTR and no data
     EXPECT_EQ(text_of(unstuffed_bits(frame("703#R1"))), text_of(bits_of("0 11100000011 1 0 0 0001")));
-    // 29 bits: base 11, SRR, IDE, 18 more, RTR, r1, r0
+    // 29 bits: 11 bits of base identifier, SRR, IDE, 18 further bits, RTR, r1, r0
     EXPECT_EQ(text_of(unstuffed_bits(frame("00040001#"))),
               text_of(bits_of("0 00000000001 1 1 000000000000000001 0 0 0 0000")));
 }
@@ -96,7 +96,7 @@ TEST(CanBits, StuffBitFollowsFiveEqualBitsAndCountsItself) {
     EXPECT_EQ(count_stuff_bits(bits_of("11111")), 1U);
     EXPECT_EQ(count_stuff_bits(bits_of("00000")), 1U);
     EXPECT_EQ(count_stuff_bits(bits_of("000001")), 1U);
-    // the stuffed 1 and four more make five: stuffed again
+    // the inserted 1 and the following four make five, so a second stuff bit follows
     EXPECT_EQ(count_stuff_bits(bits_of("00000 1111")), 2U);
     EXPECT_EQ(count_stuff_bits(bits_of("00000 1111 0000")), 3U);
     EXPECT_EQ(count_stuff_bits(bits_of("00000 00000")), 2U);
@@ -104,8 +104,9 @@ TEST(CanBits, StuffBitFollowsFiveEqualBitsAndCountsItself) {
 }
 
 TEST(CanBits, FrameLengthIsFieldsPlusStuffBits) {
-    // 1 + 11 + 3 + 4 + 8 n + 15 + 1 + 2 + 7 = 44 + 8 n without stuff bits; 555h and bytes 55h alternate, so that only
-    // the DLC (000100, 1000 …) and the CRC can be stuffed: counted from the bits themselves.
+    // A frame has 1 + 11 + 3 + 4 + 8 n + 15 + 1 + 2 + 7 = 44 + 8 n bits without stuff bits. The bits of 555h and of the
+    // bytes 55h alternate, so only the DLC (000100, 1000 …) and the CRC can need stuff bits. The test counts these in
+    // the bits themselves.
     for (const auto& [text, plain] : {std::pair<std::string, unsigned>{"555#", 44},
                                       {"555#55", 52},
                                       {"555#5555555555555555", 108},
@@ -121,9 +122,10 @@ TEST(CanBits, FrameLengthIsFieldsPlusStuffBits) {
 }
 
 TEST(CanBits, NmtStartFrameHasTheLengthCountedByHand) {
-    // 000#0100: 0 00000000000 0 0 0 0010 00000001 00000000, then the CRC. Zeros from the start: 18 of them bring a
-    // stuff bit after 5, 10 and 15 (each stuffed 1 breaks the run); then 1 0 | 0000000 1: after the 1 come 0 and seven
-    // more, one stuff bit after five of these; the 1; eight zeros: one more after five, and three zeros before the CRC.
+    // 000#0100 is 0 00000000000 0 0 0 0010 00000001 00000000, then the CRC. The frame begins with 17 zeros: stuff bits
+    // follow the 5th, 10th and 15th zero, because each inserted 1 ends the run. After the 1 of the DLC come eight
+    // zeros: one stuff bit follows the fifth. After the 1 of the first byte come eight zeros: one stuff bit follows the
+    // fifth.
     const auto header = unstuffed_bits(frame("000#0100"));
     EXPECT_EQ(header.size(), 35U);
     EXPECT_EQ(count_stuff_bits(header), 3U + 1U + 1U);
@@ -134,16 +136,16 @@ TEST(CanBits, ArbitrationGoesToTheDominantBit) {
         return arbitration_rank(frame(a)) < arbitration_rank(frame(b));
     };
     EXPECT_TRUE(wins("080#", "081#"));
-    EXPECT_TRUE(wins("703#05", "703#R1"));     // RTR dominant in the data frame
-    EXPECT_TRUE(wins("001#", "00040000#"));    // the same base identifier: SRR and IDE are recessive
-    EXPECT_TRUE(wins("001#R", "00040000#R"));  // RTR meets SRR, then IDE decides
+    EXPECT_TRUE(wins("703#05", "703#R1"));     // RTR is dominant in the data frame
+    EXPECT_TRUE(wins("001#", "00040000#"));    // same base identifier: SRR and IDE of the second frame are recessive
+    EXPECT_TRUE(wins("001#R", "00040000#R"));  // RTR and SRR are both recessive, so IDE decides
     EXPECT_TRUE(wins("0003FFFF#", "001#"));    // base identifier 0 is lower
     EXPECT_TRUE(wins("00040000#", "00040001#"));
 }
 
 TEST(CanBits, RankIsTheArbitrationFieldFromTheHighestBitOn) {
     const auto rank = [](const char* text) { return arbitration_rank(frame(text)); };
-    EXPECT_EQ(rank("703#"), 0xE0600000U);       // 11100000011 0, then IDE dominant
+    EXPECT_EQ(rank("703#"), 0xE0600000U);       // 11100000011 0, then a dominant IDE
     EXPECT_EQ(rank("703#R"), 0xE0700000U);      // RTR is the twelfth bit
     EXPECT_EQ(rank("00040001#"), 0x00380002U);  // 00000000001 1 1 000000000000000001 0
     EXPECT_EQ(rank("1FFFFFFF#R"), 0xFFFFFFFFU);

@@ -1,4 +1,4 @@
-// candump's text form, part by part: what is taken, what is refused, and what a line means.
+// The text form of candump, part by part: accepted lines, refused lines, and the meaning of a line.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -103,7 +103,7 @@ TEST(CandumpLine, RefusalNamesTheWrongPart) {
         EXPECT_NE(refusal(text).find("does not stand in brackets"), std::string::npos) << text;
     }
     EXPECT_NE(refusal("(1,0) can0 703#05").find("`1,0` is no time"), std::string::npos);
-    EXPECT_EQ(line("(1) can0 703#05").time, Instant{1000000});  // the shortest time there is
+    EXPECT_EQ(line("(1) can0 703#05").time, Instant{1000000});  // the shortest form of a time
     EXPECT_NE(refusal("(1.0) can0 703#GG").find("data `GG` is not up to eight bytes"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 900#").find("identifier 900 is too large"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#R9").find("`9` is no length from 0 to 8 after R"), std::string::npos);

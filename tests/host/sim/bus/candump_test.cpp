@@ -1,4 +1,4 @@
-// candump logs, stimuli and replay: what is read, what is refused, what comes out.
+// Candump logs, stimuli and replay: what is read, what is refused and what is written.
 #include "host/sim/bus/candump.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(Candump, TimeMustNotGoBackwards) {
 }
 
 TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreReadLikeCanUtils) {
-    // candump -L: a raw length code of 9 to 15 behind `_`, an error frame with bit 29 of its identifier
+    // candump -L writes a raw length code of 9 to 15 after `_`, and an error frame with bit 29 of its identifier set
     EXPECT_EQ(format_frame(parse_candump_line("(1.0) can0 123#0102030405060708_F", "log:1").frame),
               "123#0102030405060708");
     EXPECT_EQ(parse_candump_line("(1.0) can0 123#R8_9", "log:1").frame.length, 8U);
@@ -115,7 +115,7 @@ TEST(StimulusFile, LineWithoutThreeFieldsOrANumberIsRefused) {
     }
 }
 
-// The acceptance run of the manual's telegrams, byte for byte
+// The acceptance run replays the telegrams of the manual and compares the log byte by byte.
 TEST(Replay, TelegramsOfTheManualReplayTheSameTwice) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
@@ -125,7 +125,7 @@ TEST(Replay, TelegramsOfTheManualReplayTheSameTwice) {
 }
 
 TEST(Replay, ReplayContinuesUntilTheGivenTime) {
-    // heartbeat of 100 ms set at 0.05 s: due at 0.15, 0.25, 0.35
+    // a heartbeat of 100 ms is set at 0.05 s, so heartbeats are due at 0.15, 0.25 and 0.35 s
     const std::string log = "(0.050000) can7 603#2B17100064000000\n";
     EXPECT_EQ(replayed(log, "", 0.3),
               "(0.000000) can7 703#00\n(0.050000) can7 583#6017100000000000\n(0.150000) can7 703#7F\n(0.250000) can7 "
@@ -138,7 +138,7 @@ TEST(Replay, StimuliActAndOutputsAreWritten) {
                                         "seconds,signal,value\n0.020000,internal_fault,1\n", 0.03, &outputs);
     EXPECT_EQ(frames,
               "(0.000000) can0 703#00\n(0.010000) can0 583#6011640100000000\n(0.020000) can0 083#1061010100000000\n");
-    // one step = 1 mV * 30.9 / 12.4 = 2.49194 mV; error mode 1, error value 0
+    // one step is 1 mV × 30.9 / 12.4 = 2.49194 mV; error mode 1 sets the error value 0
     EXPECT_NE(outputs.find("0.010000,aout1,0.00249194\n"), std::string::npos);
     EXPECT_NE(outputs.find("0.020000,aout1,0\n"), std::string::npos);
 }
@@ -148,7 +148,8 @@ TEST(Replay, StimuliAtZeroApplyBeforePowerOn) {
 }
 
 TEST(Replay, LogWithClockTimesStartsAtItsFirstFrame) {
-    // Power-on with the frame, boot-up at once, then the answer; 20 ms later the next
+    // The device powers on at the time of the first frame, sends its boot-up message at once, then answers. The second
+    // frame follows 20 ms later.
     const std::string log =
         "(1436509052.249713) vcan0 603#4000100000000000\n(1436509052.269713) vcan0 603#4000100000000000\n";
     EXPECT_EQ(replayed(log, "", 0.0),
@@ -177,7 +178,8 @@ TEST(Replay, StartIsPowerOn_FramesBeforeItAreLeftOut) {
 }
 
 TEST(Replay, SilenceOfYearsIsSkipped) {
-    // A heartbeat each 60 s: 60 of them in the hour that stays of the silence, not the 24 million of 45 years.
+    // The heartbeat period is 60 s. The replay keeps one hour of the silence, with 60 heartbeats instead of the 24
+    // million of 45 years.
     const std::string log = "(1.000000) can0 603#2B17100060EA0000\n(1436509052.249713) can0 603#4000100000000000\n";
     const std::string frames = replayed(log, "", 0.0);
     EXPECT_EQ(std::count(frames.begin(), frames.end(), '\n'), 1 + 1 + 60 + 1);
@@ -199,11 +201,12 @@ TEST(Replay, OutputTimesNeverDecrease) {
 }
 
 TEST(Replay, OwnFrameOfAPlainLogIsNotReceived) {
-    // It watches the heartbeat of its own node-ID (1016h), which it sends each 100 ms and on a bus never hears.
+    // The device monitors the heartbeat of its own node-ID (1016h consumer heartbeat time). It sends this heartbeat
+    // every 100 ms, and a device on a bus never receives its own frames.
     const std::string requests = "(0.010000) can0 603#2B17100064000000\n(0.020000) can0 603#2316100132000300\n";
     const std::string beats = "(0.110050) can0 703#7F\n(0.210050) can0 703#7F\n";
     EXPECT_EQ(replayed(requests + beats, "", 0.25), replayed(requests, "", 0.25));
-    // What nobody has sent here comes from another: marked as received it is heard, and 50 ms later missed
+    // A frame marked as received comes from another node. The device receives it and reports its absence 50 ms later.
     EXPECT_NE(replayed(requests + "(0.110050) can0 703#7F R\n", "", 0.25).find("083#"), std::string::npos);
 }
 
@@ -232,7 +235,7 @@ TEST(StimulusFile, SignalsAndValuesAreCheckedAgainstTheRegister) {
 
 TEST(StimulusFile, ValueWithoutADeviceNameMustFitEveryDeviceWithTheSignal) {
     const LoadResult loaded = load_register(embedded_spec());
-    // `supply_voltage` of one to 70 V and a made up one to 10 V
+    // one device with a `supply_voltage` up to 70 V and an invented one up to 10 V
     Part other = *loaded.content.part("ax060805");
     for (Signal& signal : other.signals) {
         signal.maximum = signal.name == "supply_voltage" ? 10.0 : signal.maximum;

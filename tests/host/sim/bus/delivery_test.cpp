@@ -1,4 +1,4 @@
-// Which nodes of the in-process bus get a frame, and what a frame does to those that do not read it.
+// Which nodes of the in-process bus receive a frame, and how a frame affects the nodes whose filters refuse it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// One that says when it has changed, as a device does.
+/// A node that reports its changes to the bus, as a device does.
 class TellingNode final : public PlainNode {
   public:
     using PlainNode::PlainNode;
@@ -57,7 +57,7 @@ TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
     bus.attach(b);
     b.accept({{0x205, 0x7FF, false}});
     a.send_and_tell("206#01");
-    EXPECT_EQ(bus.next_deadline(), Instant{0});  // before any advance()
+    EXPECT_EQ(bus.next_deadline(), Instant{0});  // even before the first call of advance()
     run_until(bus, Instant{0}, Instant{10000});
     b.accept({{0x206, 0x7FF, false}});
     a.send_and_tell("206#02");
@@ -68,7 +68,7 @@ TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
 }
 
 TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
-    // 96 corrupted frames are a warning for whoever hears them; each sound one takes one error back.
+    // A node reaches the warning state after 96 corrupted frames; each sound frame takes one error back.
     BusFaultRates faults;
     faults.corrupted = 0.7;
     faults.seed = 3;
@@ -104,7 +104,7 @@ TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {
     run_until(bus, Instant{0}, Instant{100000});
     ASSERT_GT(deaf.overruns.size(), 3U);
     for (std::size_t i = 0; i < deaf.overruns.size(); ++i) {
-        EXPECT_EQ(deaf.overruns[i], i % 2 == 0) << i;  // lost, then room again
+        EXPECT_EQ(deaf.overruns[i], i % 2 == 0) << i;  // one call reports the loss, the next reports its end
     }
 }
 

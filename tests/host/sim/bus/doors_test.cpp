@@ -1,4 +1,4 @@
-// Doors of the in-process bus: what they hold back, and when nothing of theirs is left.
+// Gateways of the in-process bus: how long one is sending, and when a full one accepts a frame.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Whose frame comes back: by identifier, format, request, length and bytes, the oldest first.
+// Attribution of an echoed frame to its sender by identifier, format, request, length and bytes; the oldest entry
+// first.
 #include "host/sim/bus/echo_matcher.hpp"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ TEST(EchoMatcher, MatcherKeepsTheLast131072FramesOfAnIdentifier) {
     for (int i = 0; i <= 131072; ++i) {
         echoes.sent(frame("703#05"), i);
     }
-    EXPECT_EQ(echoes.match(frame("703#05"), -1), 1);  // 0, the oldest, is gone
+    EXPECT_EQ(echoes.match(frame("703#05"), -1), 1);  // the oldest entry, 0, was removed
 }
 
 }  // namespace canproof::host::test

@@ -1,4 +1,4 @@
-// An interface made of lists: what the kernel would answer is set by the test, what it was asked is kept.
+// A CAN system made of lists: the test sets the answers of the kernel, and the fake records the calls.
 #pragma once
 
 #include <cerrno>
@@ -21,15 +21,15 @@ class FakeCanSystem : public CanSystem {
         std::vector<can_filter> filters;
         struct Arrival {
             CanReception got;
-            int error{0};  ///< or this instead
+            int error{0};  ///< returned instead of `got` unless 0
         };
         std::deque<Arrival> arriving;
         std::uint32_t dropped{0};
-        std::deque<int> send_answers;  ///< one a call; then 0
+        std::deque<int> send_answers;  ///< one per call; 0 when the list is empty
         std::vector<std::string> sent;
-        std::vector<std::size_t> filters_when_sent;  ///< how many it had, one for each of `sent`
+        std::vector<std::size_t> filters_when_sent;  ///< number of filters at the time of each frame of `sent`
         int send_calls{0};
-        int closed{0};  ///< how often
+        int closed{0};  ///< number of calls of close()
     };
 
     CanOpening open(const std::string&, bool error_frames) override {
@@ -94,7 +94,7 @@ class FakeCanSystem : public CanSystem {
     }
     std::uint64_t realtime_ns() override { return realtime_us * 1000; }
 
-    /// A frame that arrives at a socket, stamped with the real time `us`.
+    /// Lets a frame arrive at a socket with `us` as its real-time stamp.
     void arrive(int descriptor, const std::string& text, std::uint64_t us, std::uint32_t dropped = 0) {
         CanReception one;
         one.frame = to_kernel(parse_frame(text, "test"));
@@ -118,7 +118,7 @@ class FakeCanSystem : public CanSystem {
     int next_descriptor{100};
     int open_error{0};
     bool roomy{true};
-    int first_roomy{0};  ///< sockets before this one are not
+    int first_roomy{0};  ///< sockets below this descriptor get a small buffer
     unsigned number{3};
     bool up{true};
     std::uint32_t rate{0};

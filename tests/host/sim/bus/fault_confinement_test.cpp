@@ -1,4 +1,4 @@
-// Error counters of a controller, each step and each limit (ISO 11898-1), and the text that asks for faults.
+// Error counters of a controller with each step and limit (ISO 11898-1), and the text that configures bus faults.
 #include "host/sim/bus/fault_confinement.hpp"
 
 #include <gtest/gtest.h>
@@ -57,10 +57,10 @@ TEST(FaultConfinement, StatesChangeAtTheirErrorCounts) {
     EXPECT_EQ(after(0, 96).state(), CanState::warning);
     EXPECT_EQ(after(0, 127).state(), CanState::warning);
     EXPECT_EQ(after(0, 128).state(), CanState::error_passive);
-    EXPECT_EQ(after(0, 1000).state(), CanState::error_passive);  // receiving alone leads to no bus-off
-    EXPECT_EQ(after(31, 0).state(), CanState::error_passive);    // 248
-    EXPECT_EQ(after(32, 0).state(), CanState::bus_off);          // 256
-    EXPECT_EQ(after(12, 128).state(), CanState::error_passive);  // the worse of both
+    EXPECT_EQ(after(0, 1000).state(), CanState::error_passive);  // receive errors alone never lead to bus-off
+    EXPECT_EQ(after(31, 0).state(), CanState::error_passive);    // the transmit counter is 248
+    EXPECT_EQ(after(32, 0).state(), CanState::bus_off);          // the transmit counter is 256
+    EXPECT_EQ(after(12, 128).state(), CanState::error_passive);  // the state is the worse of those of both counters
     EXPECT_EQ(after(16, 96).state(), CanState::error_passive);
 }
 
@@ -71,7 +71,7 @@ TEST(FaultConfinement, ReceiveCounterOfAPassiveNodeGoesBackTo119) {
     FaultConfinement below = after(0, 127);
     below.received();
     EXPECT_EQ(below.receive_errors(), 126U);
-    EXPECT_EQ(after(0, 1000).receive_errors(), 256U);  // counts no further
+    EXPECT_EQ(after(0, 1000).receive_errors(), 256U);  // the counter stops there
 }
 
 TEST(FaultConfinement, SwitchOffIsBusOffAndRecoveryClearsBothCounters) {

@@ -1,4 +1,4 @@
-// Who reads which frame, by identifier and by wider filters.
+// Which readers receive a frame, by exact identifier and by wider filters.
 #include "host/sim/bus/frame_readers.hpp"
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ TEST(FrameReaders, BaseAndExtendedIdentifiersAreSeparate) {
 TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOnce) {
     FrameReaders readers;
     readers.set(3, accept_everything());
-    readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and one of them again
+    readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and 705h a second time
     EXPECT_THAT(readers.of(frame_of("705#05")), ElementsAre(1U, 3U));
     EXPECT_THAT(readers.of(frame_of("77F#05")), ElementsAre(1U, 3U));
     EXPECT_THAT(readers.of(frame_of("780#05")), ElementsAre(3U));

@@ -1,4 +1,4 @@
-// Frames, filters and error frames as the kernel writes them (linux/can.h, linux/can/error.h).
+// Frames, filters and error frames in the structures of the kernel (linux/can.h, linux/can/error.h).
 #include "host/sim/bus/kernel_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(KernelFrame, LengthAboveEightIsReadAsEight) {
 
 TEST(KernelFrame, IdentifierHasTheBitsOfItsFormat) {
     can_frame frame{};
-    frame.can_id = 0x1FFFFFFFU;  // without CAN_EFF_FLAG: eleven bits count
+    frame.can_id = 0x1FFFFFFFU;  // without CAN_EFF_FLAG, only eleven bits count
     EXPECT_EQ(from_kernel(frame).id, 0x7FFU);
     EXPECT_FALSE(from_kernel(frame).extended);
     frame.can_id |= CAN_EFF_FLAG;
@@ -53,7 +53,7 @@ TEST(KernelFrame, IdentifierHasTheBitsOfItsFormat) {
 
 TEST(KernelFrame, ErrorFrameIsIdentifiedByItsFlag) {
     can_frame frame{};
-    frame.can_id = CAN_ERR_BUSOFF;  // as an identifier
+    frame.can_id = CAN_ERR_BUSOFF;  // the same value without the flag is an identifier
     EXPECT_FALSE(is_error_frame(frame));
     frame.can_id |= CAN_ERR_FLAG;
     EXPECT_TRUE(is_error_frame(frame));
@@ -75,12 +75,12 @@ TEST(KernelErrorFrame, WorstControllerStateIsReported) {
         frame.data[1] = controller;
         return read_error_frame(frame).state;
     };
-    EXPECT_EQ(state_of(CAN_ERR_CRTL, 0x04 | 0x10), CanState::error_passive);  // passive above warning
-    EXPECT_EQ(state_of(CAN_ERR_CRTL, 0x04 | 0x40), CanState::warning);        // warning above active
+    EXPECT_EQ(state_of(CAN_ERR_CRTL, 0x04 | 0x10), CanState::error_passive);  // error passive is worse than warning
+    EXPECT_EQ(state_of(CAN_ERR_CRTL, 0x04 | 0x40), CanState::warning);        // warning is worse than active
     EXPECT_EQ(state_of(CAN_ERR_CRTL | CAN_ERR_BUSOFF, 0x10), CanState::bus_off);
     EXPECT_EQ(state_of(CAN_ERR_RESTARTED | CAN_ERR_BUSOFF, 0), CanState::bus_off);
     EXPECT_EQ(state_of(CAN_ERR_CRTL, 0), std::nullopt);
-    EXPECT_EQ(state_of(CAN_ERR_PROT, 0x10), std::nullopt);  // byte 1 is of the controller class only
+    EXPECT_EQ(state_of(CAN_ERR_PROT, 0x10), std::nullopt);  // byte 1 belongs to the controller class only
 }
 
 TEST(KernelErrorFrame, OverrunNeedsTheControllerErrorClass) {
@@ -89,7 +89,7 @@ TEST(KernelErrorFrame, OverrunNeedsTheControllerErrorClass) {
     frame.data[1] = 0x03;
     EXPECT_FALSE(read_error_frame(frame).overrun);
     frame.can_id = CAN_ERR_FLAG | CAN_ERR_CRTL;
-    frame.data[1] = 0x11;  // both at once
+    frame.data[1] = 0x11;  // overrun and error passive in one frame
     EXPECT_TRUE(read_error_frame(frame).overrun);
     EXPECT_EQ(read_error_frame(frame).state, CanState::error_passive);
 }

@@ -1,4 +1,4 @@
-// A socketcand server on the loopback that says what a test tells it.
+// A socketcand server on the loopback that sends the text given by a test.
 #pragma once
 
 #include <arpa/inet.h>
@@ -15,7 +15,7 @@ namespace canproof::host::test {
 
 class ScriptedServer {
   public:
-    /// Listens at a port that the kernel chooses.
+    /// Listens on a port that the kernel chooses.
     ScriptedServer() : listener_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
         sockaddr_in address{};
         address.sin_family = AF_INET;
@@ -44,7 +44,7 @@ class ScriptedServer {
     void say(const std::string& text) const {
         EXPECT_EQ(send(client_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
-    /// What the client has said so far.
+    /// Returns all text that the client has sent so far.
     const std::string& heard() {
         std::array<char, 4096> piece{};
         for (ssize_t count = 1; count > 0;) {
@@ -53,14 +53,14 @@ class ScriptedServer {
         }
         return heard_;
     }
-    /// Resets the connection: the client's next call fails.
+    /// Resets the connection, so that the next call of the client fails.
     void reset_connection() {
         const linger at_once{1, 0};
         EXPECT_EQ(setsockopt(client_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once), 0);
         close(client_);
         client_ = -1;
     }
-    /// Closes the connection with nothing unread: what was said before still arrives.
+    /// Closes the connection. Text sent before still arrives.
     void hang_up() {
         if (client_ >= 0) {
             heard();

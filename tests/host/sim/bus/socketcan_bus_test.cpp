@@ -1,4 +1,4 @@
-// SocketCAN's rules without a kernel: filters, order and time of frames, ENOBUFS, losses.
+// Rules of the SocketCAN bus with a fake kernel: filters, order and time of frames, ENOBUFS and losses.
 #include "host/sim/bus/socketcan_bus.hpp"
 
 #include <gmock/gmock.h>
@@ -73,7 +73,7 @@ TEST_F(SocketCan, FrameWithAFutureTimestampWaitsForItsTime) {
 
 TEST_F(SocketCan, ClockChangeDuringTheRunDoesNotMoveFrames) {
     start();
-    system.realtime_us += 3600U * 1000000U;  // an hour
+    system.realtime_us += 3600U * 1000000U;  // the clock is set one hour ahead
     system.arrive(first, "603#40", system.realtime_us + 100);
     step(200);
     EXPECT_THAT(a.heard, ElementsAre("1000100 603#40"));
@@ -85,7 +85,7 @@ TEST_F(SocketCan, EchoedFramesAreAttributedToTheirSender) {
     step(10);
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
     system.arrive(monitor, "703#05", 5000060);
-    system.arrive(monitor, "703#05", 5000070);  // the same again, of somebody else
+    system.arrive(monitor, "703#05", 5000070);  // the same frame a second time, from another program
     step(100);
     EXPECT_THAT(log, ElementsAre("1000060 a 703#05", "1000070 - 703#05"));
     EXPECT_EQ(bus->report(now).worst_latency.us, 50U);
@@ -100,7 +100,7 @@ TEST_F(SocketCan, FullDeviceQueueIsRetriedWithGrowingPausesWithoutLoss) {
     step(10);
     EXPECT_EQ(system.sockets[first].send_calls, 1);
     EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // 1 ms
-    step(500);                                          // woken for another reason: no try
+    step(500);                                          // a call before the pause ends does not send
     EXPECT_EQ(system.sockets[first].send_calls, 1);
     step(500);
     EXPECT_EQ(system.sockets[first].send_calls, 2);
@@ -161,7 +161,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     step(1);
     ASSERT_THAT(notices, SizeIs(4));
     EXPECT_EQ(notices[2], "vcan0: 7 frames came faster than they were read and are lost to a");
-    system.sockets[first].dropped = 9;  // nothing has come since that could tell
+    system.sockets[first].dropped = 9;  // no frame has arrived since that could report the count
     EXPECT_EQ(bus->report(now).missed, 9U);
     EXPECT_EQ(bus->report(now).lost, 0U);
 }
@@ -172,7 +172,7 @@ TEST_F(SocketCan, UnreadFramesOfATurnLimitTheRunTime) {
         system.arrive(monitor, "603#40", 5000001 + i);
     }
     system.realtime_us += 10000;
-    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1004096U);  // 4096 frames a turn, the first at 1000001
+    EXPECT_EQ(bus->poll(Instant{1010000}).us, 1004096U);  // one turn reads 4096 frames, the first of them at 1000001
     bus->advance(Instant{1004096});
     EXPECT_THAT(log, SizeIs(4096));
     EXPECT_EQ(bus->poll(Instant{1010000}).us, 1010000U);
@@ -221,14 +221,14 @@ TEST_F(SocketCan, FramesKeepTheirFormatThroughTheKernelStructure) {
 
 TEST_F(SocketCan, LaggingRunLeavesFramesInTheKernelAndLosesNone) {
     start();
-    constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096
+    constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096 frames
     for (std::size_t i = 0; i < count; ++i) {
         system.arrive(monitor, "080#", 5000000 + i);
     }
     now.us += count;
     system.realtime_us += count;
     for (int turn = 0; turn < 100; ++turn) {
-        bus->poll(now);  // and no time to act
+        bus->poll(now);  // no time to act between the turns
     }
     EXPECT_EQ(system.sockets[monitor].arriving.size(), 3U * 4096U);
     for (int turn = 0; turn < 5; ++turn) {

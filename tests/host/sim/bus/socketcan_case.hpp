@@ -1,4 +1,4 @@
-// Two nodes on an interface that a false kernel plays.
+// A test fixture with two nodes on an interface of a fake kernel.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace canproof::host::test {
 
-/// Two nodes on vcan0. The run's clock begins at 1 s when real time is 5 s: 4 s apart.
+/// Two nodes on vcan0. The clock of the run starts at 1 s when the real time is 5 s, so their offset is 4 s.
 class SocketCan : public testing::Test {
   protected:
-    /// Descriptors that the false kernel gives to the sockets of the bus, of node `a` and of node `b`.
+    /// Descriptors that the fake kernel gives to the sockets of the bus, of node `a` and of node `b`.
     static constexpr int monitor = 100;
     static constexpr int first = 101;
     static constexpr int second = 102;
@@ -38,7 +38,7 @@ class SocketCan : public testing::Test {
         bus->advance(now);
     }
 
-    /// Starts; 1 ms later the monitor has read frames of 100 us, 300 us and 500 us after the start.
+    /// Starts the bus. 1 ms later, the monitor has read frames of 100 us, 300 us and 500 us after the start.
     void start_with_three_frames() {
         start();
         now.us += 1000;

@@ -1,4 +1,4 @@
-// SocketCAN without a kernel: states of the controller, an interface that goes and comes, bit rates.
+// The SocketCAN bus with a fake kernel: controller states, an interface that disappears and returns, and bit rates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
@@ -24,7 +24,7 @@ TEST_F(SocketCan, ErrorFramesGiveTheControllerState) {
         std::optional<CanState> state;
         bool overrun;
     };
-    // linux/can/error.h: data[1] 01h/02h receive/transmit overflow, 04h/08h warning, 10h/20h passive, 40h active
+    // data[1] in linux/can/error.h: 01h/02h receive/transmit overflow, 04h/08h warning, 10h/20h passive, 40h active
     for (const Case& one :
          {Case{CAN_ERR_CRTL, 0x04, CanState::warning, false}, Case{CAN_ERR_CRTL, 0x08, CanState::warning, false},
           Case{CAN_ERR_CRTL, 0x10, CanState::error_passive, false},
@@ -70,7 +70,7 @@ TEST_F(SocketCan, PersistentBusOffIsRestartedOnlyWithPermission) {
     start(InterfaceControl::granted);
     system.arrive_error(first + 3, CAN_ERR_BUSOFF, 0);
     step(10);
-    step(499989);  // the error frame came 10 us before it was read
+    step(499989);  // the error frame arrived 10 us before it was read
     EXPECT_EQ(system.restarts, 0);
     step(1);
     EXPECT_EQ(system.restarts, 1);
@@ -82,7 +82,7 @@ TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
     step(10);
     system.arrive(first, "603#40", system.realtime_us);
     step(10);
-    system.arrive(first, "603#40", system.realtime_us, 2);  // this socket has lost two
+    system.arrive(first, "603#40", system.realtime_us, 2);  // this socket has lost two frames
     step(10);
     system.arrive(first, "603#40", system.realtime_us, 2);
     step(10);
@@ -95,7 +95,7 @@ TEST_F(SocketCan, InterfaceDownAndUpIsBusOffAndRecovery) {
     system.fail(first, ENETDOWN);
     step(10);
     EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
-    EXPECT_THAT(bus->watches(), IsEmpty());  // nothing to wake up for but the next look
+    EXPECT_THAT(bus->watches(), IsEmpty());  // the next look at the interface is the only deadline
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
     step(100000);
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
@@ -121,7 +121,7 @@ TEST_F(SocketCan, FailedSendDetectsThatTheInterfaceIsDown) {
 
 TEST_F(SocketCan, DownAndUpBetweenTwoPollsIsNotReportedToTheNode) {
     start();
-    system.fail(first, ENETDOWN);  // reported late: it is up
+    system.fail(first, ENETDOWN);  // the error arrives late: the interface is up already
     step(10);
     EXPECT_THAT(a.states, IsEmpty());
     EXPECT_THAT(notices, IsEmpty());

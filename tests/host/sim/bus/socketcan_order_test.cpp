@@ -1,4 +1,4 @@
-// SocketCAN without a kernel: what comes before what, and what one port leaves to another.
+// The SocketCAN bus with a fake kernel: the order of events, and the independence of the nodes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using testing::SizeIs;
 
 constexpr int third = 103;
 
-/// Says what it was told in one list; asks for one identifier more with each frame, and answers it.
+/// Records overruns and frames in one list. For each frame, it accepts one further identifier and sends an answer.
 class AskingNode : public PlainNode {
   public:
     using PlainNode::PlainNode;
@@ -39,7 +39,8 @@ TEST_F(SocketCan, OverrunIsReportedBeforeTheFrame_AndNewFiltersAreSetBeforeTheAn
     system.arrive(third, "603#40", system.realtime_us, 1);
     step(10);
     EXPECT_THAT(asking.told, ElementsAre("overrun", "603#40"));
-    EXPECT_THAT(system.sockets[third].filters_when_sent, ElementsAre(3U));  // two that let all through, and its own
+    EXPECT_THAT(system.sockets[third].filters_when_sent,
+                ElementsAre(3U));  // two initial filters that accept all frames, and the new filter
 }
 
 TEST_F(SocketCan, UserFrameIsLoggedAfterEarlierFrames) {
@@ -100,7 +101,7 @@ TEST_F(SocketCan, NothingIsReadWhileTheInterfaceIsDown) {
 }
 
 TEST_F(SocketCan, NearlyEqualClocksKeepTheirOffset) {
-    system.realtime_us = 1020000;  // 20 ms before the run's
+    system.realtime_us = 1020000;  // the real time is 20 ms ahead of the run time
     start();
     system.arrive(first, "603#40", 1020010);
     step(100);
@@ -142,13 +143,13 @@ TEST_F(SocketCan, RecreatedInterfaceKeepsItsNewNumber) {
     system.number = 9;
     system.fail(first, ENODEV);
     step(10);
-    system.number = 0;  // no number: it is not there, whatever its flags say
+    system.number = 0;  // number 0 means that the interface does not exist, whatever its flags are
     step(100000);
     EXPECT_THAT(notices, SizeIs(1));
     system.number = 9;
     step(100000);
     EXPECT_THAT(notices, SizeIs(2));
-    system.fail(first + 3, ENETDOWN);  // reported late: it is up
+    system.fail(first + 3, ENETDOWN);  // the error arrives late: the interface is up already
     step(10);
     EXPECT_THAT(notices, SizeIs(2));
     EXPECT_THAT(a.states, SizeIs(2));
@@ -173,11 +174,11 @@ TEST_F(SocketCan, LossOfOneSocketIsReportedWithoutLossOfAnother) {
     step(10);
     EXPECT_THAT(notices, ElementsAre(HasSubstr("3 frames came faster")));
     step(2000000);
-    EXPECT_THAT(notices, SizeIs(1));  // nothing new
+    EXPECT_THAT(notices, SizeIs(1));  // no further notice
 }
 
 TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {
-    system.first_roomy = first;  // not the monitor
+    system.first_roomy = first;  // the monitor has a small buffer
     start();
     system.arrive(first, "603#40", system.realtime_us, 1);
     step(10);
@@ -185,7 +186,7 @@ TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {
 }
 
 TEST_F(SocketCan, LoadAtALowBitRateIsExact) {
-    system.rate = 20;  // 50 ms a bit
+    system.rate = 20;  // one bit lasts 50 ms
     start();
     system.arrive(monitor, "703#05", system.realtime_us);
     step(10);

@@ -1,4 +1,4 @@
-// An interface that goes and comes back leaves nothing of its former life in the bus.
+// An interface that disappears and returns leaves nothing of its earlier state in the bus.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
@@ -19,7 +19,7 @@ constexpr int monitor = 100;
 constexpr int socket_of_a = 101;
 constexpr int sockets_of_a_life = 3;
 
-/// Two nodes on vcan0, whose controller may be restarted.
+/// Two nodes on vcan0 whose controller the bus may restart.
 class SocketCanRestart : public testing::Test {
   protected:
     void SetUp() override {
@@ -105,13 +105,13 @@ TEST_F(SocketCanRestart, RetryPauseIsResetByARestart) {
     a.send("703#05");
     step(10);
     step(1000);
-    step(2000);  // the next try would come 4 ms later
+    step(2000);  // without the restart, the next attempt would follow 4 ms later
     go_down();
     come_back(3);
     system.sockets[socket_of_a].send_answers = {ENOBUFS};
     a.send("703#05");
     step(10);
-    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // the first pause again
+    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // the pause starts at 1 ms again
 }
 
 }  // namespace canproof::host::test

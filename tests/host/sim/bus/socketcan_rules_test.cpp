@@ -1,4 +1,4 @@
-// SocketCAN without a kernel: load, what sending and reading may answer, and when a controller is restarted.
+// The SocketCAN bus with a fake kernel: load, results of sending and reading, and restarts of a controller.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/can/error.h>
@@ -18,7 +18,7 @@ using testing::SizeIs;
 }  // namespace
 
 TEST_F(SocketCan, LoadCoversTheLastSecondAtTheBitRateOfTheInterface) {
-    system.rate = 500000;  // 2 us a bit
+    system.rate = 500000;  // one bit lasts 2 us
     start();
     EXPECT_EQ(bus->report(now).bit_rate, 500000U);
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
@@ -30,7 +30,7 @@ TEST_F(SocketCan, LoadCoversTheLastSecondAtTheBitRateOfTheInterface) {
     step(600000);
     EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
     EXPECT_NEAR(bus->report(Instant{2000010}).load, 2.0 * one, 1.0e-9);
-    EXPECT_NEAR(bus->report(Instant{2000011}).load, one, 1.0e-9);  // the first is older than a second
+    EXPECT_NEAR(bus->report(Instant{2000011}).load, one, 1.0e-9);  // the first frame is older than one second
     system.arrive(monitor, "703#05", system.realtime_us + 500000);
     step(500000);
     EXPECT_NEAR(bus->report(now).load, 2.0 * one, 1.0e-9);
@@ -53,7 +53,7 @@ TEST_F(SocketCan, RefusedFrameIsReportedAndTheNextFrameIsSent) {
     step(10);
     EXPECT_THAT(notices, ElementsAre("vcan0 did not take 703#05 (Invalid argument)"));
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("704#05"));
-    system.arrive(monitor, "703#05", system.realtime_us);  // of somebody else
+    system.arrive(monitor, "703#05", system.realtime_us);  // the same frame from another program
     system.arrive(monitor, "704#05", system.realtime_us);
     step(10);
     EXPECT_THAT(log, ElementsAre("1000010 - 703#05", "1000010 a 704#05"));
@@ -76,7 +76,7 @@ TEST_F(SocketCan, SendDuringAMomentaryInterfaceLossIsRetried) {
         start();
         const int socket_of_a = system.next_descriptor - 2;
         a.send("703#05");
-        system.sockets[socket_of_a].send_answers = {error};  // and yet it is up
+        system.sockets[socket_of_a].send_answers = {error};  // the send fails although the interface is up
         step(10);
         EXPECT_THAT(a.states, IsEmpty()) << error;
         EXPECT_EQ(bus->next_deadline().us, now.us + 16000) << error;
@@ -120,13 +120,13 @@ TEST_F(SocketCan, FrameWithoutTimestampOrFromBeforeTheRunIsDueNow) {
     step(10);
     CanReception got;
     got.frame = to_kernel(parse_frame("603#40", "test"));
-    system.sockets[first].arriving.push_back({got});  // no stamp
+    system.sockets[first].arriving.push_back({got});  // a frame without a timestamp
     step(10);
     EXPECT_THAT(a.heard, ElementsAre("1000020 603#40"));
-    system.arrive(first, "603#41", 3999999);  // before the run's time 0
+    system.arrive(first, "603#41", 3999999);  // the timestamp is before time 0 of the run
     step(10);
     EXPECT_EQ(a.heard.back(), "1000030 603#41");
-    system.arrive(first, "603#42", 5000001);  // what was delivered since is later
+    system.arrive(first, "603#42", 5000001);  // the timestamp is before that of a frame delivered already
     now.us += 10;
     system.realtime_us += 10;
     bus->poll(now);
@@ -139,17 +139,17 @@ TEST_F(SocketCan, SmallClockDriftIsNotTakenAsAClockChange) {
     start();
     step(10);
     now.us += 100000;
-    system.realtime_us += 150000;  // 50 ms more: as much as is tolerated
+    system.realtime_us += 150000;  // 50 ms more than the run clock: the largest tolerated difference
     system.arrive(first, "603#40", system.realtime_us - 100);
     bus->poll(now);
-    EXPECT_EQ(bus->next_deadline().us, now.us + 49900);  // by the clocks as they stood at first: 4 s apart
+    EXPECT_EQ(bus->next_deadline().us, now.us + 49900);  // the frame keeps its time with the original offset of 4 s
     now.us += 100000;
     bus->advance(now);
     now.us += 1000;
-    system.realtime_us += 101001;  // 1 us more
+    system.realtime_us += 101001;  // 1 us more than the tolerated difference
     system.arrive(first, "603#41", system.realtime_us - 100);
     bus->poll(now);
-    EXPECT_EQ(bus->next_deadline().us, now.us - 100);  // the new distance
+    EXPECT_EQ(bus->next_deadline().us, now.us - 100);  // the frame gets its time with the new offset
 }
 
 TEST_F(SocketCan, ErrorFrameReceivedByManyNodesCountsOnce) {
@@ -160,7 +160,7 @@ TEST_F(SocketCan, ErrorFrameReceivedByManyNodesCountsOnce) {
     EXPECT_EQ(bus->report(now).errors, 1U);
     EXPECT_THAT(a.states, IsEmpty());
     EXPECT_THAT(a.overruns, IsEmpty());
-    system.arrive_error(monitor, CAN_ERR_BUSOFF, 0);  // the monitor asks for none
+    system.arrive_error(monitor, CAN_ERR_BUSOFF, 0);  // the monitor asks for no error frames
     step(10);
     EXPECT_EQ(bus->report(now).errors, 1U);
     EXPECT_THAT(log, IsEmpty());
@@ -239,15 +239,15 @@ TEST_F(SocketCan, InterfaceThatReturnsWithoutSocketsIsSearchedAgain) {
     system.fail(first, ENODEV);
     step(10);
     system.number = 9;
-    step(100000);  // there, but down
+    step(100000);  // the interface exists but is down
     EXPECT_THAT(notices, SizeIs(1));
     system.up = true;
     system.open_error = ENODEV;
-    step(100000);  // gone between two calls
+    step(100000);  // the interface disappears between two calls
     a.accepted = {{0x604, 0x7FF, false}};
     step(100000);
     EXPECT_THAT(notices, SizeIs(1));
-    EXPECT_THAT(system.sockets, SizeIs(3));  // none was asked for that is not there
+    EXPECT_THAT(system.sockets, SizeIs(3));  // no socket was opened on a missing interface
     EXPECT_EQ(system.sockets[first].closed, 1);
     EXPECT_THAT(bus->watches(), IsEmpty());
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
@@ -273,19 +273,19 @@ TEST_F(SocketCan, NewSocketCountsItsLossesFromZero) {
     system.up = true;
     system.open_error = ENODEV;
     step(100000);
-    EXPECT_EQ(bus->report(now).missed, 5U);  // without a socket
+    EXPECT_EQ(bus->report(now).missed, 5U);  // the count remains while the node has no socket
     system.open_error = 0;
     step(100000);
     const int again = first + 3;
     system.arrive(again, "603#40", system.realtime_us, 5);
     step(10);
     EXPECT_EQ(bus->report(now).missed, 10U);
-    EXPECT_THAT(a.overruns, ElementsAre(true));  // the second loss follows the first without a frame between
+    EXPECT_THAT(a.overruns, ElementsAre(true));  // no frame came between the two losses, so they are one overrun
 }
 
 TEST_F(SocketCan, RecreatedInterfaceIsNotTakenForTheOldInterface) {
     start();
-    system.number = 9;  // removed and made again, up all the time that anybody looked
+    system.number = 9;  // the interface was removed and created again, and each query found it up
     system.fail(first, ENODEV);
     step(10);
     EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
@@ -302,7 +302,7 @@ TEST_F(SocketCan, BitRateThatWasSetIsReported) {
     a.rate = 250000;
     step(10);
     EXPECT_EQ(bus->report(now).bit_rate, 250000U);
-    a.rate = 0;  // whatever the bus has
+    a.rate = 0;  // the node takes the bit rate of the bus
     step(10);
     EXPECT_THAT(system.rates_set, ElementsAre(250000U));
     a.rate = 250000;

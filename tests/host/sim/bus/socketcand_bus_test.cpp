@@ -1,5 +1,5 @@
-// The socketcand server over real TCP on the loopback, at a port that the kernel chose. What a client sends has arrived
-// when poll() says so: no test waits for a clock. Virtual time passes only while the bus has something to do.
+// The socketcand server over real TCP on the loopback, at a port chosen by the kernel. Data of a client have arrived
+// when poll() reports them, so no test waits for a clock. Virtual time passes only while the bus has work.
 #include "host/sim/bus/socketcand_bus.hpp"
 
 #include <gmock/gmock.h>
@@ -24,9 +24,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-constexpr int look_again_ms = 10;  // bytes may be on their way to a client as well, whose socket the bus does not know
-constexpr int most_looks = 500;    // only a broken test waits so long
-constexpr Duration soon = milliseconds(500);  // a deadline of the bus; those of its clients are later
+constexpr int look_again_ms = 10;  // bytes may also be on their way to a client, whose socket is not in bus.watches()
+constexpr int most_looks = 500;    // reached only in a broken test
+constexpr Duration soon = milliseconds(500);  // deadlines of the bus are earlier, those of its clients are later
 
 class SocketcandServer : public testing::Test {
   protected:
@@ -101,7 +101,7 @@ TEST_F(SocketcandServer, ClientJoinsSendsAndReceives) {
     EXPECT_THAT(client.heard(), HasSubstr("< frame 583 "));
     EXPECT_THAT(client.heard(), HasSubstr(" 4300100091010800 >"));
     EXPECT_THAT(client.heard(), testing::StartsWith(joined));
-    EXPECT_THAT(client.heard(), testing::Not(HasSubstr("< frame 603 ")));  // not its own
+    EXPECT_THAT(client.heard(), testing::Not(HasSubstr("< frame 603 ")));  // a client does not receive its own frame
 }
 
 TEST_F(SocketcandServer, ClientsReceiveFramesOfEachOther) {
@@ -133,7 +133,7 @@ TEST_F(SocketcandServer, FloodingClientDelaysOthersByOneFrame) {
     ASSERT_TRUE(until([&] { return calm.heard() == joined; }));
     std::string much;
     for (int i = 0; i < 200; ++i) {
-        much += "< send 0 0 >";  // the highest identifier there is
+        much += "< send 0 0 >";  // the identifier with the highest priority
     }
     while (flood.push(much)) {
     }
@@ -189,7 +189,7 @@ TEST_F(SocketcandServer, ClientBeyondTheLimitIsRefusedWithTheReason) {
     EXPECT_TRUE(until([&] { return next.heard() == joined; }));
     TcpClient too_late{bus.port()};
     ASSERT_TRUE(until([&] { return too_late.ended(); }));
-    EXPECT_THAT(notices, SizeIs(2));  // told again, for it is another crowd
+    EXPECT_THAT(notices, SizeIs(2));  // a second notice, because a client had left in between
 }
 
 TEST_F(SocketcandServer, IdleClientsKeepTheirPlacesForASecond) {
@@ -225,12 +225,13 @@ TEST_F(SocketcandServer, BlockedClientIsNotWatchedForInput) {
     }
     flood.say(much);
     for (int turn = 0; turn < 4; ++turn) {
-        bus.poll(now);  // no time passes: its door is full, and so is what is held of its text
+        bus.poll(now);  // no time passes, so the gateway and the text buffer of the client fill up
     }
     EXPECT_THAT(bus.watches(), SizeIs(1));
-    run_until(bus, now, now + milliseconds(500));  // nothing is read: what is held goes out as the bus takes it
+    run_until(bus, now,
+              now + milliseconds(500));  // the buffered frames are sent as the bus takes them, without further reading
     now = now + milliseconds(500);
-    EXPECT_GT(log.size(), 300U);  // 4096 characters hold 292 commands, the door 32 more
+    EXPECT_GT(log.size(), 300U);  // 4096 characters contain 292 commands, and the gateway holds 32 more
     flood.hang_up();
     ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
     EXPECT_THAT(log, SizeIs(1000));
@@ -256,7 +257,7 @@ TEST_F(SocketcandServer, ClientWithAResetConnectionIsRemoved) {
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
     client.reset();
-    for (int i = 0; i < 3; ++i) {  // sending finds it out, before anything is read
+    for (int i = 0; i < 3; ++i) {  // sending detects the reset before anything is read
         node.send("703#05");
         bus.advance(now);
         now = bus.next_deadline();
@@ -322,9 +323,9 @@ TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsDropped_AndASilentJoinedCli
     EXPECT_EQ(bus.clients(), 1U);
     ASSERT_TRUE(until([&] { return idle.ended(); }));
     EXPECT_EQ(idle.heard(), "< hi >< error the bus was not opened within 10 s >");
-    idle.say(join);  // too late: it reads why, and that is all
+    idle.say(join);  // too late: the client receives the reason and nothing else
     pass(SocketcandBus::leave_limit);
-    EXPECT_EQ(bus.watches().size(), 2U);  // the listener, and the one that stays
+    EXPECT_EQ(bus.watches().size(), 2U);  // the listener and the remaining client
     pass(milliseconds(3600000));
     EXPECT_EQ(bus.clients(), 1U);
     node.send("703#05");
@@ -343,7 +344,7 @@ TEST_F(SocketcandServer, KeepaliveProbesASilentPeer) {
         return value;
     };
     EXPECT_EQ(option(SOL_SOCKET, SO_KEEPALIVE), 1);
-    // 30 s of silence, then three questions 10 s apart: its place is free after a minute.
+    // After 30 s of silence the kernel sends three probes 10 s apart. The place of the client is free after one minute.
     EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPIDLE), 30);
     EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPINTVL), 10);
     EXPECT_EQ(option(IPPROTO_TCP, TCP_KEEPCNT), 3);
@@ -352,7 +353,7 @@ TEST_F(SocketcandServer, KeepaliveProbesASilentPeer) {
 TEST_F(SocketcandServer, RemoteFrameThatClientsCannotReceiveIsReportedOnce) {
     node.send("703#R");
     ASSERT_TRUE(until([&] { return log.size() == 1; }));
-    EXPECT_THAT(notices, SizeIs(0));  // nobody is there who would miss it
+    EXPECT_THAT(notices, SizeIs(0));  // no client is connected that would miss the frame
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
@@ -370,10 +371,10 @@ TEST_F(SocketcandServer, LastFrameOfAClosingClientIsComplete) {
         client.say(join + "< send 123 1 AA >");
         ASSERT_TRUE(until([&] { return client.heard() == joined; }));
         bus.poll(now);
-        bus.advance(now);  // on the wire, and not yet over it
+        bus.advance(now);  // the frame is on the wire and not complete yet
     }
     bus.poll(now);
-    EXPECT_THAT(bus.watches(), SizeIs(1));  // it sends no more, and nothing waits for it
+    EXPECT_THAT(bus.watches(), SizeIs(1));  // the client sends no more, and no output waits for it
     EXPECT_TRUE(until([&] { return bus.clients() == 0; }));
     EXPECT_THAT(log, ElementsAre("123#AA"));
 }
@@ -387,11 +388,11 @@ TEST_F(SocketcandServer, ServerListensOnTheLoopbackByDefault) {
     EXPECT_EQ(parse_listen_address("0.0.0.0:1234").port, 1234);
     EXPECT_EQ(parse_listen_address("[::1]:1234").host, "::1");
     EXPECT_EQ(parse_listen_address("[::1]").host, "::1");
-    EXPECT_EQ(parse_listen_address("[::1").host, "[:");  // no bracket that closes
+    EXPECT_EQ(parse_listen_address("[::1").host, "[:");  // the closing bracket is missing
     for (const char* wrong : {"127.0.0.1:x", "127.0.0.1:65536", "127.0.0.1:100000", "127.0.0.1:-1"}) {
         EXPECT_THROW(parse_listen_address(wrong), InputError) << wrong;
     }
-    EXPECT_THROW((SocketcandBus{{"127.0.0.1", bus.port()}, 125000, {}, 0}), InputError);  // taken
+    EXPECT_THROW((SocketcandBus{{"127.0.0.1", bus.port()}, 125000, {}, 0}), InputError);  // the port is in use
     EXPECT_THROW((SocketcandBus{{"nowhere", 0}, 125000, {}, 0}), InputError);
 }
 

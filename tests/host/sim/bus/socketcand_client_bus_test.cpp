@@ -1,4 +1,5 @@
-// Devices here join the bus of a server over real TCP on the loopback; the server is canproof's own, in virtual time.
+// Devices of this program join the bus of a server over real TCP on the loopback. The server is that of canproof and
+// runs in virtual time.
 #include "host/sim/bus/socketcand_client_bus.hpp"
 
 #include <arpa/inet.h>
@@ -24,8 +25,9 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 500;               // only a broken test waits so long
-constexpr Duration soon = milliseconds(500);  // a deadline of a bus; joining and looking take longer
+constexpr int most_looks = 500;  // reached only in a broken test
+constexpr Duration soon =
+    milliseconds(500);  // deadlines of a bus are earlier; those of joining and searching are later
 
 class SocketcandServerElsewhere : public testing::Test {
   protected:
@@ -47,7 +49,7 @@ class SocketcandServerElsewhere : public testing::Test {
         bus->attach(a);
         bus->attach(b);
     }
-    /// Turns server and client until `done`. Virtual time passes only while a bus has something to do.
+    /// Runs server and client until `done`. Virtual time passes only while a bus has work.
     template <typename Condition>
     bool until(const Condition& done) {
         for (int looks = 0; looks < most_looks;) {
@@ -93,7 +95,7 @@ class SocketcandServerElsewhere : public testing::Test {
         }
         return heard;
     }
-    /// What the bus says when it gives up joining.
+    /// Returns the message with which the bus gives up joining.
     std::string refusal() {
         try {
             until([] { return false; });
@@ -136,13 +138,14 @@ TEST_F(SocketcandServerElsewhere, FramesWaitUntilTheServerAcceptsTheClient) {
     EXPECT_THAT(log, IsEmpty());
     EXPECT_THAT(a.states, IsEmpty());
     ASSERT_TRUE(until([&] { return far.heard.size() == 2; }));
-    EXPECT_THAT(without_times(far.heard), ElementsAre("000#0100", "703#00"));  // by arbitration
+    EXPECT_THAT(without_times(far.heard), ElementsAre("000#0100", "703#00"));  // in the order of arbitration
     EXPECT_THAT(log, ElementsAre("- 000#0100", "a 703#00"));
 }
 
 TEST_F(SocketcandServerElsewhere, FramesAreSpacedByTheBitRate) {
     join();
-    // 44 bits, at least one stuffed in behind the seven zeros from RTR to the length, and 3 between frames: 48 of 8 µs.
+    // 44 bits, at least one stuff bit after the seven zeros from RTR to the length, and 3 bits between frames: 48 bits
+    // of 8 µs.
     a.send("555#");
     b.send("555#");
     bus->advance(now);
@@ -212,7 +215,7 @@ TEST_F(SocketcandServerElsewhere, LostServerIsBusOff_AndIsJoinedAgain) {
     ASSERT_TRUE(until([&] { return !a.states.empty(); }));
     EXPECT_THAT(without_times(a.states), ElementsAre(std::to_string(static_cast<int>(CanState::bus_off))));
     EXPECT_THAT(notices, ElementsAre(HasSubstr("is gone")));
-    for (int i = 0; i < 3; ++i) {  // nobody is there: looked for again and again, and not told again
+    for (int i = 0; i < 3; ++i) {  // the bus searches repeatedly and reports nothing new
         now = now + SocketcandClientBus::search_period;
         ASSERT_TRUE(until([&] { return bus->next_deadline() > now && bus->watches().empty(); }));
     }

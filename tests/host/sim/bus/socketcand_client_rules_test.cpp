@@ -1,4 +1,4 @@
-// Devices on the bus of a server that a script plays: joining, complaints, times, load, and what waits where.
+// Devices on the bus of a scripted server: joining, server errors, times, load and frames that wait.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int longest_wait_ms = 5000;  // only a broken test waits so long
+constexpr int longest_wait_ms = 5000;  // reached only in a broken test
 
 class ScriptedBus : public testing::Test {
   protected:
@@ -36,7 +36,7 @@ class ScriptedBus : public testing::Test {
         bus->attach(b);
         server.accept_one();
     }
-    /// Reads what the server has said, once it is there.
+    /// Waits until text of the server has arrived and reads it.
     void hear() {
         const std::vector<Watch> watches = bus->watches();
         ASSERT_THAT(watches, SizeIs(1));
@@ -50,7 +50,7 @@ class ScriptedBus : public testing::Test {
     }
     void join(std::uint32_t bit_rate = 125000) {
         connect(bit_rate);
-        hear();  // the connection is there
+        hear();  // the connection is established
         say("< hi >");
         say("< ok >");
         say("< ok >");
@@ -149,7 +149,7 @@ TEST_F(ScriptedBus, FrameFollowsAfterTheBitTimesOfThePreviousRoundedUp) {
     a.send("703#05");
     a.send("704#05");
     bus->advance(now);
-    const std::uint64_t us = (bits_of("703#05") * 10U + 2U) / 3U;  // 3.33 us a bit
+    const std::uint64_t us = (bits_of("703#05") * 10U + 2U) / 3U;  // one bit lasts 3.33 us
     EXPECT_EQ(bus->next_deadline(), now + Duration{us});
     bus->advance(Instant{now.us + us - 1});
     EXPECT_THAT(log, SizeIs(1));
@@ -223,7 +223,7 @@ TEST_F(ScriptedBus, LostServerIsSearchedAfterASecondAndMustAcceptInTime) {
     server.accept_one();
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::join_limit);
     now = now + SocketcandClientBus::join_limit;
-    bus->poll(now);  // it has said nothing
+    bus->poll(now);  // the server has sent nothing
     EXPECT_THAT(bus->watches(), IsEmpty());
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::search_period);
     EXPECT_THAT(notices, SizeIs(1));
@@ -283,7 +283,7 @@ TEST_F(ScriptedBus, LostServerIsDetectedBySendingToo) {
 }
 
 TEST_F(ScriptedBus, ImpossibleAddressIsRefusedAtOnce) {
-    // The broadcast address takes no connection.
+    // A connection to the broadcast address fails at once.
     EXPECT_THROW((SocketcandClientBus{{"255.255.255.255", 29536, "can0"}, 125000, now}), InputError);
 }
 

@@ -1,4 +1,4 @@
-// What a client says to a socketcand server, and what it makes of the answers, as text.
+// Text that a client sends to a socketcand server, and its reaction to the answers.
 #include "host/sim/bus/socketcand_client.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 class SocketcandClientText : public testing::Test {
   protected:
-    /// What the client says when the server says this.
+    /// Passes this text of the server to the client and returns the answer of the client.
     std::string hear(const std::string& text) {
         client.take(text);
         std::string said = client.output();
@@ -46,8 +46,8 @@ TEST_F(SocketcandClientText, ClientOpensTheBusAndEntersRawMode) {
 TEST_F(SocketcandClientText, FramesAreReadAsServersWriteThem) {
     join();
     hear("< frame 703 1700000001.234567 05 >< frame 583 0.0 4300100091010800 >");
-    hear("< frame 00000123 1.0 01 >< frame 080 1.000000  >< frame 123 23.424242 11 22 33 44 >");  // with blanks: its
-                                                                                                  // manual
+    hear("< frame 00000123 1.0 01 >< frame 080 1.000000  >< frame 123 23.424242 11 22 33 44 >");  // with the blanks of
+                                                                                                  // its manual
     EXPECT_THAT(frames, ElementsAre("703#05", "583#4300100091010800", "00000123#01", "080#", "123#11223344"));
 }
 
@@ -60,7 +60,7 @@ TEST_F(SocketcandClientText, FrameMayArriveInPieces) {
 }
 
 TEST_F(SocketcandClientText, OtherMessagesAreSkipped) {
-    hear("< frame 703 1.0 05 >");  // before it has joined
+    hear("< frame 703 1.0 05 >");  // before the client has joined
     join();
     for (const char* odd : {"< frame >", "< frame 703 >", "< frame 800 1.0 05 >", "< frame 703 1.0 0 >",
                             "< frame 703 1.0 xy >", "< frame 703 1.0 010203040506070809 >", "< stat 1 2 3 4 >", "<>",

@@ -1,4 +1,4 @@
-// One socketcand client at the limits of what it may say, and the words that server and client share.
+// Limits on the commands of one socketcand client, and the text functions that server and client share.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,15 +93,15 @@ TEST(SocketcandText, CommandIsReadBetweenItsBrackets) {
 
 TEST(SocketcandText, CommandMayHaveTheLengthOfTheLimit) {
     bool too_long = false;
-    std::string input = "<" + std::string(9, 'a') + ">";  // the bracket behind ten characters
+    std::string input = "<" + std::string(9, 'a') + ">";  // the closing bracket is the character after the limit of ten
     EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));
     EXPECT_FALSE(too_long);
     input = "<" + std::string(10, 'a') + ">< b >";
     EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
     EXPECT_TRUE(too_long);
-    EXPECT_EQ(take_command(input, 10, too_long), " b ");  // the next one is heard
+    EXPECT_EQ(take_command(input, 10, too_long), " b ");  // the next command is read
     EXPECT_FALSE(too_long);
-    input = "<" + std::string(9, 'a');  // without an end: as long as it may be
+    input = "<" + std::string(9, 'a');  // without a closing bracket, at the limit
     EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
     EXPECT_FALSE(too_long);
     input += "a";
@@ -131,7 +131,7 @@ TEST_F(SocketcandLimits, OpenWithoutABusIsRefused_AndTheBusStaysOpen) {
     EXPECT_EQ(say("< rawmode >"), "< ok >");
     EXPECT_EQ(say("< open >"), "< error could not open bus >");
     arrives("123#");
-    EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // still in raw mode
+    EXPECT_EQ(heard(), "< frame 123 0.000000  >");  // the client is still in raw mode
 }
 
 TEST_F(SocketcandLimits, SubscriptionsApplyToTheirModeAndFormat) {
@@ -141,7 +141,7 @@ TEST_F(SocketcandLimits, SubscriptionsApplyToTheirModeAndFormat) {
     EXPECT_EQ(heard(), "");
     arrives("00000456#05");
     EXPECT_EQ(heard(), "< frame 00000456 0.000000 05 >");
-    say("< bcmmode >");  // begins again
+    say("< bcmmode >");  // entering the mode again clears the subscriptions
     arrives("123#");
     EXPECT_EQ(heard(), "");
     EXPECT_EQ(say("< rawmode >< unsubscribe 123 >"), "< ok >< error unknown command >");
@@ -166,7 +166,7 @@ TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
         EXPECT_EQ(say(fmt::format("< subscribe 0 0 {:03X} >", id)), "") << id;
     }
     EXPECT_EQ(say("< subscribe 0 0 700 >"), refused_subscription);
-    EXPECT_EQ(say("< unsubscribe 701 >"), "");  // never subscribed
+    EXPECT_EQ(say("< unsubscribe 701 >"), "");  // an identifier without a subscription
     EXPECT_EQ(say("< subscribe 0 0 700 >"), refused_subscription);
     EXPECT_EQ(say("< unsubscribe 0FF >< subscribe 0 0 700 >"), "");
     arrives("0FF#");
@@ -205,7 +205,7 @@ TEST_F(SocketcandLimits, ClientIsDroppedWhenItsOutputWouldExceedTheLimit) {
     EXPECT_EQ(session.gateway().next_frame(), nullptr);
     session.sent(100000);
     arrives("123#");
-    EXPECT_EQ(session.output().size(), 162131U);  // it hears no more
+    EXPECT_EQ(session.output().size(), 162131U);  // the client receives nothing more
 }
 
 TEST_F(SocketcandLimits, OutputMayFillTheLimitToItsLastCharacter) {
@@ -213,7 +213,7 @@ TEST_F(SocketcandLimits, OutputMayFillTheLimitToItsLastCharacter) {
     for (int i = 0; i < 11396; ++i) {
         arrives("123#");  // 23 characters each
     }
-    arrives("00000123#01020304");  // 36: five more of the identifier, eight of the bytes
+    arrives("00000123#01020304");  // 36 characters: five more for the identifier, eight for the bytes
     EXPECT_EQ(session.output().size(), 262144U);
     EXPECT_FALSE(session.is_dropped());
     session.sent(22);
@@ -226,7 +226,7 @@ TEST_F(SocketcandLimits, InputIsKeptUpToItsLimit) {
     say("< open can0 >");
     std::string flood;
     for (int i = 0; i < 32; ++i) {
-        flood += "< send 123 0 >";  // as many frames as the door holds
+        flood += "< send 123 0 >";  // as many frames as the gateway holds
     }
     session.receive(flood, Instant{});
     EXPECT_TRUE(session.gateway().is_full());
@@ -263,7 +263,7 @@ TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< hi >< ok >< ok >");
     client.sent(client.output().size());
-    // 14 characters of `< send 080 0 >`, 17 of `< send 080 1 05 >`: 1163 x 14 + 6 x 17 = 16384
+    // `< send 080 0 >` has 14 characters, `< send 080 1 05 >` has 17: 1163 × 14 + 6 × 17 = 16384
     for (int i = 0; i < 1163; ++i) {
         client.send(parse_frame("080#", "test"));
     }
@@ -275,7 +275,7 @@ TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
     EXPECT_FALSE(client.may_send());
     client.sent(1);
     EXPECT_TRUE(client.may_send());
-    EXPECT_EQ(client.output().front(), ' ');  // the first character is gone
+    EXPECT_EQ(client.output().front(), ' ');  // the first character was removed
 }
 
 TEST(SocketcandClientLimits, ServerErrorIsTheLatestAndRefusesOnlyBeforeJoining) {

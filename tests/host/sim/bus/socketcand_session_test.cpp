@@ -1,4 +1,5 @@
-// One socketcand client as text: what python-can and others say, what broken, slow and flooding ones may not do.
+// One socketcand client as text: commands of python-can and other clients, and limits on broken, slow and flooding
+// clients.
 #include "host/sim/bus/socketcand_session.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +16,7 @@ using testing::HasSubstr;
 
 class SocketcandClient : public testing::Test {
   protected:
-    /// What the client gets for this.
+    /// Passes text of the client to the session and returns the answer of the session.
     std::string say(const std::string& text, Instant now = Instant{}) {
         session.receive(text, now);
         return heard();
@@ -26,7 +27,7 @@ class SocketcandClient : public testing::Test {
         return text;
     }
     void join(const std::string& mode = "< rawmode >") { say("< open can0 >" + mode); }
-    /// Frames that it put onto the bus.
+    /// Returns the frames that the client has sent to the bus.
     std::vector<std::string> frames() {
         std::vector<std::string> all;
         while (session.gateway().next_frame() != nullptr) {
@@ -62,7 +63,7 @@ TEST_F(SocketcandClient, FramesAreWrittenInTheFormatOfSocketcand) {
     arrives("00000123#01");
     EXPECT_EQ(heard(), "< frame 00000123 1700000000.000000 01 >");
     arrives("080#");
-    EXPECT_EQ(heard(), "< frame 080 1700000000.000000  >");  // python-can needs both blanks
+    EXPECT_EQ(heard(), "< frame 080 1700000000.000000  >");  // python-can requires both blanks
     arrives("703#R");                                        // the protocol has no remote frames
     EXPECT_EQ(heard(), "");
 }
@@ -135,13 +136,13 @@ TEST_F(SocketcandClient, FloodingClientWaitsUntilTheBusHasTakenItsFrames) {
         flood += "< send 703 1 05 >";
     }
     say(flood);
-    EXPECT_FALSE(session.wants_input());  // read no more of it
+    EXPECT_FALSE(session.wants_input());  // the session reads no further text
     std::size_t taken = 0;
     while (session.gateway().next_frame() != nullptr) {
         taken += frames().size();
         session.receive({}, Instant{});
     }
-    EXPECT_EQ(taken, 500U);  // and nothing of what was read is lost
+    EXPECT_EQ(taken, 500U);  // no frame is lost
     EXPECT_TRUE(session.wants_input());
 }
 
@@ -186,7 +187,7 @@ TEST_F(SocketcandClient, StatisticsAreSentAtTheirPeriod) {
     say("< statistics 0 >");
     EXPECT_EQ(session.next_deadline(), never);
     EXPECT_THAT(say("< statistics x >"), HasSubstr("< error statistics"));
-    EXPECT_EQ(say("< send 703 0 >"), "< error unknown command >");  // control mode sends nothing
+    EXPECT_EQ(say("< send 703 0 >"), "< error unknown command >");  // control mode sends no frames
 }
 
 }  // namespace canproof::host::test

@@ -1,4 +1,4 @@
-// A virtual CAN interface in this process: what one socket sends, each other socket gets that has a filter for it.
+// A virtual CAN interface in this process: each frame reaches every other socket whose filters accept it.
 #pragma once
 
 #include <cerrno>
@@ -23,7 +23,7 @@ class VirtualCan : public CanSystem {
         sockets[descriptor].filters = filters;
         return 0;
     }
-    /// As the kernel filters: the bits of the mask are those of the filter, format and request among them.
+    /// Compares as the kernel does: the mask of a filter covers its format and request bits too.
     int send(int descriptor, const can_frame& frame) override {
         for (auto& [number, socket] : sockets) {
             bool wanted = false;

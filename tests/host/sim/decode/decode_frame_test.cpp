@@ -1,4 +1,5 @@
-// Frames in words. What the bytes mean is written out by hand from CiA 301 (7.2), CiA 305 and the devices' manuals.
+// Frames in words. The expected meaning of the bytes is written by hand from CiA 301 (7.2), CiA 305 and the manuals of
+// the devices.
 #include "host/sim/decode/decode_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// An AX188001 with node-ID 2 and a CAN-CBX-AO412 with 3, both just switched on.
+/// An AX188001 with node-ID 2 and a CAN-CBX-AO412 with node-ID 3, both just powered on.
 class DecodedFrame : public testing::Test {
   protected:
     DecodedFrame() : scanner_{choose_device("ax188001@2")}, outputs_{choose_device("cbx-ao412@3")} {
@@ -26,7 +27,7 @@ class DecodedFrame : public testing::Test {
     FrameWords decode(const std::string& frame) const {
         return FrameDecoder{built_in_register()}.decode(parse_frame(frame, "test"), nodes_);
     }
-    /// `service node: text`
+    /// Returns `service node: text`.
     std::string words(const std::string& frame) const {
         const FrameWords all = decode(frame);
         return std::string{service_word(all.service)} + " " + all.node + ": " + all.text;
@@ -62,11 +63,11 @@ TEST_F(DecodedFrame, Sdo_NamesObjectAndReadsValueByItsType) {
     EXPECT_EQ(words("602#4020400100000000"), "SDO scanner: read 4020h:1 TC 1 High Shutdown Threshold");
     // 2500 tenths of a degree are 09C4h.
     EXPECT_EQ(words("582#4B204001C4090000"), "SDO scanner: answers 4020h:1 TC 1 High Shutdown Threshold = 2500");
-    // −20.0 °C as shipped: FF38h.
+    // −20.0 °C as shipped is FF38h.
     EXPECT_EQ(words("582#4B00400138FF0000"), "SDO scanner: answers 4000h:1 TC 1 Low Warning Threshold = -200");
     EXPECT_EQ(words("602#2B30400100000000"), "SDO scanner: write 4030h:1 TC 1 Error React Delay = 0");
     EXPECT_EQ(words("582#6030400100000000"), "SDO scanner: has written 4030h:1 TC 1 Error React Delay");
-    // 25.0 is 41C80000h.
+    // 25.0 as a REAL32 is 41C80000h.
     EXPECT_EQ(words("582#430061010000C841"), "SDO scanner: answers 6100h:1 TC 1 Input Field Value = 25");
 }
 
@@ -79,7 +80,7 @@ TEST_F(DecodedFrame, Sdo_NamesSegmentsAndBlocks) {
     EXPECT_EQ(words("583#4108100010000000"),
               "SDO outputs: answers 1008h Manufacturer Device Name, 16 bytes in segments");
     EXPECT_EQ(words("603#6000000000000000"), "SDO outputs: read next segment");
-    // Five of seven bytes unused, and no more to come.
+    // Five of the seven bytes are unused, and no segment follows.
     EXPECT_EQ(words("583#0B41420000000000"), "SDO outputs: answers last segment: 41 42");
     EXPECT_EQ(words("603#A408100020000000"), "SDO outputs: read 1008h Manufacturer Device Name in blocks");
     EXPECT_EQ(words("602#40"), "SDO scanner: malformed: eight bytes are needed");
@@ -87,7 +88,7 @@ TEST_F(DecodedFrame, Sdo_NamesSegmentsAndBlocks) {
 }
 
 TEST_F(DecodedFrame, Emcy_NamesTheErrorOfTheDevice) {
-    // AX188001, 3.2.4: code, register, channel, description 40h.
+    // AX188001 manual, 3.2.4: code, register, channel, description 40h.
     EXPECT_EQ(words("082#11F0010140000000"),
               "EMCY scanner: F011h limit exceeded, channel 1, positive shutdown, error register 01h");
     EXPECT_EQ(words("082#0000000000000000"), "EMCY scanner: 0000h no error, error register 00h");
@@ -100,14 +101,14 @@ TEST_F(DecodedFrame, Emcy_NamesTheClassOfCia301ForOtherErrors) {
 }
 
 TEST_F(DecodedFrame, Pdo_NamesMappedObjects) {
-    // AX188001, 3.2.15: TPDO1 carries 7130h:1 and 7130h:2; 12A0h is 4768, 12D0h is 4816.
+    // AX188001 manual, 3.2.15: TPDO1 contains 7130h:1 and 7130h:2; 12A0h is 4768, 12D0h is 4816.
     EXPECT_EQ(words("182#A012D012"),
               "PDO scanner: TPDO 1: TC 1 Input Process Value = 4768, TC 2 Input Process Value = 4816");
     EXPECT_EQ(words("182#R"), "PDO scanner: TPDO 1: asked for");
 }
 
 TEST_F(DecodedFrame, Pdo_InvalidIdentifierIsOther) {
-    EXPECT_EQ(words("282#0102"), "other : 01 02");  // TPDO2 as shipped is not valid
+    EXPECT_EQ(words("282#0102"), "other : 01 02");  // TPDO2 is not valid as shipped
 }
 
 TEST_F(DecodedFrame, SyncTimeAndOtherFramesAreNamed) {

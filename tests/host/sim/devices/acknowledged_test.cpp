@@ -1,4 +1,4 @@
-// What a device says it has stored is stored: every simulated device, and one that was read from an EDS.
+// A device acknowledges a save only after the data are stored: every simulated device, and one read from an EDS.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -115,7 +115,7 @@ TEST_P(AcknowledgedByLss, LssStoreRefusedByTheMemoryGivesError2) {
 TEST_P(AcknowledgedByLss, StoredNodeIdOf200IsIgnored) {
     verifies<req::CO_LSS_066>();
     const std::string name = GetParam();
-    const bool is_generic = name == "generic";  // its node-ID as shipped is the one that it was given
+    const bool is_generic = name == "generic";  // the generic device has the given node-ID as shipped
     EXPECT_EQ(LssStore{device->memory()}.store({200, 20000}), LssError::none);
     device->power_on(Instant{});
     EXPECT_EQ(sent(), Frames{is_generic ? "703#00" : "77F#00"});  // 127 as shipped

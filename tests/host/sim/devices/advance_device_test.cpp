@@ -1,4 +1,4 @@
-// A device that does not do what is due ends a session with a message; it does not hang it.
+// A device that does not do its due work ends a session with a message and does not block it.
 #include "host/sim/devices/advance_device.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Has something due at 1.5 s; `does` says whether it gets done.
+/// Has work due at 1.5 s; `does` selects whether the work gets done.
 class SlowDevice final : public SimulatedDevice {
   public:
     explicit SlowDevice(bool does) : SimulatedDevice{16}, does_{does} {}
@@ -41,7 +41,7 @@ class SlowDevice final : public SimulatedDevice {
     std::vector<std::string> no_names_;
 };
 
-/// What is said of a session of two seconds with such a device; empty when it comes to its end.
+/// Returns the error message of a session of two seconds with such a device, or nothing when the session ends normally.
 std::string said_of_run(bool does) {
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     nodes.push_back(std::make_unique<DeviceNode>("valve@5", std::make_unique<SlowDevice>(does)));

@@ -1,4 +1,4 @@
-// A node from a description that was read at run time: its dictionary answers as the description says.
+// A node from a description read at run time: its dictionary answers as the description requires.
 #include <gtest/gtest.h>
 
 #include "tests/support/slave_bench.hpp"
@@ -17,14 +17,14 @@ TEST_F(Generic, DeviceBootsUnderItsNodeId) {
 }
 
 TEST_F(Generic, EachMemberOfAFamilyHasItsOwnDefault) {
-    // 1400h:1 is 200h + 5, 1402h:1 the invalid 80000400h + 5; 1601h:2 maps 2100h:2, 16 bits.
+    // 1400h:1 RPDO1 COB-ID is 200h + 5, 1402h:1 the invalid 80000400h + 5; 1601h:2 maps the 16 bits of 2100h:2.
     EXPECT_EQ(send("605#4000140100000000"), Frames{"585#4300140105020000"});
     EXPECT_EQ(send("605#4002140100000000"), Frames{"585#4302140105040080"});
     EXPECT_EQ(send("605#4001160200000000"), Frames{"585#4301160210020021"});
 }
 
 TEST_F(Generic, LimitsOfTheDescriptionAreEnforced) {
-    // 2200h takes -100 … 100; 101 (65h) is too high, -101 (FF9Bh) too low. 2201h takes 2 and 8 only.
+    // 2200h accepts -100 … 100; 101 (65h) is too high, -101 (FF9Bh) too low. 2201h accepts 2 and 8 only.
     EXPECT_EQ(send("605#2B00220064000000"), Frames{"585#6000220000000000"});
     EXPECT_EQ(send("605#2B00220065000000"), Frames{"585#8000220031000906"});
     EXPECT_EQ(send("605#2B0022009BFF0000"), Frames{"585#8000220032000906"});

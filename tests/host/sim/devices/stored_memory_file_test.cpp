@@ -1,4 +1,4 @@
-// A device's memory in a file: whole, locked, and never silently absent.
+// The stored memory of a device in a file: complete, locked, and every failure reported.
 #include "host/sim/devices/stored_memory_file.hpp"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ class StoredMemoryFile : public testing::Test {
     void keep(Memory& memory, const std::string& name = "box.bin") {
         keep_in_file(memory, folder / name, [this](const std::string& text) { told = text; });
     }
-    /// Why the file is refused.
+    /// Returns the message with which the file is refused.
     std::string refusal(const std::string& name = "box.bin") {
         Memory memory{4};
         try {
@@ -71,7 +71,7 @@ TEST_F(StoredMemoryFile, SecondProcessIsRefusedWithFileAndProcess) {
     for (const char* name : {"box.bin", "link.bin"}) {
         EXPECT_THAT(refusal(name), HasSubstr((folder / name).string() + " is in use by " + process));
     }
-    EXPECT_TRUE(store(memory, "abcd"));  // another file stands there now, and is locked as well
+    EXPECT_TRUE(store(memory, "abcd"));  // the commit replaces the file by a new one, which is locked too
     EXPECT_THAT(refusal(), HasSubstr(process));
     EXPECT_EQ(content(), "abcd");
 }
@@ -124,7 +124,7 @@ TEST_F(StoredMemoryFile, CommitRefusedByTheDiskIsReportedAndUndone) {
     EXPECT_TRUE(store(memory, "abcd"));
     std::filesystem::remove(folder / "box.bin");
     std::filesystem::create_directory(folder / "box.bin");
-    ScratchFolder::fill(folder / "box.bin/x", "");  // a folder that no file can replace
+    ScratchFolder::fill(folder / "box.bin/x", "");  // a file cannot replace a folder that is not empty
     EXPECT_FALSE(store(memory, "efgh"));
     EXPECT_THAT(told, HasSubstr("box.bin"));
     EXPECT_EQ(memory.bytes(), (std::vector<std::uint8_t>{'a', 'b', 'c', 'd'}));

@@ -1,4 +1,4 @@
-// Which frames of a log a device has sent itself.
+// Recognition of the frames of a log that the device has sent itself.
 #include "host/sim/replay/own_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -58,13 +58,13 @@ TEST(OwnFrames, BytesOfARemoteFrameAreNotCompared) {
 }
 
 TEST(OwnFrames, DifferentFramesOfTheSameHashAreDifferent) {
-    // The hash is data x S xor (head x S / 2), head = identifier x 2^32 + length, S odd. Of two frames with different
-    // identifiers it is the same where their data times S differ by what their heads make: data = difference / S,
+    // The hash is (data × S) xor (head × S / 2), where head = identifier × 2^32 + length and S is odd. Two frames with
+    // different identifiers have the same hash if their (data × S) differ as their heads do. So data = difference / S
     // modulo 2^64.
     constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;
     std::uint64_t inverse = spread;
     for (int i = 0; i < 6; ++i) {
-        inverse *= 2U - spread * inverse;  // each step doubles the bits that are right
+        inverse *= 2U - spread * inverse;  // each step doubles the number of correct bits
     }
     const auto head = [](std::uint64_t id) { return ((id << 32U) | 8U) * spread >> 1U; };
     std::uint64_t data = (head(0x100) ^ head(0x101)) * inverse;
@@ -85,9 +85,10 @@ TEST(OwnFrames, MatchedFramesAreRemovedOneByOne) {
     own.sent(frame("703#7F"), Instant{1000000});
     EXPECT_TRUE(own.match(frame("703#7F"), Instant{2000000}));
     EXPECT_TRUE(own.match(frame("703#7F"), Instant{2000000}));
-    EXPECT_FALSE(own.match(frame("703#7F"), Instant{60000001}));  // the first is forgotten
+    EXPECT_FALSE(own.match(frame("703#7F"), Instant{60000001}));  // the first frame is older than a minute
     own.sent(frame("703#7F"), Instant{60500000});
-    EXPECT_TRUE(own.match(frame("703#7F"), Instant{61000001}));  // the second as well, the third is there
+    EXPECT_TRUE(
+        own.match(frame("703#7F"), Instant{61000001}));  // the second frame is too old as well, the third matches
     EXPECT_FALSE(own.match(frame("703#7F"), Instant{61000001}));
     own.sent(frame("703#7F"), Instant{130000000});
     EXPECT_TRUE(own.match(frame("703#7F"), Instant{130000000}));
@@ -98,9 +99,9 @@ TEST(OwnFrames, UnmatchedFramesAreRemovedAfterAMinute) {
     own.sent(frame("703#7F"), Instant{0});
     own.sent(frame("703#7F"), Instant{1000000});
     own.sent(frame("703#05"), Instant{1000000});
-    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000000}));   // the first, one minute old
-    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000001}));   // the second: the first was seen
-    EXPECT_FALSE(own.match(frame("703#05"), Instant{61000001}));  // a minute and one microsecond old
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000000}));   // the first frame, one minute old
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000001}));   // the second frame; the first has matched already
+    EXPECT_FALSE(own.match(frame("703#05"), Instant{61000001}));  // one minute and one microsecond old
 }
 
 }  // namespace canproof::host

@@ -1,4 +1,4 @@
-// A device that does nothing but say when it was told what: replay seen from inside.
+// A device that records the time of each call, which shows a replay from the inside.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace canproof::host::test {
 
-/// Inputs `one` and `two`, which are its outputs as well. Something is due each `period`, and sends `beat` then.
+/// Has inputs `one` and `two`, which are also its outputs. Work is due every `period` and sends the frame `beat`.
 class RecordingDevice final : public SimulatedDevice {
   public:
     explicit RecordingDevice(Duration period = {}, std::string beat = "")
@@ -60,10 +60,10 @@ class RecordingDevice final : public SimulatedDevice {
     NmtState state() const override { return NmtState::operational; }
     std::uint32_t bit_rate() const override { return 0; }
 
-    /// `seconds what`, in the device's own time.
+    /// The recorded calls as `seconds what`, in the time of the device.
     std::vector<std::string> told;
 
-    /// A frame with this identifier is answered at once with the next one.
+    /// The device answers a frame with this identifier at once with the next identifier.
     static constexpr std::uint32_t echoed = 0x300;
 
   private:

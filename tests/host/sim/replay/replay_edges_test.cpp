@@ -1,4 +1,4 @@
-// What replay tells a device, and when: the start, the end, silences, marks and equal times, one microsecond off.
+// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, one microsecond off.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -128,7 +128,7 @@ TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
     play(shortened, "(1.000000) can0 080#\n(3602.999999) can0 300#\n(3604.000000) can0 300#01\n");
     EXPECT_THAT(shortened.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 300#", "3602.000001 300#01"));
     EXPECT_THAT(notices, ElementsAre("nothing happens before 3602.999999: 1 s of it are left out"));
-    EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // in the log's time
+    EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // in the time of the log
 }
 
 TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
@@ -219,7 +219,7 @@ TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 T\n(0.003000) can0 301#05 T\n(0.004000) can0 301#05 R\n");
-    // its own once; the second one of the same is another's, and what is marked as received as well
+    // the device does not receive its own frame once; it receives an equal second frame and the one marked as received
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 300#05", "0.003000 301#05", "0.004000 301#05"));
     EXPECT_EQ(frames, "(0.002000) can0 301#05\n");
 }
@@ -242,7 +242,7 @@ TEST_F(ReplayEdges, WaitingFrameIsWrittenAfterASecondWithoutItsEcho) {
 TEST_F(ReplayEdges, WaitingFramesOfEqualContentKeepTheirOrder) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 300#05 R\n(0.003000) can0 301#05 T\n");
-    EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second one was never seen
+    EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second answer is not in the log
 }
 
 TEST_F(ReplayEdges, WaitingFramesAreWrittenBeforeASkippedSilence) {

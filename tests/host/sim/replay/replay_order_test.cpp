@@ -1,4 +1,4 @@
-// What falls on one time is played in the order of a run: what is due, then stimuli, then frames.
+// Events of the same time are replayed in the order of a run: due work, then stimuli, then frames.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -32,14 +32,14 @@ TEST(ReplayOrder, StimulusPrecedesTheFrameOfTheSameTime) {
 }
 
 TEST(ReplayOrder, DueWorkPrecedesTheStimulusOfTheSameTime) {
-    // a heartbeat each 100 ms, from its write at 0.05 s on
+    // a heartbeat every 100 ms after its write at 0.05 s
     EXPECT_EQ(replayed("(0.050000) can0 603#2B17100064000000\n(0.160000) can0 080#\n", "0.150000,internal_fault,1\n"),
               "(0.000000) can0 703#00\n(0.050000) can0 583#6017100000000000\n(0.150000) can0 703#7F\n"
               "(0.150000) can0 083#1061010100000000\n");
 }
 
 TEST(ReplayOrder, WaitingFrameIsWrittenAtItsPlaceInTheLog_WhicheverCameFirst) {
-    // Both answers are given at once; the log shows the second one before the first.
+    // The device gives both answers at once; the log contains the second before the first.
     const std::string log =
         "(0.010000) can0 603#4000100000000000 R\n(0.010000) can0 603#4001100000000000 R\n"
         "(0.011000) can0 583#4F01100000000000 T\n(0.012000) can0 583#4300100091010800 T\n";

@@ -25,7 +25,7 @@ std::string refusal_of(const std::string& text) {
     return "taken";
 }
 
-/// A device with an input of each type, and an output.
+/// Returns a device with one input of each type and one output.
 Part part() {
     const auto signal = [](const char* name, const char* type, double low, double high, bool input) {
         Signal one;

@@ -1,4 +1,4 @@
-// The earliest of many deadlines, and which are due.
+// The earliest of many deadlines, and the list of those that are due.
 #include "host/sim/run/deadlines.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Waiting: what is ready, what has passed, what ends the loop. Pauses are zero, or end by something that is already
-// there.
+// The event loop: ready descriptors, time-outs and signals. The pauses are zero, or end because of an event that has
+// already happened.
 #include "host/sim/run/event_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace canproof::host::test {
 
 namespace {
 
-constexpr Duration long_pause = milliseconds(60000);  // only a broken loop waits for it
+constexpr Duration long_pause = milliseconds(60000);  // reached only with a broken loop
 
 class Pipe {
   public:
@@ -73,9 +73,9 @@ TEST(EventLoop, LoopWatchesTheDescriptorsOfTheLatestCall) {
     EXPECT_TRUE(loop.is_ready(one.reader()));
     loop.wait({}, Duration{0});
     EXPECT_FALSE(loop.is_ready(one.reader()));
-    loop.wait({{one.writer(), false, true}}, long_pause);  // there is room
+    loop.wait({{one.writer(), false, true}}, long_pause);  // the pipe has room
     EXPECT_TRUE(loop.is_ready(one.writer()));
-    loop.wait({{one.writer(), true, false}}, Duration{0});  // now for reading, which a writer never is
+    loop.wait({{one.writer(), true, false}}, Duration{0});  // now for reading, for which a writer is never ready
     EXPECT_FALSE(loop.is_ready(one.writer()));
 }
 
@@ -90,7 +90,7 @@ TEST(EventLoop, RegularFileIsAlwaysReady) {
 
 TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        const auto before = std::signal(signal, SIG_DFL);  // whoever started the tests may have it ignored
+        const auto before = std::signal(signal, SIG_DFL);  // the process that started the tests may ignore the signal
         {
             EventLoop loop;
             std::raise(signal);

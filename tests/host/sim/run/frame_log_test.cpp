@@ -1,4 +1,4 @@
-// What --log writes, byte for byte.
+// The content that --log writes, byte for byte.
 #include "host/sim/run/frame_log.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::string written(LogFormat format) {
     return out.str();
 }
 
-/// Bytes from hexadecimal digits; spaces are for the reader.
+/// Returns the bytes of these hexadecimal digits; spaces are ignored.
 std::string bytes(const std::string& digits) {
     std::string all;
     std::istringstream words{digits};
@@ -58,10 +58,10 @@ TEST(FrameLog, LogWithoutAStreamWritesNothing) {
 
 TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
     const std::string section = "0A0D0D0A 1C000000 4D3C2B1A 0100 0000 FFFFFFFFFFFFFFFF 1C000000";
-    // link type 227 (E3h), no limit of length; option 2, the name, of five bytes; end of options
+    // link type 227 (E3h), no limit of length; option 2 (name) with five bytes; end of options
     const std::string interface = "01000000 24000000 E300 0000 00000000 0200 0500 7663616E30 000000 00000000 24000000";
-    // 1,000,001 us = F4241h; 16 bytes: identifier with the most significant byte first, length, three zeros, data;
-    // option 2, flags, of four bytes: 1 inbound, 2 outbound
+    // 1,000,001 us = F4241h; 16 bytes: the identifier with its most significant byte first, length, three zeros, data.
+    // Option 2 (flags) has four bytes: 1 inbound, 2 outbound.
     const std::string heard =
         "06000000 3C000000 00000000 00000000 41420F00 10000000 10000000 00000603 08 000000 4000100000000000"
         "0200 0400 01000000 00000000 3C000000";

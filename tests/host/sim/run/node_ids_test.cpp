@@ -47,7 +47,8 @@ TEST(NodeIds, DevicesWithoutANodeIdAreNoClash) {
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());
 }
 
-/// LSS (CiA 305, 6.4): one of two devices without node-ID is alone in configuration mode and gets 5, as another has.
+/// LSS (CiA 305, 6.4): only the device without a node-ID is in configuration mode. It gets node-ID 5, which the other
+/// has.
 TEST(NodeIds, NodeIdGivenTwiceByLssIsReported) {
     const Nodes nodes{{"ax060805@5", "ax188001@255"}};
     NodeIdClashes clashes;

@@ -1,4 +1,4 @@
-// A run that keeps up with the clock, and one that cannot. The clock is a number that the test moves on.
+// A run that keeps up with the clock, and one that does not. The clock is a number that the test advances.
 #include "host/sim/run/pace.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-/// One device that has something to do every millisecond: a heartbeat.
+/// One device that sends a heartbeat every millisecond.
 class PaceOfARun : public testing::Test {
   protected:
     PaceOfARun() {
@@ -28,13 +28,13 @@ class PaceOfARun : public testing::Test {
                                                std::move(nodes), std::vector<Stimulus>{}, SessionOutputs{});
         session->power_on();
         session->advance_to(Instant{10000});
-        session->put(parse_frame("603#2B17100001000000", "test"));  // 1017h: 1 ms
+        session->put(parse_frame("603#2B17100001000000", "test"));  // 1017h producer heartbeat time: 1 ms
         clock = Instant{10000};
     }
     void turn() { pace.advance(*session, clock); }
 
     Instant clock{};
-    Duration cost{};  ///< of each look at the clock, and with it of each step
+    Duration cost{};  ///< time that passes at each reading of the clock, and so at each step
     std::vector<std::string> notices;
     Pace pace{[this] {
                   clock = clock + cost;
@@ -57,9 +57,9 @@ TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
 
 TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverWorkIsLeft) {
     clock = Instant{5000000};
-    cost = milliseconds(5);  // far more than the millisecond that a step gains
+    cost = milliseconds(5);  // far more than the millisecond that a step advances
     turn();
-    // The beginning, ten steps of 5 ms, and the end: 60 ms.
+    // The first reading, ten steps of 5 ms, and the last reading: 60 ms.
     EXPECT_EQ(clock, Instant{5060000});
     EXPECT_LT(session->now(), Instant{100000});
     EXPECT_EQ(pace.lag().us, clock.us - session->now().us);

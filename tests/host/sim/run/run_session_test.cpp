@@ -1,4 +1,4 @@
-// Devices on the in-process bus in virtual time: what a run logs replays to the same frames; stimuli, outputs, table.
+// Devices on the in-process bus in virtual time: the log of a run replays to the same frames; stimuli, outputs, table.
 #include "host/sim/run/run_session.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ struct TestRun {
                                                std::move(nodes), std::move(stimuli), outputs);
         session->power_on();
     }
-    /// A frame from outside at that time.
+    /// Sends a frame from outside at that time.
     void put(std::uint64_t us, const std::string& frame) {
         session->advance_to(Instant{us});
         EXPECT_TRUE(session->put(parse_frame(frame, "test")));
@@ -45,7 +45,7 @@ struct TestRun {
     std::unique_ptr<RunSession> session;
 };
 
-/// Frames of a log without their times; of those marked with `mark`, or all.
+/// Returns the frames of a log without their times: those with this mark, or all of them if the mark is empty.
 std::vector<std::string> frames_of(const std::string& log, const std::string& mark) {
     std::istringstream lines{log};
     std::vector<std::string> frames;
@@ -64,10 +64,10 @@ std::vector<std::string> frames_of(const std::string& log, const std::string& ma
 }
 
 void converse(TestRun& run) {
-    run.put(10000, "603#2B17100064000000");  // heartbeat every 100 ms
+    run.put(10000, "603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     run.put(20000, "000#0103");
     run.put(30000, "603#2B116401B33E0000");
-    run.put(40123, "603#4008100000000000");  // device name, segmented
+    run.put(40123, "603#4008100000000000");  // 1008h device name, in segments
     run.put(50000, "603#6000000000000000");
     run.put(60000, "603#7000000000000000");
     run.put(70000, "703#R");
@@ -110,7 +110,7 @@ TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
             }
         }
         const std::vector<std::string> again = frames_of(replayed(device, node, run.log.str()), "");
-        // The last frames may not have been through the bus when the run ended.
+        // The last frames may still wait for the bus when the run ends.
         ASSERT_GE(again.size(), expected.size()) << device << "@" << node;
         EXPECT_TRUE(std::is_permutation(expected.begin(), expected.end(), again.begin())) << device << "@" << node;
         EXPECT_EQ(again.front().substr(0, 4), error_control);
@@ -118,8 +118,8 @@ TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
 }
 
 TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
-    // Heartbeats each 5 ms and requests back to back: an answer (580h + node) overtakes a heartbeat (700h + node) that
-    // waits for the bus. The replay of a log with marks has the same order and the same times.
+    // Heartbeats every 5 ms and requests in quick succession: an answer (580h + node) overtakes a heartbeat (700h +
+    // node) that waits for the bus. The replay of a log with marks has the same order and the same times.
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4", "ax188001@20"}};
     for (const char* node : {"603", "604", "614"}) {
         run.put(10000, node + std::string{"#2B17100005000000"});
@@ -144,7 +144,8 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
         }
         const std::string again = replayed(device, node, run.log.str());
         EXPECT_EQ(again.substr(0, own.size()), own) << device << "@" << node;
-        // Without marks they are written as the device makes them: the same frames, some of them in another order.
+        // Without marks, the replay writes the frames in the order of the device: the same frames, some in another
+        // order.
         std::string plain = run.log.str();
         plain.erase(std::remove_if(plain.begin(), plain.end(), [](char one) { return one == 'T' || one == 'R'; }),
                     plain.end());
@@ -158,8 +159,9 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
 }
 
 TEST(RunSession, OwnFramesAreNotTakenForThoseOfOthersInReplay) {
-    // It watches the heartbeat of its own node-ID, 50 ms at most, and sends one every 100 ms: on a bus it never hears
-    // itself, so that the watch never begins. Fed with its own frames it would report their absence.
+    // The device monitors the heartbeat of its own node-ID for 50 ms and sends it every 100 ms. On a bus it never
+    // receives its own frames, so the monitoring never begins. If a replay passed it its own frames, it would report
+    // their absence.
     TestRun run{{"cbx-ao412@3"}};
     run.put(10000, "603#2B17100064000000");
     run.put(20000, "603#2316100132000300");
@@ -199,7 +201,8 @@ TEST(RunSession, EventsKeepTheirTimesWhenTheClockIsReadLate) {
 }
 
 TEST(RunSession, StimulusNamesOneDeviceOrAll) {
-    // Bus-off from 10 ms on: who is, does not answer. Frames of each device: the boot-up, and the answer.
+    // From 10 ms on, the selected devices are bus-off and do not answer. Counted frames: the boot-up message and the
+    // answer.
     const auto frames = [](const std::string& signal) {
         TestRun run{{"cbx-ao412@3", "cbx-ao412@4"}, {{"here:1", Instant{10000}, signal, 3.0}}};
         run.put(20000, "603#4000100000000000");
@@ -220,9 +223,9 @@ TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
     run.put(11000, "603#4000100000000000");
     run.session->advance_to(Instant{20000});
     const std::string log = run.log.str();
-    EXPECT_THAT(log, testing::Not(HasSubstr("583#")));  // it heard nothing
+    EXPECT_THAT(log, testing::Not(HasSubstr("583#")));  // the device has not received the request
     run.session->advance_to(Instant{100000});
-    // 10 ms + 128 × 11 bits × 8 us: recovered, EMCY 8140h
+    // 10 ms + 128 × 11 bits × 8 us: the device has recovered and sends EMCY 8140h
     EXPECT_THAT(run.log.str(), HasSubstr("083#4081"));
 }
 
