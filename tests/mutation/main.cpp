@@ -1,10 +1,10 @@
-// A test program that can alter the cells of its tables: what `canproof mutate` drives. Besides GoogleTest's own
-// arguments:
+// A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments beside those of
+// GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
-//   --serve   reads `number TAB seconds TAB filter` lines; for each, a forked copy of this process alters the cell and
-//             runs the tests of the filter; answers `number TAB killed TAB Suite.Test` or `number TAB survived`. A copy
-//             that takes more processor time than that runs without end: killed
-// With CANPROOF_ALTER=number in the environment the cell is altered before anything is computed from it.
+//   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
+//             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
+//             `number TAB survived`. A copy that takes more processor time than `seconds` counts as killed.
+// With CANPROOF_ALTER=number in the environment, the cell is altered before anything is computed from it.
 #include <gtest/gtest.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -24,10 +24,10 @@ namespace {
 
 using host::generated_alterations;
 
-// All tests take a third of it.
+// All tests together take a third of this time.
 constexpr time_t most_seconds_started = 60;
 
-/// Ends this process after that much processor time: an alteration may send it into an endless loop.
+/// Ends this process after this much processor time, because an alteration may lead to an endless loop.
 void limit_to(const time_t seconds) {
     const itimerval limit{{0, 0}, {seconds, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
@@ -43,7 +43,7 @@ void alter(std::size_t number) {
     std::memcpy(one.address, &one.bits, one.size);
 }
 
-/// Before the constructors of this program's own objects: they compute from the tables.
+/// Runs before the constructors of the objects of this program, because these compute values from the tables.
 __attribute__((constructor(101))) void alter_as_environment_says() {
     if (const char* number = std::getenv("CANPROOF_ALTER")) {
         alter(std::strtoul(number, nullptr, 10));
@@ -58,7 +58,7 @@ void print_cells() {
     }
 }
 
-/// Ends the process at the first failure, with the test's name on its way to the server.
+/// Ends the process at the first failure and passes the name of the failed test to the server.
 class FirstFailure : public testing::EmptyTestEventListener {
   public:
     explicit FirstFailure(int out) : out_{out} {}
@@ -77,7 +77,7 @@ class FirstFailure : public testing::EmptyTestEventListener {
     std::string name_;
 };
 
-/// A line of `--serve`.
+/// One line of the input of `--serve`.
 struct Wanted {
     std::size_t number;
     time_t seconds;
@@ -103,7 +103,7 @@ Wanted wanted_by(const std::string& line) {
     std::_Exit(RUN_ALL_TESTS());
 }
 
-/// What the copy of this process wrote, the failed test, and whether it ended in peace.
+/// Runs a forked copy of this process and prints its result: the failed test, or `survived`.
 void answer(const Wanted& wanted) {
     int ends[2];
     if (pipe(ends) != 0) {

@@ -1,4 +1,4 @@
-// Every page of an evidence pack, looked at by axe-core and printed.
+// Checks every page of an evidence pack with axe-core and prints it.
 'use strict';
 
 const { execFileSync } = require('node:child_process');
@@ -14,7 +14,8 @@ const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 const pages = fs.readdirSync(pack).filter((name) => name.endsWith('.html'));
 const commit = JSON.parse(fs.readFileSync(path.join(pack, 'manifest.json'), 'utf8')).commit;
 const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-// Rows of a table are generated alike: axe looks at so many of each, which keeps the page of 5,000 items within minutes.
+// The rows of a table are generated in one way. axe checks this many of each table, so that the page of 5,000 items
+// takes only minutes.
 const ROWS = 20;
 const LOOKS = [
   { width: 1280, height: 900, colorScheme: 'light' },

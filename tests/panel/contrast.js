@@ -1,4 +1,4 @@
-// The contrast of every visible text with what lies behind it (WCAG 2.1). Runs inside the page.
+// Computes the contrast of every visible text with its background (WCAG 2.1). Runs inside the page.
 'use strict';
 
 function lowContrast() {

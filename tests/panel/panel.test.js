@@ -1,4 +1,4 @@
-// What a user of the panel sees and does, in a real browser. Every wait is for a condition; every port is any that is free.
+// Actions and displays of the panel in a real browser. Every wait is for a condition. The kernel chooses every port.
 'use strict';
 const assert = require('node:assert/strict');
 const { spawn, spawnSync } = require('node:child_process');
@@ -14,7 +14,7 @@ const chromiumOptions = {
   executablePath: '/usr/bin/chromium',
   args: ['--no-sandbox', '--disable-gpu', '--host-resolver-rules=MAP evil.example 127.0.0.1'],
 };
-const patience = 120000; // milliseconds; only a broken panel lets it run out
+const patience = 120000; // milliseconds; reached only with a broken panel
 
 let browser;
 let panel;
@@ -40,9 +40,9 @@ async function startPanel(...words) {
   };
   const pages = new Set();
   const stop = async () => {
-    for (const close of [...pages]) await close(); // a page that polls a program that has ended complains, and rightly
+    for (const close of [...pages]) await close(); // a page reports an error when it polls a program that has ended
     child.kill('SIGINT');
-    assert.equal(await ended, 0); // Ctrl-C ends it clean
+    assert.equal(await ended, 0); // Ctrl-C ends the program without an error
   };
   return { child, url, says, pages, stop };
 }
@@ -57,7 +57,7 @@ async function openPage(t, options = {}, program = panel) {
   page.on('pageerror', (error) => complaints.push(error.message));
   const close = async () => {
     if (!program.pages.delete(close)) return;
-    const heard = [...complaints]; // closing cuts off requests, of which the page complains
+    const heard = [...complaints]; // closing a page interrupts its requests, and the page reports that
     await context.close();
     assert.deepEqual(heard, []);
   };
@@ -106,7 +106,7 @@ async function expectShutdown(page, number) {
   await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=lit]').waitFor();
   const row = page.locator('#frames tr.is-EMCY', { hasText: `channel ${number}, positive shutdown` }).first();
   await row.waitFor();
-  // AX188001 is node 2 here; 3.2.4: code F011h, register 01h, channel, description 40h.
+  // AX188001 is node 2. Its manual, 3.2.4: code F011h, register 01h, channel, description 40h.
   assert.match(await row.innerText(), new RegExp(`082\\s+11 F0 01 0${number} 40 00 00 00\\s+EMCY\\s+ax188001`));
 }
 
@@ -122,7 +122,7 @@ after(async () => {
 test('a temperature dragged over the shutdown limit shows as lamp, emergency and frame', async (t) => {
   const page = await openPage(t);
   assert.equal(await lamp(page, 'ax188001', 'ERR').locator('.words').innerText(), 'off');
-  await send(page, '602#2B30400100000000'); // 4030h:1, no delay
+  await send(page, '602#2B30400100000000'); // 4030h:1 error react delay: none
   const slider = control(page, 'ax188001', 'tc1_celsius').locator('input[type=range]');
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
@@ -133,7 +133,7 @@ test('a temperature dragged over the shutdown limit shows as lamp, emergency and
   await page.mouse.up();
   await expectShutdown(page, 1);
   assert.ok(Math.abs(Number(await slider.inputValue()) - 600) <= 20);
-  // The measured value follows the wire.
+  // The measured value follows the input.
   await until(page, () => /^(58\d|59\d|60\d|61\d)\s°C$/.test(document.querySelector('[data-device=ax188001] .gauge .figure').textContent));
   await control(page, 'ax188001', 'tc1_celsius').locator('input[type=number]').fill('25');
   await page.keyboard.press('Enter');
@@ -156,13 +156,13 @@ test('the keyboard alone does the same, and always shows where it is', async (t)
     }
     assert.fail('not reached by Tab');
   };
-  await page.keyboard.press('Tab'); // the skip link
+  await page.keyboard.press('Tab'); // the link to the main content
   await page.keyboard.press('Enter');
   await tabTo((at) => at.id === 'frame');
-  await page.keyboard.type('602#2B30400200000000'); // 4030h:2, no delay
+  await page.keyboard.type('602#2B30400200000000'); // 4030h:2 error react delay: none
   await sends(page, () => page.keyboard.press('Enter'));
   await tabTo((at) => at.signal === 'tc2_celsius', 'Shift+Tab');
-  for (let i = 0; i < 3; i += 1) await page.keyboard.press('PageUp'); // a tenth of the range each
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press('PageUp'); // each step is a tenth of the range
   await expectShutdown(page, 2);
   assert.match(await page.evaluate(() => document.activeElement.getAttribute('aria-valuetext')), /°C$/);
   assert.match(await page.evaluate(() => document.getElementById(document.activeElement.getAttribute('aria-describedby')).textContent), /shutdown limit 250/);
@@ -175,7 +175,8 @@ test('NMT goes over the bus, and the LED of the device flashes as the device swi
   const status = lamp(page, 'cbx-ao412', 'S');
   await status.locator('.words', { hasText: 'blinking' }).waitFor();
   for (const look of ['lit', 'dark', 'lit']) await status.locator(`.bulb[data-look=${look}]`).waitFor();
-  // Pre-operational: 200 ms on, 200 ms off (CAN-CBX-AO412, Tables 5 and 7), by the device's clock: the browser may be late.
+  // Pre-operational: 200 ms on, 200 ms off (CAN-CBX-AO412, Tables 5 and 7). The times are those of the device, because
+  // the browser may be late.
   const times = (await changesOf('cbx-ao412', 'led_s')).slice(-3);
   assert.deepEqual(times.slice(1).map((time, i) => time - times[i]), [200000, 200000]);
   await card(page, 'cbx-ao412').getByRole('button', { name: 'Start, cbx-ao412' }).click();
@@ -183,7 +184,7 @@ test('NMT goes over the bus, and the LED of the device flashes as the device swi
   await page.locator('#frames tr.is-NMT', { hasText: 'cbx-ao412: start' }).first().waitFor();
   await status.locator('.words', { hasText: /^on$/ }).waitFor();
   assert.equal(await card(page, 'ax130751').locator('.state').innerText(), 'pre-operational');
-  await send(page, '603#2B116401B33E0000'); // the manual's 5.0 V at output 1 (7.10.2.3)
+  await send(page, '603#2B116401B33E0000'); // 5.0 V at output 1, from the manual (7.10.2.3)
   await card(page, 'cbx-ao412').locator('.gauge', { hasText: 'Output 1' }).locator('.figure', { hasText: /^5\.00/ }).waitFor();
 });
 
@@ -218,7 +219,7 @@ test('frames that came too fast for the program are told, and only then', async 
   await page.route('**/api/state*', async (route) => {
     const response = await route.fetch();
     const state = await response.json();
-    state.bus.lost = 1204; // as SocketCAN counts them
+    state.bus.lost = 1204; // a loss as SocketCAN reports it
     state.bus.missed = 7;
     await route.fulfill({ response, json: state });
   });
@@ -252,7 +253,7 @@ test('a client of socketcand and the page see the same bus', async (t) => {
   client.write('< open can0 >< rawmode >');
   await hears(/< ok >.*< ok >/s);
   const page = await openPage(t, {}, served);
-  client.write('< send 603 8 40 0 10 0 0 0 0 0 >'); // CAN-CBX-AO412 7.9.2: the device type, and its answer
+  client.write('< send 603 8 40 0 10 0 0 0 0 0 >'); // CAN-CBX-AO412 manual, 7.9.2: request for the device type, and its answer
   await hears(/< frame 583 \S+ 4300100091010800 >/i);
   await page.locator('#frames tr', { hasText: '43 00 10 00 91 01 08 00' }).waitFor();
   await send(page, '603#4001100000000000');
@@ -340,7 +341,7 @@ test('a page of another site can neither read nor change anything', async (t) =>
     return [await attempt({ headers: { 'Content-Type': 'application/json' } }), await attempt({ mode: 'no-cors', headers: { 'Content-Type': 'text/plain' } }), read];
   }, panel.url);
   assert.deepEqual(outcomes, ['refused', 'refused', 'refused']);
-  // The name of another site that points here: DNS rebinding.
+  // The name of another site that resolves to this address: DNS rebinding.
   const rebound = await page.goto(panel.url.replace('127.0.0.1', 'evil.example'));
   assert.equal(rebound.status(), 403);
   const state = await (await fetch(`${panel.url}api/state`)).json();

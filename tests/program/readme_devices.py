@@ -9,7 +9,7 @@ import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ("README.md", "src/target/README.md")
-LEAST_TABLES = 3  # which devices there are, what their images take, how much work they do
+LEAST_TABLES = 3  # the list of devices, the memory of their images, and their work
 
 
 def devices(program):

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import threading
 
-MOST_SECONDS = 0.5  # of processor time, from the signal to the end
+MOST_SECONDS = 0.5  # processor time from the signal to the end
 
 
 def processor_seconds(pid):
@@ -47,7 +47,7 @@ def overload():
             run.stdin.write(f"6{node:02X}#2306100001000000\n6{node:02X}#2305100080000040\n")
         run.stdin.flush()
         said = ""
-        while "behind the bus" not in said:  # after the lines that name the devices
+        while "behind the bus" not in said:  # this line follows the lines that name the devices
             said = run.stderr.readline()
             assert said, "the program ended without a word on its lag"
         said = end(run, signal.SIGINT)

@@ -7,7 +7,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "tests" / "seeded"
-# What no build of the test programs reads.
+# Folders that no build of the test programs reads.
 LEFT_OUT = {"build", ".git", "out", "__pycache__"}
 
 
@@ -110,4 +110,4 @@ def copy_tree(tree):
         if not same(ROOT / name, tree / name):
             (tree / name).parent.mkdir(parents=True, exist_ok=True)
             (tree / name).unlink(missing_ok=True)
-            shutil.copy(ROOT / name, tree / name)  # written now, so newer than what an earlier run built
+            shutil.copy(ROOT / name, tree / name)  # the new modification time makes the build compile it

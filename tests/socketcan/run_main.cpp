@@ -1,5 +1,5 @@
-// canproof_run: the command `run` of canproof by itself. tests/socketcan takes it for the builds with sanitizers, which
-// then need only the files that a run of devices consists of.
+// canproof_run: only the command `run` of canproof. tests/socketcan uses it for the builds with sanitizers, which then
+// need only the files of that command.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>

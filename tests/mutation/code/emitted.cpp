@@ -1,5 +1,5 @@
-// Functions of the host's headers that only tests call: emitted here, so that the program of mutants has them with
-// their mutants.
+// Functions of host headers that only tests call. They are emitted here, so that the program of mutants contains them
+// together with their mutants.
 #include <cstdint>
 
 #include "host/sim/bus/acceptance.hpp"

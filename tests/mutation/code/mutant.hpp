@@ -1,13 +1,14 @@
-// Included before everything else in the program of mutants: what the operators and conditions of the firmware are
-// written as there (see schemata.py). Each does what stood in its place, unless its mutant is chosen. In a constant
-// expression none ever is.
+// Included before all other code of the program of mutants. schemata.py writes the operators and conditions of the
+// firmware as calls of these functions. Each does what the original code does unless its mutant is chosen. In a
+// constant expression, no mutant is ever chosen.
 #pragma once
 
 namespace canproof::mutants {
 
-/// The chosen mutant; 0: none.
+/// The number of the chosen mutant; 0 chooses none.
 extern unsigned chosen;
-/// While a test runs: by mutant, whether it would have computed something else. Null when nobody asks.
+/// While a test runs: for each mutant, whether it would have computed a different value. Null when this is not
+/// recorded.
 extern unsigned char* told;
 
 inline bool is(const unsigned mutant) noexcept {
@@ -19,7 +20,7 @@ inline void tell(const unsigned mutant, const bool differs) noexcept {
     }
 }
 
-/// A condition: `mutant` makes it true, the next one false.
+/// A condition. `mutant` makes it true, the next mutant makes it false.
 template <typename T>
 constexpr bool forced(const unsigned mutant, const T& condition) {
     const bool holds = static_cast<bool>(condition);
@@ -31,7 +32,8 @@ constexpr bool forced(const unsigned mutant, const T& condition) {
     return is(mutant) || (holds && !is(mutant + 1U));
 }
 
-/// A comparison `a OP b` whose value is `holds`; the third mutant has `boundary`: what it is with equality moved.
+/// A comparison `a OP b` with the value `holds`. The third mutant has the value `boundary`: the comparison with or
+/// without equality, opposite to the original.
 constexpr bool compared(const unsigned mutant, const bool holds, const bool boundary) {
     if (__builtin_is_constant_evaluated()) {
         return holds;
@@ -58,7 +60,7 @@ constexpr bool greater_equal(const unsigned mutant, const A& a, const B& b) {
     return compared(mutant, a >= b, a > b);
 }
 
-/// Turns `&&` into `||` and back: not(not a and not b) is a or b.
+/// Turns `&&` into `||` and back: `a || b` is computed as `!(!a && !b)`.
 constexpr bool turned(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return false;
@@ -67,7 +69,7 @@ constexpr bool turned(const unsigned mutant) {
     return is(mutant);
 }
 
-/// `a OP b` with both values computed; the mutant has the second.
+/// `a OP b` with both values computed. The mutant returns the second.
 template <typename T, typename U>
 constexpr T either(const unsigned mutant, const T value, const U other) {
     if (__builtin_is_constant_evaluated()) {
@@ -91,7 +93,7 @@ constexpr auto minus(const unsigned mutant, const A& a, const B& b) {
 template <typename A, typename B>
 constexpr auto times(const unsigned mutant, const A& a, const B& b) {
     if (__builtin_is_constant_evaluated() || !static_cast<bool>(b)) {
-        return a * b;  // no quotient to compare with
+        return a * b;  // division by zero: no quotient to compare with
     }
     return either(mutant, a * b, a / b);
 }
@@ -124,14 +126,14 @@ constexpr auto bit_xor(const unsigned mutant, const A& a, const B& b) {
     return __builtin_is_constant_evaluated() ? a ^ b : either(mutant, a ^ b, a | b);
 }
 
-/// `a OP= b` as `a = a OP b`, which the functions above compute.
+/// `a OP= b` computed as `a = a OP b` by the functions above.
 template <typename A, typename V>
 constexpr A& assigned(A& a, const V value) {
     a = static_cast<A>(value);
     return a;
 }
 
-/// A statement: the mutant leaves it out.
+/// A statement, which the mutant omits.
 constexpr bool kept(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return true;
@@ -140,7 +142,7 @@ constexpr bool kept(const unsigned mutant) {
     return !is(mutant);
 }
 
-/// Which of `count` calls is the one at this step; mutant `first + n` swaps those at n and n + 1.
+/// Returns which of `count` calls runs at this step. Mutant `first + n` swaps the calls n and n + 1.
 constexpr unsigned ordered(const unsigned first, const unsigned step, const unsigned count) {
     if (__builtin_is_constant_evaluated()) {
         return step;
@@ -154,7 +156,7 @@ constexpr unsigned ordered(const unsigned first, const unsigned step, const unsi
     return step;
 }
 
-/// A number written out: the mutant has one more.
+/// A literal, which the mutant increases by one.
 template <typename T>
 constexpr T zero(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -163,7 +165,7 @@ constexpr T zero(const unsigned mutant, const T value) {
     tell(mutant, true);
     return is(mutant) ? static_cast<T>(value + 1) : value;
 }
-/// The next mutant has one less.
+/// A literal: the first mutant increases it by one, the next decreases it by one.
 template <typename T>
 constexpr T literal(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -173,7 +175,7 @@ constexpr T literal(const unsigned mutant, const T value) {
     return is(mutant + 1U) ? static_cast<T>(value - 1) : zero(mutant, value);
 }
 
-/// An index: that of the mutant is 0.
+/// An index, which is 0 in the mutant.
 template <typename T>
 constexpr T index(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -183,7 +185,7 @@ constexpr T index(const unsigned mutant, const T value) {
     return is(mutant) ? T{} : value;
 }
 
-/// The value of a variable: the mutant reads another one.
+/// The value of a variable. The mutant reads another variable.
 template <typename T, typename U>
 constexpr T other(const unsigned mutant, const T& value, const U& another) {
     if (__builtin_is_constant_evaluated()) {

@@ -39,14 +39,14 @@ class Rewriter(Statements):
 
     def __init__(self, path, name):
         self.path = path
-        self.name = name  # within the repository
+        self.name = name  # relative to the repository
         self.text = open(path, "rb").read()
-        self.opens = collections.defaultdict(list)   # offset: what begins there, the outermost first
-        self.closes = collections.defaultdict(list)  # offset: what ends there, the innermost first
+        self.opens = collections.defaultdict(list)   # offset: the insertions that begin there, the outermost first
+        self.closes = collections.defaultdict(list)  # offset: the insertions that end there, the innermost first
         self.removed = {}                            # offset of an operator: its length
         self.mutants = []                            # (line, function, original, mutated)
         self.function = ""
-        self.scope = []    # (name, type) of the parameters and local variables that can be named here
+        self.scope = []    # (name, type) of the parameters and local variables that are visible here
 
     def source(self, cursor):
         return self.text[cursor.extent.start.offset:cursor.extent.end.offset].decode()
@@ -62,7 +62,7 @@ class Rewriter(Statements):
     def close(self, at, text):
         self.closes[at].append(text)
 
-    # Which tokens and operands an expression has.
+    # Operators and operands of an expression.
 
     def operator_of(self, cursor):
         """(operator, its offset, left, right) of a binary operator, built in or of a class; nothing for other cursors."""
@@ -90,7 +90,7 @@ class Rewriter(Statements):
             cursor = children[0]
         return cursor
 
-    # What is rewritten.
+    # Rewriting.
 
     def call(self, cursor, function, numbers, operator, at, first, last):
         """`a OP b` becomes `function(number, (a), (b))`."""
@@ -127,7 +127,7 @@ class Rewriter(Statements):
         sign, _, first, last = operation
         number = self.mutant(cursor, f"{'||' if sign == '&&' else '&&'}")
         flag = f"{SPACE}turned(NUMBER[{number}])"
-        # The flag is asked once for each part: that tells the same each time.
+        # The flag is evaluated once for each part. Both evaluations record the same.
         end, after = self.wrap(cursor, f"static_cast<bool>({flag} != (", "))")
         for part in (first, last):
             stop, finish = self.wrap(part, f"({flag} != static_cast<bool>(", "))")
@@ -159,7 +159,7 @@ class Rewriter(Statements):
         target = self.source(first)
         if any(c in target for c in "(+-") or first.type.get_canonical().kind.name not in (
                 "UCHAR", "USHORT", "UINT", "ULONG", "ULONGLONG", "SCHAR", "SHORT", "INT", "LONG", "LONGLONG", "FLOAT", "DOUBLE"):
-            self.children(cursor)  # evaluating it twice might do something twice
+            self.children(cursor)  # two evaluations of the target could have two side effects
             return
         number = self.mutant(cursor, other + "=")
         end, after = self.wrap(cursor, f"{SPACE}assigned({target}, {SPACE}{function}(NUMBER[{number}], (", ")))")
@@ -177,7 +177,7 @@ class Rewriter(Statements):
     def visit(self, cursor):
         outer = len(self.scope)
         if cursor.kind == K.LAMBDA_EXPR:
-            self.scope, outside = [], self.scope  # what it does not capture cannot be named in it
+            self.scope, outside = [], self.scope  # a lambda can only name the variables that it captures
             self.children(cursor)
             self.scope = outside
             return
@@ -192,9 +192,9 @@ class Rewriter(Statements):
         if kind in (K.VAR_DECL,) and self.source(cursor).startswith(("constexpr ", "static constexpr ")):
             return
         if kind == K.DECL_REF_EXPR:
-            return  # below it are arguments of a template only: constants
+            return  # its children are only template arguments, which are constants
         if kind == K.VAR_DECL:
-            self.children(cursor, cursor.location.offset)  # what stands before its name is its type
+            self.children(cursor, cursor.location.offset)  # the source before the name is the type
             self.scope.append((cursor.spelling, plain_type(cursor)))
             return
         operation = self.operator_of(cursor)
@@ -271,7 +271,7 @@ class Rewriter(Statements):
             return False
         sides = operation[2:]
         if any(side.type.get_canonical().kind.name in FLOATS for side in sides):
-            return False  # a zero has a sign
+            return False  # zeros of a floating-point type have a sign
         equal = {self.when_equal(value, {self.source(self.core(side)) for side in sides}) for value in values}
         return len(equal) == 1 and None not in equal
 

@@ -1,4 +1,4 @@
-// The mutants that schemata.py finds in example/, each against what it should compute, by hand.
+// The mutants that schemata.py finds in example/, each compared with its result computed by hand.
 #include <cstdio>
 #include <cstring>
 #include <functional>
@@ -119,7 +119,7 @@ const std::vector<Expected> expected{
     {"a -> variable b", apart, [](unsigned, unsigned b) { return b * 11U; }},
     {"logs.kept.shift(b) -> deleted", apart, [](unsigned a, unsigned) { return a; }},
     {"b -> variable a", apart, [](unsigned a, unsigned) { return a * 11U; }},
-    // Nothing is swapped with this one: it is about another object.
+    // This call is not swapped with any other, because it uses another object.
     {"logs.other.shift(a) -> deleted", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
     {"a -> variable b", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
     {"logs.kept.first -> variable logs.kept.second", apart, [](unsigned, unsigned) { return 0U; }},

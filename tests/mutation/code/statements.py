@@ -110,7 +110,7 @@ class Statements:
             return None
         if core.kind == K.DECL_REF_EXPR and declared.kind in (K.PARM_DECL, K.VAR_DECL):
             if declared.spelling not in [name for name, _ in self.scope]:
-                return None  # a constant, or of an outer function
+                return None  # a constant, or a variable of an outer function
             return self.next_one(declared.spelling, [entry for entry in self.scope if entry[1] == kind])
         if core.kind == K.MEMBER_REF_EXPR and declared.kind == K.FIELD_DECL:
             fields = [(field.spelling, plain_type(field)) for field in declared.semantic_parent.get_children()
@@ -168,7 +168,7 @@ class Statements:
         follows = self.text[cursor.extent.end.offset:cursor.extent.end.offset + 1]
         text = self.source(cursor)
         if not LITERAL.fullmatch(text) or re.search(r"<(?:[\w:][\w:, ]*)?$", before[-80:]) or follows == b">":
-            return  # the argument of a template
+            return  # a template argument
         number = self.mutant(cursor, "+1")
         function = "literal"
         if NULL.fullmatch(text):

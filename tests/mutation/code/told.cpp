@@ -1,5 +1,6 @@
-// With CANPROOF_TOLD=FILE in the environment each test leaves a line there: its name, its source, its seconds of
-// processor time, and the mutants that would have computed something else in it. No other test can notice them.
+// With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file: its name, its source, its
+// processor time in seconds, and the mutants that would have computed a different value in it. No other test can notice
+// these mutants.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ class Teller : public testing::EmptyTestEventListener {
   public:
     explicit Teller(const char* file) : out_{std::fopen(file, "w")}, told_(host::generated_alterations().count + 2U) {}
 
-    /// What told until now ran before any test: tables that the program computes when it starts.
+    /// Mutants recorded so far were evaluated before the first test, in tables that the program computes at its start.
     void OnTestProgramStart(const testing::UnitTest& /*all*/) override {
         if (mutants::told != nullptr) {
             std::copy_n(mutants::told, told_.size(), told_.begin());
@@ -55,7 +56,7 @@ class Teller : public testing::EmptyTestEventListener {
     std::clock_t began_{0};
 };
 
-/// Before the constructors of this program's own objects: what these compute tells as well.
+/// Runs before the constructors of the objects of this program, so that the values computed there are recorded too.
 __attribute__((constructor(101))) void listen_from_the_start() {
     if (std::getenv("CANPROOF_TOLD") != nullptr) {
         mutants::told = static_cast<unsigned char*>(std::calloc(host::generated_alterations().count + 2U, 1U));

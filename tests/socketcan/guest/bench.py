@@ -10,7 +10,7 @@ import termios
 import time
 import traceback
 
-PATIENCE = 60  # seconds; only a broken program lets it run out
+PATIENCE = 60  # seconds; reached only with a broken program
 CAN_FRAME = struct.Struct("=IB3x8s")
 EXTENDED, REMOTE, ERROR = 0x80000000, 0x40000000, 0x20000000  # linux/can.h
 SO_RCVBUFFORCE, SO_TIMESTAMPNS_OLD = 33, 35
@@ -131,7 +131,7 @@ class Run:
         if os.path.exists(self.log):
             os.unlink(self.log)
         open(self.log, "wb").close()
-        os.chmod(self.log, 0o666)  # the program may run without rights
+        os.chmod(self.log, 0o666)  # the program may run without root rights
         self.process = subprocess.Popen([*prefix, program, "run", *words, "--log", self.log, "--log-marks"], stdin=subprocess.DEVNULL,
                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.said = ""
@@ -182,7 +182,7 @@ class Run:
 def finish():
     failed = verdicts.count(False)
     print(f"verdict: {len(verdicts)} checks, {failed} failed", flush=True)
-    termios.tcdrain(sys.stdout.fileno())  # the console is slower than the port
+    termios.tcdrain(sys.stdout.fileno())  # the console is slower than the exit port
     with open("/dev/port", "r+b", buffering=0) as port:
         port.seek(0xF4)
         port.write(b"\x01" if failed == 0 and verdicts else b"\x02")

@@ -7,12 +7,12 @@ import subprocess
 
 from bench import Ear, check, sh
 
-# device, node-ID, the device's interface, that of the test
+# device, node-ID, interface of the device, interface of the test
 SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
           ("ax130751", 7, "can0", "can1")]
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
-SECONDS = 1100  # one run, on a slow machine
-NO_SWITCH = "nobody can switch the slave off and on here"  # the one difference that there has to be
+SECONDS = 1100  # for one run on a slow machine
+NO_SWITCH = "nobody can switch the slave off and on here"  # the only expected difference
 
 
 def verdicts(report):
@@ -29,7 +29,7 @@ def run_slave(program, device, node, interface):
     with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
         slave = subprocess.Popen([program, "run", f"{device}@{node}", "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=said)
-        if not interface.startswith("can"):  # a controller hears no frame of its own
+        if not interface.startswith("can"):  # a controller does not receive its own frames
             ear.wait(f"70{node}#00")
         return slave
 

@@ -10,7 +10,7 @@ from bench import Ear, Run, boot_up, check, sh, until
 FOUR = {3: "cbx-ao412", 4: "ax130751", 5: "ax188001", 6: "ax060805"}
 NAMES = [f"{name}@{node}" for node, name in FOUR.items()]
 
-# 1000h: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. In a frame the lowest byte comes first.
+# 1000h device type: CBX-AO412 7.9.2; AX130751 3.2.1; AX188001 3.2.1; AX060805 4.2.1. A frame contains the lowest byte first.
 DEVICE_TYPES = {3: "91010800", 4: "94011CE0", 5: "94010200", 6: "9A010310"}
 DUMP = "/tmp/candump.log"
 
@@ -40,7 +40,7 @@ def stamps_are_the_kernels(ear, run):
         for number in range(3):
             ear.send(f"7A5#0{number}")
             stamps.append(other.wait(f"7A5#0{number}")[1])
-            time.sleep(0.04)  # far more than the error allowed below
+            time.sleep(0.04)  # far more than the difference allowed below
     run.process.send_signal(signal.SIGCONT)
     until("the last frame in the log", lambda: any(text == "7A5#02" for _, text, _ in run.frames()))
     logged = [at for at, text, _ in run.frames() if text.startswith("7A5#")]

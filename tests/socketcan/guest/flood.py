@@ -51,7 +51,7 @@ def losses_are_told(program):
         flood(count)
         run.process.send_signal(signal.SIGCONT)
         ear.wait(re.escape(ANSWER))
-        ear.send("603#4001100000000000")  # CBX-AO412 7.9.4: 8110h, lost frames, with the list and the register
+        ear.send("603#4001100000000000")  # CBX-AO412 7.9.4: 8110h (CAN overrun), with the error list and the error register
         ear.wait("083#1081110100000000")
         ear.rest()
         answered = ear.heard.count(ANSWER)

@@ -20,12 +20,12 @@ def error_frames(ear):
     """linux/can/error.h: class 004h controller, with 10h receive passive, 40h active, 01h receive overflow in byte 1; class 040h
     bus-off, class 100h restarted. Emergency codes: CBX-AO412 7.9.4; AX188001 Table 5; AX060805 4.2.4."""
     sh("cansend", "vcan0", "20000004#0010000000000000")
-    ear.wait("083#2081110100000000")  # error passive, one error listed
+    ear.wait("083#2081110100000000")  # error passive, one entry in the error list
     sh("cansend", "vcan0", "20000004#0040000000000000")
     ear.wait("083#0000000100000000")
     sh("cansend", "vcan0", "20000004#0001000000000000")
     wait_all(ear, ["083#1081110200000000", "085#1081.{12}", "086#1081.{12}"])
-    sh("cansend", "vcan0", "000#0100")  # a frame that all of them get ends the overrun
+    sh("cansend", "vcan0", "000#0100")  # a frame that all nodes receive ends the overrun
     wait_all(ear, ["083#0000000200000000", "085#0000.{12}", "086#0000.{12}"])
     sh("cansend", "vcan0", "20000040#0000000000000000")
     sh("cansend", "vcan0", "603#4000100000000000")  # bus-off: no answer
@@ -79,7 +79,7 @@ def filters(program):
     """The kernel wakes a node's socket for what the node may react to and for nothing else."""
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "ax188001@5", "--bus", "socketcan:vcan0"):
         boot_up(ear, [3, 5])
-        # The kernel hands a frame to one socket after the other: this one may have it before the program's.
+        # The kernel passes a frame to one socket after the other, so this socket may have it before that of the program.
         until("both boot-ups counted", lambda: matches().get("703") == [1] and matches().get("705") == [1])
         before = matches()
         assert "603" in before and "605" in before, before
@@ -103,7 +103,7 @@ def full_queue(program):
         spent, begun = run.processor_seconds(), time.monotonic()
         for sub in range(count):
             ear.send(f"603#400030{sub:02X}00000000")
-        for sub in range(count):  # 3000h is no object: 06020000h (CiA 301, 7.2.4.3.17)
+        for sub in range(count):  # 3000h does not exist: abort code 06020000h (CiA 301, 7.2.4.3.17)
             got = ear.wait("583#.*")[0]
             assert got == f"583#800030{sub:02X}00000206", f"answer {sub}: {got}"
         took, spent = time.monotonic() - begun, run.processor_seconds() - spent

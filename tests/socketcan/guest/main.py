@@ -28,7 +28,7 @@ def make_vcan():
 
 
 def check_release(program):
-    readme.check_all()  # it makes vcan0
+    readme.check_all()  # this check creates vcan0
     conversation.check_all(program)
     flood.check_all(program)
     interface.check_kernel(program)
@@ -66,7 +66,7 @@ def sanitized_beside(kinds):
         os.write(told, bytes(bench.verdicts))
         os._exit(0)
     os.close(told)
-    assert os.read(verdicts, 1) == b"!"  # its network is made
+    assert os.read(verdicts, 1) == b"!"  # the other network exists now
     for name in ("can2", "can3"):
         bench.sh("ip", "link", "set", name, "netns", str(child))
     return verdicts

@@ -16,7 +16,7 @@ def converse(bus):
     for node, vendor in FOUR.items():
         got = transfer(bus, node, "4018100100000000")
         assert got == "43181001" + vendor, f"node {node}: {got}"
-    assert transfer(bus, 3, "2B1710000A000000") == "6017100000000000"  # 1017h: a heartbeat every 10 ms
+    assert transfer(bus, 3, "2B1710000A000000") == "6017100000000000"  # 1017h producer heartbeat time: 10 ms
     beats = []
     while len(beats) < 41:
         got = bus.recv(60)
@@ -25,7 +25,7 @@ def converse(bus):
             assert got.data.hex() == "05", got
             beats.append(got.timestamp)
     assert transfer(bus, 3, "2B17100000000000") == "6017100000000000"
-    # Each is due at its own time, so that no lateness adds up; a busy machine delays the first or the last.
+    # Each heartbeat is due at its own time, so delays do not add up. A busy machine may delay the first or the last.
     mean = (beats[-1] - beats[0]) / 40
     assert 0.0075 < mean < 0.0125, f"heartbeat every {mean * 1000:.2f} ms, not every 10 ms"
 

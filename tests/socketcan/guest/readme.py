@@ -62,7 +62,7 @@ def on_vcan(lines):
         "build/release/canproof run": [r"vcan0 703#00"],
         "candump vcan0": [],
         "cansend vcan0": [r"vcan0  583   \[8\]  43 00 10 00 91 01 08 00"],
-        "python3 -c": [r"ID: 0583 .*43 18 10 01 17 00 00 00"],  # vendor-ID of esd: 17h
+        "python3 -c": [r"ID: 0583 .*43 18 10 01 17 00 00 00"],  # 1018h:01 vendor-ID of esd: 17h
         "build/release/canproof replay": [r"can0 703#00|vcan0 703#00(.|\n)*583#4300100091010800\n.*583#4318100117000000\n"],
     }
     follow(lines, expected, "vcan0")
@@ -97,7 +97,7 @@ def on_an_interface(lines):
 
 
 def over_socketcand(lines):
-    # All four have said their boot-up message: a frame beside the answer to its `open` makes python-can refuse the server.
+    # All four boot-up messages must be sent first: python-can refuses a server that sends a frame beside the answer to `open`.
     follow(lines, {"build/release/canproof run": [r"socketcand listens at port 29536", r"(7..#00\b[^#]*){4}"],
                    "python3 -c": [r"ID: 0*583 .*43 18 10 01 17 00 00 00"]}, "lo")
 

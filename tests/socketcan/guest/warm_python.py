@@ -5,7 +5,7 @@ import traceback
 
 ASK, ANSWER, OUTPUT = "/tmp/python.ask", "/tmp/python.answer", "/tmp/python.output"
 
-# What a shell finds as `python3`: it knows `python3 -c SCRIPT`, and that alone.
+# A replacement for `python3`, which supports only `python3 -c SCRIPT`.
 COMMAND = f"""#!/bin/sh
 [ "$1" = -c ] || exit 2
 printf %s "$2" >{ASK}
@@ -19,7 +19,7 @@ def start():
     for path in (ASK, ANSWER):
         os.mkfifo(path)
     if os.fork() == 0:
-        import can  # noqa: F401: what the children find imported
+        import can  # the forked children find the module imported
         while True:
             serve()
 
@@ -43,7 +43,7 @@ def run(script):
     try:
         exec(compile(script, "-c", "exec"), {"__name__": "__main__"})
         status = 0
-    except BaseException:  # pylint: disable=broad-except: as an interpreter does
+    except BaseException:  # as the interpreter does
         traceback.print_exc()
     sys.stdout.flush()
     sys.stderr.flush()

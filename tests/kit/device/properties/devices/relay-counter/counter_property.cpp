@@ -1,4 +1,4 @@
-// A law of the counter (section 6).
+// A property of the counter (section 6 of the data sheet).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-// Every object of the RC-22 as section 1 of its data sheet has it, at node 5.
+// Compares every object of the RC-22 with section 1 of its data sheet, at node 5.
 #include "tests/support/object_sheet.hpp"
 
 #include "generated/relay_counter/objects.hpp"

@@ -1,4 +1,4 @@
-// What schemata_check.cpp has mutated: one construct a function.
+// The code that schemata_check.cpp mutates, with one construct per function.
 #include <type_traits>
 
 namespace canproof {

@@ -1,4 +1,4 @@
-// Counts how often an input goes on (RC:6).
+// Counts the changes of an input from off to on (RC:6).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace canproof::relay_counter {
 
 class EdgeCounter {
   public:
-    /// Begins anew at 0; `input` as it is now does not count.
+    /// Starts at 0 again. An input that is on already does not count.
     void restart(const bool input) noexcept {
         input_ = input;
         count_ = 0U;
@@ -22,7 +22,7 @@ class EdgeCounter {
         }
         input_ = input;
     }
-    /// Changes from off to on since restart(), modulo 2^32.
+    /// Returns the number of changes from off to on since restart(), modulo 2^32.
     std::uint32_t count() const noexcept { return count_; }
 
   private:

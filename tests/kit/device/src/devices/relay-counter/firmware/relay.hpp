@@ -5,7 +5,7 @@
 
 namespace canproof::relay_counter {
 
-/// Whether a contact with this command (2000h: 0 or 1) is closed (RC:5).
+/// Returns whether a contact with this command (object 2000h: 0 or 1) is closed (RC:5).
 bool contact_is_closed(std::uint8_t command, bool operational) noexcept;
 
 }  // namespace canproof::relay_counter

@@ -85,7 +85,7 @@ void Device::restart(const Instant) {
 }
 
 void Device::booted(const Instant now) {
-    tell_errors(now);  // a reset forgets what is active
+    tell_errors(now);  // a reset clears the active errors
 }
 
 void Device::communication_failed(const bool, const Instant) {}

@@ -15,25 +15,25 @@ namespace canproof::relay_counter {
 using Inputs = generated::relay_counter::Inputs;
 using Outputs = generated::relay_counter::Outputs;
 
-/// What belongs to one unit and left the factory with it: nothing yet.
+/// Data of one unit that are set in the factory: none yet.
 struct FactoryData {};
 
 class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped.
+    /// Starts with the node-ID and bit rate stored by LSS, or with those as shipped.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// The physical inputs as they are from `now` on.
+    /// Sets the physical inputs from `now` on.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
 
     const Outputs& outputs() const noexcept { return outputs_; }
-    /// bit/s that the CAN controller works at.
+    /// Returns the bit rate of the CAN controller in bit/s.
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
-    /// unconfigured_node_id when there is none.
+    /// Returns the node-ID, or unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }

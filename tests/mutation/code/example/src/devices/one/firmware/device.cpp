@@ -1,4 +1,4 @@
-// Firmware of a device: mutated as the shared firmware is.
+// Firmware of one device, mutated like the shared firmware.
 namespace canproof {
 
 bool of_a_device(const unsigned a, const unsigned b) noexcept {

@@ -1,4 +1,4 @@
-// No firmware: schemata.py writes no mutant of it.
+// Simulation code, of which schemata.py writes no mutant.
 namespace canproof {
 
 bool of_a_simulation(const unsigned a, const unsigned b) noexcept {
