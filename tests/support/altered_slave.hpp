@@ -1,4 +1,4 @@
-// The conformance slave with another dictionary: shapes that none of the devices has, but a data sheet may describe.
+// The conformance slave with a changed dictionary, for data sheets that no device has but that are valid.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"
@@ -6,12 +6,12 @@
 
 namespace canproof::test {
 
-/// Alter `description`, then power_on(). Node 5, as the slave is.
+/// A test alters `description` and calls power_on(). The node-ID is 5, as for the slave.
 class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
   public:
     AlteredSlaveBench() : FrameBench{4096} {}
 
-    /// An entry that the slave has.
+    /// Returns an entry of the slave.
     EntryRow& entry(std::uint16_t index, std::uint8_t subindex) {
         const ObjectRow& wanted = object(index);
         EntryRow* row = &description.rows.entries.at(wanted.first_entry);
@@ -20,18 +20,18 @@ class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
         }
         return *row;
     }
-    /// Gives an object another index, which must lie between those of its neighbours.
+    /// Gives an object another index, which must be between those of its neighbours.
     void renumber(std::uint16_t index, std::uint16_t other) {
         object(index).index = other;
         fill_slots();
     }
-    /// The default of a number.
+    /// Sets the default of a numeric entry.
     void ship(std::uint16_t index, std::uint8_t subindex, std::uint64_t value) {
         const EntryRow& row = entry(index, subindex);
         std::vector<std::uint8_t>& image = description.rows.layout.image;
         write_le(MutableBytes{image.data(), image.size()}, row.offset, row.size, value);
     }
-    /// An array gets elements up to `last`, like the one that was its last.
+    /// Extends an array to the sub-index `last` with copies of its last element.
     void extend(std::uint16_t index, std::uint8_t last) {
         ObjectRow& array = object(index);
         std::vector<EntryRow>& rows = description.rows.entries;
@@ -53,7 +53,7 @@ class AlteredSlaveBench : public FrameBench<host::GenericDevice> {
         entry(index, subindex).limit = static_cast<std::uint16_t>(description.rows.limits.size() - 1U);
     }
 
-    /// Switches a slave of this description on, on the same memory. Returns what it sends.
+    /// Powers on a slave with this description and the same memory. Returns the frames that it sends.
     Frames power_on() {
         queue = TransmitQueue{};
         device = std::make_unique<host::GenericDevice>(description, memory, queue);

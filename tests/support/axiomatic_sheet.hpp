@@ -1,5 +1,5 @@
-// What the object pages of the three Axiomatic manuals have alike: shipped with node-ID 127, four PDOs a direction, the
-// list of errors, the heartbeat. The figures of each stand in its own test.
+// The common part of the object pages of the three Axiomatic manuals: shipped with node-ID 127, four PDOs per
+// direction, the error list, the heartbeat. The tests of each device contain its values.
 #pragma once
 
 #include "tests/support/object_sheet.hpp"
@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace sheet {
 
-/// One of 1400h…1403h or 1800h…1803h; the COB-ID is that of node 127.
+/// One of 1400h…1403h or 1800h…1803h. The COB-ID is that of node 127.
 struct PdoCommunication {
     std::uint16_t index;
     std::int64_t cob_id;
@@ -16,7 +16,7 @@ struct PdoCommunication {
     std::int64_t timer;
 };
 
-/// One of 1600h…1603h or 1A00h…1A03h: how many of its four entries are in use, and all of them.
+/// One of 1600h…1603h or 1A00h…1A03h: the number of used entries, and all four entries.
 struct PdoMapping {
     std::uint16_t index;
     std::int64_t count;
@@ -30,7 +30,7 @@ class AxiomaticSheet : public ObjectSheet {
     AxiomaticSheet(const DictionaryTables& tables, std::size_t image_size)
         : ObjectSheet{tables, image_size, LimitAbort::high_low, 127} {}
 
-    /// 1003h: so many entries; the count takes nothing but 0.
+    /// Checks 1003h pre-defined error field: its number of entries, and a count that accepts only 0.
     void check_error_list(int entries) const {
         using namespace sheet;
         check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});
@@ -39,7 +39,7 @@ class AxiomaticSheet : public ObjectSheet {
         }
         EXPECT_EQ(objects_.find(0x1003, static_cast<std::uint8_t>(entries + 1)).error(), AbortCode::subindex_missing);
     }
-    /// 1017h: off, or 10 to 65535 ms.
+    /// Checks 1017h producer heartbeat time: 0 (off), or 10 to 65535 ms.
     void check_producer_heartbeat() {
         using namespace sheet;
         check({{0x1017, 0, u16, Access::rw, {0}, none, none}});
@@ -48,7 +48,7 @@ class AxiomaticSheet : public ObjectSheet {
         }
         EXPECT_EQ(writing(0x1017, 0, 10), AbortCode::none);
     }
-    /// The transmission type is fixed, inhibit time and compatibility entry are 0.
+    /// Checks that the transmission type is fixed and that inhibit time and compatibility entry are 0.
     void check_communication(const std::vector<sheet::PdoCommunication>& pdos) const {
         using namespace sheet;
         for (const PdoCommunication& pdo : pdos) {
@@ -60,7 +60,7 @@ class AxiomaticSheet : public ObjectSheet {
             check_entry({pdo.index, 5, u16, Access::rw, {}, none, none}, 5, pdo.timer);
         }
     }
-    /// Mappings that a master may change.
+    /// Checks mappings that a master may change.
     void check_mappings(const std::vector<sheet::PdoMapping>& mappings) const {
         using namespace sheet;
         for (const PdoMapping& mapping : mappings) {

@@ -15,7 +15,7 @@ namespace {
 std::FILE* log_file = nullptr;
 
 void write_line(Instant now, char direction, const Frame& frame) {
-    // By hand: the test that nothing allocates keeps a log as well.
+    // Formats without fmt, because the test that nothing allocates memory keeps a log too.
     constexpr const char* digits = "0123456789ABCDEF";
     std::array<char, 24> data{};
     auto* end = data.data();
@@ -44,7 +44,7 @@ class Headings : public testing::EmptyTestEventListener {
     void OnTestProgramEnd(const testing::UnitTest&) override { std::fflush(log_file); }
 };
 
-/// CANPROOF_FRAME_LOG=FILE in the environment of any test program.
+/// Opens a log when the environment of the test program contains CANPROOF_FRAME_LOG=FILE.
 [[maybe_unused]] const bool asked_for = [] {
     const char* const path = std::getenv("CANPROOF_FRAME_LOG");
     if (path != nullptr) {

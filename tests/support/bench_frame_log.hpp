@@ -1,10 +1,10 @@
-// Every frame that passes a bench, in a file: `# Suite.Test`, then `microseconds <605#…` to the device and `>585#…`
-// from it. The same tests leave the same file, byte for byte, wherever they run.
+// Every frame of a bench in a file: `# Suite.Test`, then `microseconds <605#…` for a frame to the device and `>585#…`
+// for a frame from it. The same tests write the same file, byte for byte, on every machine.
 #pragma once
 
 namespace canproof::test {
 
-/// Begins the log at `path`; the tests that run from now on are in it.
+/// Opens the log at `path`, for all tests that run afterwards.
 void open_frame_log(const char* path);
 
 }  // namespace canproof::test

@@ -1,5 +1,5 @@
-// Lets a test program follow what its benches do: the frames that pass, and the work that each step is. Without anyone
-// watching it costs a call of nothing.
+// Lets a test program observe its benches: the frames that pass, and the work of each step. Without an observer, each
+// step costs one call of an empty function.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -13,7 +13,7 @@ struct BenchWatch {
     void (*heard)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*said)(Instant now, const Frame& frame){[](Instant, const Frame&) {}};
     void (*begins)(){[] {}};
-    /// `what` names the work: a frame as in a candump log.
+    /// `what` describes the work: a frame as in a candump log.
     void (*ends)(Work work, const char* what){[](Work, const char*) {}};
 };
 

@@ -12,9 +12,9 @@
 
 namespace canproof::test {
 
-/// What an SDO access came to: the value and its length in bytes, or the abort code.
+/// The result of an SDO access: the value and its length in bytes, or the abort code.
 struct SdoAnswer {
-    std::uint32_t abort{0xFFFFFFFF};  ///< 0 when done; all ones when there was no answer
+    std::uint32_t abort{0xFFFFFFFF};  ///< 0 on success; all ones without an answer
     std::uint32_t value{0};
     int size{0};
 
@@ -26,7 +26,7 @@ struct SdoAnswer {
     std::int16_t word() const { return static_cast<std::int16_t>(value); }
 };
 
-/// A device of type `Device` at node-ID `node`.
+/// A device of type `Device` with node-ID `node`.
 template <typename Device, typename Inputs, typename FactoryData>
 class DeviceBench : public UnitBench<Device, Inputs, FactoryData> {
   public:
@@ -37,7 +37,7 @@ class DeviceBench : public UnitBench<Device, Inputs, FactoryData> {
         return answer_of(this->send(
             fmt::format("{:03X}#40{:02X}{:02X}{:02X}00000000", 0x600 + node, index & 0xFF, index >> 8, sub)));
     }
-    /// Writes `size` bytes of `value`; the abort code, 0 when done.
+    /// Writes `size` bytes of `value`. Returns the abort code, or 0 on success.
     std::uint32_t write(int index, int sub, int size, std::uint32_t value) {
         const int command = 0x23 | ((4 - size) << 2);
         return answer_of(this->send(fmt::format("{:03X}#{:02X}{:02X}{:02X}{:02X}{}", 0x600 + node, command,
@@ -58,7 +58,7 @@ class DeviceBench : public UnitBench<Device, Inputs, FactoryData> {
     int node;
 
   private:
-    /// The SDO response among what was sent; other frames are passed over.
+    /// Returns the SDO response among the sent frames and skips other frames.
     SdoAnswer answer_of(const Frames& frames) const {
         SdoAnswer answer;
         const std::string id = fmt::format("{:03X}#", 0x580 + node);

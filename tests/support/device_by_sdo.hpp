@@ -1,4 +1,4 @@
-// A device of the catalogue that is asked by SDO alone, on a memory that a test may spoil.
+// A device of the catalogue that a test uses only by SDO, on a memory that the test may corrupt.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class DeviceBySdo {
         device->power_on(Instant{});
         drain();
     }
-    /// Switches or LSS give it another node-ID, and it is switched on.
+    /// Gives the device another node-ID, as switches or LSS do, and powers it on.
     void move_to(int node_id) {
         device->set_node_id(node_id);
         power_cycle();
@@ -29,7 +29,7 @@ class DeviceBySdo {
         const Frame answer = ask(request(0x40, index, sub, 0));
         return answer.data[0] == 0x80 ? 0xDEADBEEFU : read_u32(answer.payload(), 4);
     }
-    /// Whether the device took `size` bytes of `value`.
+    /// Writes `size` bytes of `value`. Returns whether the device accepted them.
     bool write(unsigned index, unsigned sub, unsigned size, std::uint32_t value) {
         return ask(request(0x23U | ((4U - size) << 2U), index, sub, value)).data[0] == 0x60;
     }
@@ -46,7 +46,7 @@ class DeviceBySdo {
         write_le(MutableBytes{frame.data}, 4, 4, value);
         return frame;
     }
-    /// The answer by SDO; an empty frame when there is none.
+    /// Sends a request. Returns the SDO answer, or an empty frame when there is none.
     Frame ask(const Frame& frame) {
         drain();
         device->receive(frame, Instant{});

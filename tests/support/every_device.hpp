@@ -1,4 +1,4 @@
-// The devices of the catalogue, for what must hold of each: a new device is tried without another word.
+// The devices of the catalogue, for tests of all devices. A new device is tested without a change here.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canproof::test {
 
-/// Their names (`cbx-ao412`), in alphabetical order.
+/// Returns the names of the devices (`cbx-ao412`) in alphabetical order.
 inline std::vector<std::string> every_device() {
     std::vector<std::string> names;
     for (const host::CatalogueEntry& entry : host::catalogue()) {

@@ -1,4 +1,4 @@
-// A conversation on the bus as a table: what is sent, and all that must come back.
+// A conversation on the bus as a table of requests with all their answers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,13 +8,13 @@
 
 namespace canproof::test {
 
-/// One frame to the device and its answers, as in a candump log. Silence is an empty list.
+/// One frame to the device and its answers, as in a candump log. An empty list means no answer.
 struct Exchange {
     std::string request;
     std::vector<std::string> answers;
 };
 
-/// Holds the whole conversation; a difference names the line of the table.
+/// Runs the whole conversation. A failure names the line of the table.
 template <typename Bench>
 void talk(Bench& bench, const std::vector<Exchange>& table) {
     int line = 0;

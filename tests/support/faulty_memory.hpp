@@ -1,4 +1,4 @@
-// A memory with the faults that a power cut does not show.
+// A memory with faults other than a power cut.
 #pragma once
 
 #include <cstddef>
@@ -8,24 +8,24 @@
 
 namespace canproof::test {
 
-/// Sound as long as nothing is asked of it.
+/// Works without faults until a test selects one.
 class FaultyMemory final : public NonVolatileMemory {
   public:
     explicit FaultyMemory(std::size_t size) : sound{size} {}
 
     std::size_t size() const override { return sound.size(); }
-    /// Delivers the bytes even when it says that it failed: only the answer tells.
+    /// Delivers the bytes even when it fails: only the return value shows the failure.
     bool read(const std::size_t at, const MutableBytes to) const override {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// A worn memory takes every write and keeps none. A write that fails is kept all the same.
+    /// A worn memory accepts every write and stores none. A write that fails stores its bytes all the same.
     bool write(const std::size_t at, const ByteView bytes) override {
         ++writes;
         return (worn || sound.write(at, bytes)) && writes != failing_write;
     }
 
-    /// A commit that fails leaves what the last successful one left.
+    /// A commit that fails restores the state of the last successful commit.
     bool commit() override {
         ++commits;
         if (commits == failing_commit) {
@@ -36,19 +36,19 @@ class FaultyMemory final : public NonVolatileMemory {
         return true;
     }
 
-    /// The n-th read from now on fails, the others succeed.
+    /// Lets the n-th read from now on fail. All others succeed.
     void fail_read(const std::size_t n) {
         reads = 0;
         failing_read = n;
     }
 
-    /// The same for writes.
+    /// Lets the n-th write from now on fail. All others succeed.
     void fail_write(const std::size_t n) {
         writes = 0;
         failing_write = n;
     }
 
-    /// The same for commits.
+    /// Lets the n-th commit from now on fail. All others succeed.
     void fail_commit(const std::size_t n) {
         commits = 0;
         failing_commit = n;

@@ -1,4 +1,5 @@
-// What every bench has: a device, frames as in a candump log, a fake clock, a memory that survives.
+// The common base of all benches: a device, frames as in a candump log, a fake clock, and a memory that outlives the
+// device.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace canproof::test {
 
 using Frames = std::vector<std::string>;
 
-/// Frames and time of a device that a derived bench makes and switches on.
+/// Frames and time of a device that a derived bench creates and powers on.
 template <typename Device>
 class FrameBench {
   public:
@@ -32,8 +33,8 @@ class FrameBench {
         bench_watch.ends(Work::frame, text.c_str());
         return sent();
     }
-    /// Lets time pass; every deadline on the way is kept, and what is due gets done. Frames as `milliseconds:frame`,
-    /// counted from the call.
+    /// Lets time pass and does all due work at its deadline. Returns the sent frames as `milliseconds:frame`, counted
+    /// from the call.
     Frames pass(std::uint64_t ms) {
         const Instant start = now;
         const Instant end = now + milliseconds(ms);
@@ -63,7 +64,7 @@ class FrameBench {
         }
         return all;
     }
-    /// `power_on` switches a new device on. Returns what it sends.
+    /// Powers on a new device with `power_on`. Returns the frames that it sends.
     template <typename PowerOn>
     Frames switch_on(const PowerOn& power_on) {
         bench_watch.begins();
@@ -78,13 +79,13 @@ class FrameBench {
     std::unique_ptr<Device> device;
 };
 
-/// A device of the catalogue, with its physical inputs and what belongs to one unit.
+/// A device of the catalogue with its physical inputs and the factory data of one unit.
 template <typename Device, typename Inputs, typename FactoryData>
 class UnitBench : public FrameBench<Device> {
   public:
     using FrameBench<Device>::FrameBench;
 
-    /// Makes a device on the same memory and switches it on: what a power cycle is. Returns what it sends.
+    /// Creates a device on the same memory and powers it on, as in a power cycle. Returns the frames that it sends.
     Frames power_on() {
         this->queue = TransmitQueue{};
         this->device = std::make_unique<Device>(this->memory, this->queue, factory);

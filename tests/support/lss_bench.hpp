@@ -1,4 +1,4 @@
-// The conformance slave with an LSS configuration and habits of one's choice.
+// The conformance slave with a selectable LSS configuration and LSS behaviour.
 #pragma once
 
 #include <memory>
@@ -7,12 +7,12 @@
 
 namespace canproof::test {
 
-/// Starts as node 5 at 125 kbit/s, with the bit rates of CiA 305 and reset by nobody but its master.
+/// Starts as node 5 at 125 kbit/s with the bit rates of CiA 305. Only its master resets it.
 class LssBench : public SlaveBench {
   public:
     LssBench() { start({5, 125000}); }
 
-    /// A power cycle with this in the device's memory. Returns what it sends.
+    /// Power-cycles the slave with this configuration in its memory. Returns the frames that it sends.
     Frames start(const LssConfiguration& stored) {
         queue = TransmitQueue{};
         host::GenericDescription description = slave();
@@ -23,10 +23,10 @@ class LssBench : public SlaveBench {
 
     NmtState state() { return device->node().state(); }
     std::uint32_t bit_rate() const { return device->bit_rate(); }
-    /// The LSS state, by a service that only LSS configuration has.
+    /// Returns whether the slave is in LSS configuration, found by a service of that state only.
     bool is_configuring() { return !send("7E5#5E").empty(); }
 
-    /// Started so, the device resets itself at the switch to LSS waiting, as the Axiomatic manuals say.
+    /// When true at the start, the device resets itself at the switch to LSS waiting, as in the Axiomatic manuals.
     bool resets_itself{false};
     // AX130751, Table 22
     static constexpr std::array<LssBitRate, 9> ax_bit_rates{

@@ -1,5 +1,5 @@
-// A dictionary compared with what its manual's pages say: type, access, mapping, default and limits of each entry. The
-// tables are asked directly; what goes over the bus has its own tests.
+// A dictionary compared with the pages of its manual: type, access, mapping, default and limits of each entry. The
+// tests read the tables directly; other tests cover the access over the bus.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,14 +17,14 @@
 
 namespace canproof::test {
 
-/// Words of which the rows of a test are made.
+/// Constants and types of which the rows of a test consist.
 namespace sheet {
 
 enum class Access { ro, rw };
 enum class Map { no, both, rpdo, tpdo };
 
-/// One object: its elements 1…count, or itself when count is 0. `values` has one default for all or one each; those of
-/// a REAL32, as its limits, are bit patterns.
+/// One object: its elements 1…count, or the object itself when count is 0. `values` contains one default for all
+/// elements or one for each. The defaults and limits of a REAL32 are bit patterns.
 struct Row {
     std::uint16_t index;
     int count;
@@ -34,7 +34,7 @@ struct Row {
     std::optional<std::int64_t> low;
     std::optional<std::int64_t> high;
     Map map{Map::no};
-    bool stored{true};  ///< when it can be written
+    bool stored{true};  ///< used for writable entries
 };
 
 constexpr auto u8 = DataType::unsigned8;
@@ -110,7 +110,7 @@ inline std::int64_t greatest(DataType type) {
     }
 }
 
-/// The next value of the type; `step` is 1 or -1.
+/// Returns the next value of the type; `step` is 1 or -1.
 inline std::int64_t neighbour(std::int64_t value, DataType type, int step) {
     const float end = std::numeric_limits<float>::infinity();
     return type == real ? bits(std::nextafter(number(value), step > 0 ? end : -end)) : value + step;
@@ -120,7 +120,7 @@ inline std::int64_t neighbour(std::int64_t value, DataType type, int step) {
 
 class ObjectSheet : public testing::Test {
   protected:
-    /// Defaults are those of `node_id`.
+    /// Uses the defaults of `node_id`.
     ObjectSheet(const DictionaryTables& tables, std::size_t image_size, LimitAbort abort, std::uint8_t node_id)
         : image_(tables.defaults.begin(), tables.defaults.begin() + image_size),
           objects_{tables, MutableBytes{image_.data(), image_.size()}, abort},
@@ -139,7 +139,7 @@ class ObjectSheet : public testing::Test {
     AbortCode writing(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_write(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
-    /// Whether the limits admit the value, may it be written or not.
+    /// Checks the value against the limits only, even if the entry is read-only.
     AbortCode within(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_value(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
@@ -149,7 +149,7 @@ class ObjectSheet : public testing::Test {
     void set(std::uint16_t index, int sub, std::int64_t value) {
         objects_.write(index, static_cast<std::uint8_t>(sub), static_cast<std::uint32_t>(value));
     }
-    /// Which of the values 0…65535 (of one byte 0…255) may be written.
+    /// Returns which of the values 0…65535 (of one byte: 0…255) may be written.
     std::set<int> taken(std::uint16_t index, int sub) const {
         const EntryRef one = entry(index, sub);
         std::set<int> values;
@@ -161,7 +161,7 @@ class ObjectSheet : public testing::Test {
         return values;
     }
 
-    /// Of an entry that can only be read: the values that it may show.
+    /// Checks the limits of an entry, also of a read-only one.
     void check_limits(const sheet::Row& row, const EntryRef& one) const {
         const std::int64_t least = sheet::least(row.type);
         const std::int64_t greatest = sheet::greatest(row.type);
@@ -185,7 +185,7 @@ class ObjectSheet : public testing::Test {
         check_limits(row, one);
         EXPECT_EQ(writing(one, value), row.access == sheet::Access::rw ? AbortCode::none : AbortCode::read_only);
     }
-    /// As check_entry(), for an entry that takes these values and no others.
+    /// Checks an entry as check_entry() does, for an entry that accepts only these values.
     void check_choice(const sheet::Row& row, int sub, std::int64_t value, const std::set<int>& values) const {
         SCOPED_TRACE(fmt::format("{:04X}h:{}", row.index, sub));
         const EntryRef one = entry(row.index, sub);
@@ -195,7 +195,7 @@ class ObjectSheet : public testing::Test {
         EXPECT_EQ(objects_.read(row.index, static_cast<std::uint8_t>(sub)), static_cast<std::uint32_t>(value));
         EXPECT_EQ(taken(row.index, sub), values);
     }
-    /// Sub-index 0 of an array or record: how many there are, not to be written.
+    /// Checks sub-index 0 of an array or record: the number of elements, read-only.
     void check_count(std::uint16_t index, int count) const {
         check_entry(sheet::Row{index, 0, sheet::u8, sheet::Access::ro, {count}, sheet::none, sheet::none}, 0, count);
         EXPECT_EQ(objects_.find(index, static_cast<std::uint8_t>(count + 1)).error(), AbortCode::subindex_missing);
@@ -214,7 +214,7 @@ class ObjectSheet : public testing::Test {
             }
         }
     }
-    /// A text that can only be read, of at most `capacity` characters.
+    /// Checks a read-only text of at most `capacity` characters.
     void check_text(std::uint16_t index, std::size_t capacity, const std::string& text) const {
         SCOPED_TRACE(fmt::format("{:04X}h", index));
         const EntryRef one = entry(index, 0);

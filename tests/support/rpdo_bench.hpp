@@ -1,4 +1,4 @@
-// Receive PDOs of the conformance slave, node 5. It has
+// Receive PDOs of the conformance slave, node 5:
 //   RPDO1 on 205h: 2000h:1, 2000h:2 (UNSIGNED8);  RPDO2 on 305h: 2100h:1…4 (INTEGER16);  RPDO3, RPDO4: not valid.
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace canproof::test {
 
-/// The slave in operational; TPDOs are off, so that every answer is one that the test asked for.
+/// The slave in operational with its TPDOs disabled, so that it sends only answers to the requests of the test.
 class Rpdo : public testing::Test, public SlaveBench {
   protected:
     void SetUp() override {
         talk(*this, {
-                        {"605#2300180185010080", {"585#6000180100000000"}},  // 1800h:1, bit 31
+                        {"605#2300180185010080", {"585#6000180100000000"}},  // 1800h:1 TPDO1 COB-ID, bit 31 (not valid)
                         {"605#2301180185020080", {"585#6001180100000000"}},
                         {"000#0105", {}},
                     });
     }
-    /// RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
+    /// Enables RPDO3 on 405h with this mapping (values of 1602h:1…, least significant byte first).
     void map_rpdo3(const std::vector<std::string>& entries) {
         send("605#2302140105040080");
         send("605#2F02160000000000");

@@ -1,4 +1,4 @@
-// A folder of a test's own, removed with it.
+// A folder of one test, which is removed at the end of the test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class ScratchFolder {
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    /// The names in it.
+    /// Returns the names of the files and folders in it.
     std::set<std::string> names() const {
         std::set<std::string> all;
         for (const auto& entry : std::filesystem::directory_iterator{path_}) {

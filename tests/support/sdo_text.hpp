@@ -1,4 +1,5 @@
-// SDO data for tests: bytes, their CRC step by step as CiA 301 gives it (7.2.4.3.16), and the segments that carry them.
+// SDO data for tests: bytes, their CRC computed bit by bit as in CiA 301 (7.2.4.3.16), and the segments that contain
+// them.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace canproof::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// first, first + 1, …: no two of 256 neighbours alike.
+/// Returns the bytes first, first + 1, …, of which 256 in a row are all different.
 inline Bytes counting(std::size_t count, std::uint8_t first = 1) {
     Bytes bytes;
     for (std::size_t i = 0; i < count; ++i) {
@@ -20,7 +21,7 @@ inline Bytes counting(std::size_t count, std::uint8_t first = 1) {
     return bytes;
 }
 
-/// Polynomial x^16 + x^12 + x^5 + 1, start 0, one bit at a time.
+/// Computes the CRC with the polynomial x^16 + x^12 + x^5 + 1 and the start value 0, one bit at a time.
 inline std::uint16_t crc16_bit_by_bit(const Bytes& bytes) {
     unsigned crc = 0;
     for (const std::uint8_t byte : bytes) {
@@ -40,7 +41,7 @@ inline std::string hex_bytes(const Bytes& bytes, std::size_t from, std::size_t c
     return text;
 }
 
-/// Least significant byte first.
+/// Returns a number as hexadecimal digits, least significant byte first.
 inline std::string hex_le(std::uint64_t value, int bytes) {
     std::string text;
     for (int i = 0; i < bytes; ++i) {
@@ -49,13 +50,14 @@ inline std::string hex_le(std::uint64_t value, int bytes) {
     return text;
 }
 
-/// The block segment with `sequence` that carries the seven bytes from `from`; marked when they are the last.
+/// Returns the block segment `sequence` with the seven bytes from `from` on, marked when these are the last bytes.
 inline std::string block_segment(const std::string& id, unsigned sequence, const Bytes& bytes, std::size_t from) {
     const bool last = from + 7 >= bytes.size();
     return id + "#" + hex_le(sequence | (last ? 0x80U : 0U), 1) + hex_bytes(bytes, from, 7, 7);
 }
 
-/// `C1h | unused << 2` and the CRC: how either side ends the block transfer of `bytes`.
+/// Returns the frame that ends the block transfer of `bytes`: `C1h | unused << 2` and the CRC. Client and server send
+/// the same.
 inline std::string block_end(const std::string& id, const Bytes& bytes) {
     const unsigned unused = bytes.empty() ? 7U : static_cast<unsigned>((7 - bytes.size() % 7) % 7);
     return id + "#" + hex_le(0xC1U | (unused << 2U), 1) + hex_le(crc16_bit_by_bit(bytes), 2) + "0000000000";

@@ -1,11 +1,11 @@
-// For tests of what no manual demands.
+// For tests of rules that no manual contains.
 #pragma once
 
 #include <gtest/gtest.h>
 
 namespace canproof::test {
 
-/// The running test shows a rule of the house, as that nothing is taken from the heap: `rule` says which.
+/// Records that the running test shows the project rule `rule`, for example that nothing allocates from the heap.
 inline void shows_rule(const char* rule) {
     testing::Test::RecordProperty("rule", rule);
 }

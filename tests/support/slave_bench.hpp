@@ -1,4 +1,4 @@
-// The conformance slave on a bench.
+// A bench with the conformance slave.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"
@@ -6,15 +6,15 @@
 
 namespace canproof::test {
 
-/// Node 5 with every service. `send` gives its answers as text: `585#6000200100000000`.
+/// Node 5 with every service. `send` returns the answers as text: `585#6000200100000000`.
 class SlaveBench : public FrameBench<host::GenericDevice> {
   public:
-    static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN, and the memory that the slave lends for it
+    static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN object; the slave provides the memory for it
     static constexpr std::size_t program_size = 65536;
 
     SlaveBench() : FrameBench{4096} { power_on(); }
 
-    /// Makes the slave anew on the same memory and switches it on: what a power cycle is. Returns what it sends.
+    /// Creates a slave on the same memory and powers it on, as in a power cycle. Returns the frames that it sends.
     Frames power_on() {
         queue = TransmitQueue{};
         device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
@@ -23,7 +23,7 @@ class SlaveBench : public FrameBench<host::GenericDevice> {
     }
 
     std::uint8_t node_id{5};
-    // The controller at power-on.
+    // State of the CAN controller at power-on.
     std::uint8_t can_state{0};
     bool overrun{false};
 };

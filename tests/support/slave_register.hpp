@@ -1,5 +1,5 @@
-// A slave that has every service of CiA 301, described as any device is: what the conformance suite talks to. Its
-// register lies in tests/support/slave/spec and is compiled in; node-ID 5.
+// A slave with every service of CiA 301, described like any device. The conformance suite tests it. Its requirements
+// register is in tests/support/slave/spec and is compiled in; its node-ID is 5.
 #pragma once
 
 #include "host/register/register.hpp"
@@ -7,10 +7,10 @@
 
 namespace canproof::test {
 
-/// The files of that register by their path.
+/// Returns the files of that register by their path.
 const host::SpecFiles& slave_files();
 
-/// The slave's part of that register; read once.
+/// Returns the part of that register that describes the slave. It is read once.
 const host::Part& slave_part();
 
 }  // namespace canproof::test

@@ -1,4 +1,4 @@
-// A client on the loopback: what a test says to a server over a real socket, and what comes back.
+// A client on the loopback: sends text of a test to a server over a real socket and collects the answers.
 #pragma once
 
 #include <arpa/inet.h>
@@ -19,7 +19,7 @@ class TcpClient {
   public:
     /// Connects to a port of this machine.
     explicit TcpClient(std::uint16_t port) : descriptor_{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)} {
-        const int room = 32 * 1024;  // so that the way of a client that does not read fills soon
+        const int room = 32 * 1024;  // a small buffer fills soon when the client does not read
         setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
         sockaddr_in address{};
         address.sin_family = AF_INET;
@@ -34,11 +34,11 @@ class TcpClient {
     void say(const std::string& text) const {
         EXPECT_EQ(send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
-    /// Sends what fits without waiting. False when the way is full.
+    /// Sends as much as fits without waiting. Returns false when the buffers are full.
     bool push(const std::string& text) const {
         return send(descriptor_, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT) > 0;
     }
-    /// What has come so far.
+    /// Returns all text received so far.
     const std::string& heard() {
         std::array<char, 65536> piece{};
         for (ssize_t count = 1; count > 0;) {
@@ -48,17 +48,17 @@ class TcpClient {
         }
         return heard_;
     }
-    /// Whether the server has closed the connection.
+    /// Returns whether the server has closed the connection.
     bool ended() {
         heard();
         return ended_;
     }
-    /// Waits until something comes, at most this long.
+    /// Waits until data arrive, but no longer than this.
     void wait(int milliseconds) const {
         pollfd waiting{descriptor_, POLLIN, 0};
         ::poll(&waiting, 1, milliseconds);
     }
-    /// Ends the connection as a machine does that was switched off and is back: with a reset.
+    /// Ends the connection with a reset, like a machine that was switched off and restarted.
     void reset() {
         const linger at_once{1, 0};
         EXPECT_EQ(setsockopt(descriptor_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once), 0);

@@ -1,12 +1,12 @@
-// Links from tests to the register: recorded with the verdict when the test runs.
+// Links from tests to the requirements register, recorded with the verdict when the test runs.
 #pragma once
 
 #include <gtest/gtest.h>
 
 namespace canproof::test {
 
-/// Says that the running test shows these requirements; one that is retired or misspelt does not compile. `kind` is
-/// how: "test", "property" or "fuzz".
+/// Records that the running test shows these requirements. A retired or misspelt requirement does not compile. `kind`
+/// is "test", "property" or "fuzz".
 template <typename... Requirements>
 void verifies(const char* kind = "test") {
     (testing::Test::RecordProperty(Requirements::id, kind), ...);

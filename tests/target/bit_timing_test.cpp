@@ -1,5 +1,5 @@
-// Bit timing of the CAN controller for every rate that a device's LSS or switch offers, by arithmetic: clock of APB1
-// divided by prescaler times quanta.
+// Bit timing of the CAN controller for every bit rate that LSS or the switch of a device offers. The test computes it:
+// the clock of APB1 divided by prescaler × quanta.
 #include "target/stm32f405/bit_timing.hpp"
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace stm32f405;
 
-constexpr std::uint32_t mhz_42 = 42000000;  // APB1 at 168 MHz: a quarter of it
-constexpr std::uint32_t mhz_40 = 40000000;  // and at 160 MHz
+constexpr std::uint32_t mhz_42 = 42000000;  // APB1 has a quarter of the 168 MHz
+constexpr std::uint32_t mhz_40 = 40000000;  // APB1 has a quarter of 160 MHz
 
 double given_rate(const BitTiming& timing, std::uint32_t clock) {
     return double{1} * clock / timing.prescaler / (1 + timing.before_sample + timing.after_sample);
@@ -25,7 +25,7 @@ double sample_point(const BitTiming& timing) {
     return (1.0 + timing.before_sample) / (1 + timing.before_sample + timing.after_sample);
 }
 
-/// Rates in bit/s with the clocks of a bit: clock / rate.
+/// Bit rates in bit/s with the clocks per bit: clock / rate.
 using Clocks = std::map<std::uint32_t, std::uint32_t>;
 
 void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
@@ -47,7 +47,7 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
 
 TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
     verifies<req::CO_CAN_001>();
-    // 3.1 of its manual: 42 MHz / 666.667 kbit/s = 63, no remainder.
+    // Section 3.1 of the manual: 42 MHz / 666.667 kbit/s = 63, without a remainder.
     expect_timings(mhz_42, {{1000000, 42},
                             {666667, 63},
                             {500000, 84},
@@ -60,7 +60,7 @@ TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
 
 TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
     verifies<req::CO_CAN_001>();
-    // 800 kbit/s, index 1 of CiA 305, needs 40 MHz / 50: 42 MHz / 0.8 MHz is 52.5.
+    // 800 kbit/s (index 1 of CiA 305) needs 40 MHz / 50, because 42 MHz / 0.8 MHz is 52.5.
     expect_timings(mhz_40, {{1000000, 40},
                             {800000, 50},
                             {500000, 80},
@@ -69,7 +69,7 @@ TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
                             {50000, 800},
                             {20000, 2000},
                             {10000, 4000}});
-    // Table 11 of the CAN-CBX-AO412: thirds and sixths of a megabit; 40 MHz / 166 kHz = 240.96, and 240 is a product.
+    // CAN-CBX-AO412, Table 11: thirds and sixths of 1 Mbit/s. 40 MHz / 166 kHz = 240.96; 240 is a possible product.
     expect_timings(mhz_40, {{666667, 60},
                             {333333, 120},
                             {166000, 240},
@@ -82,7 +82,7 @@ TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
 
 TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
     verifies<req::CO_CAN_001>();
-    // 52 or 53 clocks: 0.96 % too fast, 0.94 % too slow.
+    // 52 clocks are 0.96 % too fast and 53 are 0.94 % too slow.
     for (const std::uint32_t rate : {800000U, 0U, 100U, 6000000U, 42000000U, 4294967295U}) {
         SCOPED_TRACE(rate);
         EXPECT_EQ(bit_timing(mhz_42, rate).error(), BitTimingError::no_such_rate);
@@ -91,7 +91,8 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
 
 TEST(BitTiming, RegisterValueOfOneMegabitFollowsTheReferenceManual) {
     verifies<req::CO_CAN_001>();
-    // 3 clocks a quantum, 1 + 11 + 2 quanta, jump 2: each less one, at bits 0, 16, 20 and 24.
+    // 3 clocks per quantum, 1 + 11 + 2 quanta, jump 2. The register contains each value minus one, at bits 0, 16, 20
+    // and 24.
     EXPECT_EQ(bit_timing_register(BitTiming{3, 11, 2, 2}), (1U << 24U) | (1U << 20U) | (10U << 16U) | 2U);
     EXPECT_EQ(bit_timing_register(BitTiming{1024, 16, 8, 4}), 0x037F03FFU);
 }

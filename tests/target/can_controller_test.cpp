@@ -1,4 +1,4 @@
-// The CAN controller on the bus and off it, against a model of its registers.
+// The CAN controller on and off the bus, with a model of its registers.
 #include "target/stm32f405/can_controller.hpp"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST(CanController, ControllerJoinsTheBusInTwoStepsAtTheBitRate) {
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::error_active);
     EXPECT_EQ(bench.controller.bit_rate(), 500000U);
-    // 84 clocks a bit; the fields of CAN_BTR hold one less.
+    // One bit has 84 clocks; the fields of CAN_BTR contain each value minus one.
     const std::uint32_t bits = bench.model.bit_timing();
     EXPECT_EQ(((bits & 0x3FFU) + 1) * (1 + ((bits >> 16U & 0xFU) + 1) + ((bits >> 20U & 0x7U) + 1)), 84U);
     EXPECT_THAT(bench.model.faults(), IsEmpty());
@@ -164,7 +164,7 @@ TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
     bench.join();
     bench.model.count_errors(256, 0);
     bench.controller.advance(at_ms(10));
-    bench.model.pass_recessive(1000);  // ABOM is off: nothing counts before the request
+    bench.model.pass_recessive(1000);  // ABOM is off, so no bits count before the request
     bench.controller.advance(at_ms(109));
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
@@ -175,7 +175,7 @@ TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(127);
-    bench.controller.advance(at_ms(5000));  // the rest is not taken again: that would begin the count again
+    bench.controller.advance(at_ms(5000));  // the controller makes no second request, which would restart the count
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(1);

@@ -1,4 +1,4 @@
-// Frames out of the two FIFOs of the CAN controller, against a model of its registers.
+// Frames from the two FIFOs of the CAN controller, with a model of its registers.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -73,7 +73,7 @@ TEST(CanReceiver, LengthCodeAboveEightMeansEightBytes) {
 TEST(CanReceiver, FramesOfBothFifosKeepTheOrderOfTheBus) {
     verifies<req::CO_CAN_004>();
     Bench bench;
-    // The model's time stamps wrap within the first hundred bits.
+    // The time stamps of the model wrap within the first hundred bits.
     for (const std::uint32_t id : {0x203U, 0x603U, 0x080U, 0x7E5U, 0x603U, 0x000U}) {
         ASSERT_EQ(bench.model.receive(data_frame(id, 0)), BxcanModel::Taken::kept);
     }
@@ -105,7 +105,7 @@ TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();
-    registers.master_control.write(mcr::time_stamps);  // RFLM off: what the driver does not want
+    registers.master_control.write(mcr::time_stamps);  // without RFLM, unlike the driver
     for (std::uint32_t i = 0; i < 4; ++i) {
         bench.model.receive(data_frame(0x200 + i, 0));
     }

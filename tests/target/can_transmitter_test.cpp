@@ -1,4 +1,4 @@
-// The three mailboxes under the transmit queue, against a model of their registers.
+// The three mailboxes below the transmit queue, with a model of their registers.
 #include <gmock/gmock.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -42,7 +42,7 @@ struct Bench {
             ASSERT_TRUE(queue.push(numbered(id, static_cast<std::uint8_t>(number))));
         }
     }
-    /// All that goes out, with its first byte.
+    /// Sends all frames. Returns the identifier and the first byte of each.
     std::vector<std::pair<std::uint32_t, int>> sent() {
         std::vector<std::pair<std::uint32_t, int>> frames;
         serve();
@@ -102,7 +102,8 @@ TEST(CanTransmitter, LowestIdentifierIsSentFirstAndEqualIdentifiersInTheirOrder)
 TEST(CanTransmitter, FreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
     verifies<req::CO_CAN_006>();
     Bench bench;
-    // 083h in mailbox 0, the others behind it; when 083h is sent, mailbox 0 would win against 583h #1 in mailbox 1.
+    // 083h is in mailbox 0, the others wait behind it. After 083h was sent, a frame in mailbox 0 would be sent before
+    // 583h #1 in mailbox 1.
     bench.queue_up({{0x083, 1}, {0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     EXPECT_THAT(bench.sent(),
                 ElementsAre(Pair(0x083, 1), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
@@ -117,7 +118,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
     bench.queue_up({{0x083, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // back in the queue
+    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // the frame is in the queue again
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x583, 1), Pair(0x583, 2), Pair(0x703, 3)));
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
@@ -128,7 +129,7 @@ TEST(CanTransmitter, FramePutBackPrecedesFramesOfItsIdentifier) {
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    EXPECT_EQ(bench.queue.front()->data[0], 4);  // no more urgent than its like: it waits
+    EXPECT_EQ(bench.queue.front()->data[0], 4);  // a frame does not displace frames of the same identifier, so it waits
     bench.queue_up({{0x083, 5}});
     EXPECT_THAT(bench.sent(),
                 ElementsAre(Pair(0x083, 5), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
@@ -139,13 +140,13 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
-    const auto on_bus = bench.model.begin_transmission();  // #1, the least mailbox
+    const auto on_bus = bench.model.begin_transmission();  // #1 is in the lowest mailbox
     ASSERT_TRUE(on_bus);
     ASSERT_EQ(on_bus->data[0], 1);
     bench.model.end_transmission(true);
     ASSERT_TRUE(bench.model.begin_transmission());  // #2
     bench.model.end_transmission(true);
-    const auto last = bench.model.begin_transmission();  // #3 is on the bus when all that comes is urgent
+    const auto last = bench.model.begin_transmission();  // #3 is on the bus when urgent frames arrive
     ASSERT_EQ(last->data[0], 3);
     bench.queue_up({{0x083, 4}, {0x083, 5}, {0x083, 6}});
     bench.serve();
@@ -161,8 +162,8 @@ TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
         bench.serve();
         ASSERT_TRUE(bench.model.begin_transmission());
         bench.queue_up({{0x183, 2}, {0x183, 3}, {0x083, 4}});
-        bench.serve();  // 083h and 183h fill the mailboxes; the next is less urgent than none but 583h, which is on the
-                        // bus
+        bench.serve();  // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on
+                        // the bus.
         bench.model.end_transmission(sent);
         const auto rest = bench.sent();
         if (sent) {
@@ -181,7 +182,7 @@ TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
     bench.serve();
     ASSERT_TRUE(bench.model.begin_transmission());
     bench.queue_up({{0x183, 1}, {0x183, 2}, {0x083, 3}});
-    bench.serve();  // asks for the abort of 583h
+    bench.serve();  // requests the abort of 583h
     for (int i = 0; bench.queue.size() < TransmitQueue::capacity; ++i) {
         bench.queue_up({{0x703, i}});
     }
@@ -225,7 +226,7 @@ TEST(CanTransmitter, ResetDropsFramesInTheMailboxes) {
     bench.queue.push_boot_up(numbered(0x703, 0));
     bench.queue_up({{0x083, 5}});
     bench.serve();
-    bench.model.end_transmission(false);  // the one on the bus fails, and is not tried again
+    bench.model.end_transmission(false);  // the frame on the bus fails and is not sent again
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x703, 0), Pair(0x083, 5)));
 }
 

@@ -1,4 +1,4 @@
-// The clock tree, the time base, the watchdog and the check of the image, against models of their registers.
+// Clock tree, time base, watchdog and image check, with models of their registers.
 #include "target/stm32f405/clock.hpp"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,8 @@ TEST(Clock, CoreRunsFromTheCrystal) {
         EXPECT_EQ(bench.model.core_mhz(), row.core);
         EXPECT_EQ(bench.model.apb1_mhz(), row.apb1);
         EXPECT_EQ(row.plan.apb1_hz(), row.apb1 * 1e6);
-        EXPECT_EQ(row.plan.timer_mhz(), 2 * row.apb1);  // RM0090 7.2: a timer has twice the clock of a divided bus
+        EXPECT_EQ(row.plan.timer_mhz(),
+                  2 * row.apb1);  // RM0090 7.2: a timer on a divided bus has twice the clock of that bus
         EXPECT_TRUE(bench.model.is_crystal_watched());
         EXPECT_THAT(bench.model.faults(), IsEmpty());
     }
@@ -77,9 +78,9 @@ TEST(TimeBase, TimeBaseCountsOverEveryWrapOf32Bits) {
     PlainModel<TimerRegisters> timer;
     TimeBase time{timer.registers(), 84};
     time.start();
-    EXPECT_EQ(timer.at(0x28), 83U);          // 84 MHz / 84: a microsecond
+    EXPECT_EQ(timer.at(0x28), 83U);          // 84 MHz / 84 gives 1 us
     EXPECT_EQ(timer.at(0x2C), 0xFFFFFFFFU);  // all 32 bits
-    EXPECT_EQ(timer.at(0x14), 1U);           // the prescaler holds from now on
+    EXPECT_EQ(timer.at(0x14), 1U);           // the prescaler takes effect at once
     EXPECT_EQ(timer.at(0x00) & 1U, 1U);
     std::uint64_t expected = 0;
     for (const std::uint64_t step : {0ULL, 1ULL, 4294967294ULL, 1ULL, 4000000000ULL, 4000000000ULL, 4294967295ULL}) {
@@ -113,7 +114,7 @@ TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
     ASSERT_TRUE(watchdog.start());
-    model.pass(500, 47);  // data sheet: 16 KiB in 500 ms at most, 17 to 47 kHz
+    model.pass(500, 47);  // data sheet: erasing 16 KiB takes at most 500 ms; 17 to 47 kHz
     EXPECT_FALSE(model.has_bitten());
     model.pass(1400, 17);
     EXPECT_TRUE(model.has_bitten());

@@ -1,4 +1,4 @@
-// A whole device on the drivers: the CAN-CBX-AO412 behind a model of bxCAN, on parameters in a model of the flash.
+// A complete device on the drivers: the CAN-CBX-AO412 with a model of bxCAN and parameters in a model of the flash.
 #include "target/stm32f405/device_loop.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace {
 using namespace stm32f405;
 using testing::IsEmpty;
 
-/// Node 3 at 1 Mbit/s, by its switches.
+/// Node 3 at 1 Mbit/s, selected by its switches.
 struct TestBoard {
     using Inputs = cbx_ao412::Inputs;
     using Outputs = cbx_ao412::Outputs;
@@ -55,12 +55,12 @@ struct Unit {
         EXPECT_TRUE(memory.prepare());
         loop.power_on(may_join);
     }
-    /// Passes of 100 us; all frames that go out meanwhile.
+    /// Runs passes of 100 us. Returns all frames that are sent during them.
     std::vector<Frame> run(std::uint32_t passes) {
         std::vector<Frame> sent;
         for (std::uint32_t i = 0; i < passes; ++i) {
             chips.timer.at(0x24) += 100;
-            can.drain();  // the interrupt
+            can.drain();  // as the interrupt does
             loop.pass();
             chips.watchdog.pass(0.1);
             if (const auto frame = chips.can.transmit()) {
@@ -87,7 +87,7 @@ TEST(DeviceLoop, DeviceBootsAndAnswersAnSdoRequest) {
     ASSERT_EQ(boot.size(), 1U);
     EXPECT_EQ(boot[0].id, 0x703U);
     EXPECT_EQ(boot[0].length, 1U);
-    // 7.9.2 of its manual: the device type 00080191h.
+    // CAN-CBX-AO412 manual, 7.9.2: the device type is 00080191h.
     const auto answer = unit.ask(0x603, {0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0});
     ASSERT_EQ(answer.size(), 1U);
     EXPECT_EQ(answer[0].id, 0x583U);
@@ -102,14 +102,14 @@ TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
     {
         Unit unit{chips};
         unit.run(5);
-        unit.ask(0x603, {0x2B, 0x17, 0x10, 0x00, 0xF4, 0x01, 0, 0});                       // 1017h: 500 ms
-        const auto saved = unit.ask(0x603, {0x23, 0x10, 0x10, 0x01, 's', 'a', 'v', 'e'});  // 1010h
+        unit.ask(0x603, {0x2B, 0x17, 0x10, 0x00, 0xF4, 0x01, 0, 0});  // 1017h producer heartbeat time: 500 ms
+        const auto saved = unit.ask(0x603, {0x23, 0x10, 0x10, 0x01, 's', 'a', 'v', 'e'});  // 1010h store parameters
         ASSERT_EQ(saved.size(), 1U);
         EXPECT_EQ(saved[0].data[0], 0x60);
     }
     chips.timer.at(0x24) = 0;
     Unit unit{chips};
-    const auto sent = unit.run(5100);  // 510 ms: boot-up and one heartbeat
+    const auto sent = unit.run(5100);  // 510 ms: boot-up message and one heartbeat
     ASSERT_EQ(sent.size(), 2U);
     EXPECT_EQ(sent[1].id, 0x703U);
     EXPECT_EQ(sent[1].data[0], 0x7F);

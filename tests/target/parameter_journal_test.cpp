@@ -1,5 +1,5 @@
-// Parameter memory in two sectors of flash, against a model of the flash controller: what is committed outlives a loss
-// of power at any word and at any erase.
+// Parameter memory in two flash sectors, with a model of the flash controller: committed data survive a power cut at
+// any word and during any erase.
 #include "target/stm32f405/parameter_journal.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using testing::IsEmpty;
 constexpr std::size_t size = 256;  // 16 lines
 using Bytes = std::vector<std::uint8_t>;
 
-/// The unit: what is lost with the power, on a flash that stays.
+/// The state that a power cut clears, on a flash that remains.
 struct Unit {
     Flash flash;
     JournalRam<size> ram{};
@@ -48,7 +48,7 @@ Bytes with(Bytes bytes, std::size_t at, const Bytes& part) {
     return bytes;
 }
 
-/// What the `number`th save of a test writes: two lines apart, and one across a border of lines.
+/// The data and place of the `number`th save of a test. Saves are two lines apart, and some cross a border of lines.
 Bytes pattern(std::size_t number) {
     return Bytes(20, static_cast<std::uint8_t>(number));
 }
@@ -56,7 +56,7 @@ std::size_t place(std::size_t number) {
     return number * 36 % (size - 20);
 }
 
-/// A sector of 20 slots: the second sector is begun after a few saves.
+/// A sector of 20 slots, so that the second sector is used after a few saves.
 constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
@@ -170,7 +170,7 @@ TEST(ParameterJournal, PowerCutAtAnyOperationLeavesTheOldSetOrTheNewSet) {
             Unit after{model};
             const Bytes found = after.content();
             ASSERT_TRUE(found == confirmed || found == attempted) << "seed " << seed << ", cut " << cut;
-            // And the unit goes on as if nothing had been.
+            // The unit then works normally.
             ASSERT_TRUE(after.journal.prepare());
             ASSERT_TRUE(after.store(place(99), pattern(99)));
             ASSERT_EQ(Unit{model}.content(), with(found, place(99), pattern(99))) << "seed " << seed << ", cut " << cut;
@@ -223,7 +223,7 @@ TEST(ParameterJournal, CellThatDoesNotKeepItsBitsFailsTheCommit) {
     FlashModel model;
     Unit unit{model};
     ASSERT_TRUE(unit.store(0, {1}));
-    // The next slot's second word: its bits are stuck at 0, and it is not blank; the slot after it is taken.
+    // The second word of the next slot is stuck at 0, so that slot is not blank. The journal uses the slot after it.
     model.sector(0).cells()[2 * 6 + 1] = 0;
     EXPECT_FALSE(unit.store(0, {2}));
     EXPECT_EQ(unit.content(), with(blank(), 0, {1}));
@@ -239,7 +239,7 @@ TEST(ParameterJournal, DamagedLineIsNotRead) {
         ASSERT_TRUE(unit.store(0, {1}));
         ASSERT_TRUE(unit.store(0, {2}));
     }
-    model.sector(0).cells()[2 * 6 + 1] ^= 0x10U;  // of the second save
+    model.sector(0).cells()[2 * 6 + 1] ^= 0x10U;  // damages the second save
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
@@ -252,7 +252,8 @@ TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTakenAsTheEnd) {
             ASSERT_TRUE(unit.store(0, {number}));
         }
     }
-    // A word that lost its power while it was programmed may read as anything (RM0090 3.6): here the whole second slot.
+    // A word that lost its power during programming may read as any value (RM0090 3.6). Here the whole second slot
+    // reads as blank.
     std::fill_n(model.sector(0).cells().begin() + 2 * 6, 6, 0xFFFFFFFFU);
     Unit unit{model};
     EXPECT_EQ(unit.content(), with(blank(), 0, {3}));
@@ -264,7 +265,7 @@ TEST(Flash, ModelDetectsAWrongStateOfTheFlashController) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};
-    EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0));  // nobody unlocked it
+    EXPECT_FALSE(flash.program(model.sectors()[0].words[0], 0));  // the flash is locked
     EXPECT_FALSE(model.faults().empty());
     EXPECT_EQ(model.sector(0).cells()[0], 0xFFFFFFFFU);
 }
@@ -274,7 +275,7 @@ TEST(Flash, DataAreNotReadFromAStaleCache) {
     FlashModel model;
     Unit unit{model};
     Register& word = model.sectors()[0].words[6];
-    EXPECT_EQ(word.read(), 0xFFFFFFFFU);  // now in the cache
+    EXPECT_EQ(word.read(), 0xFFFFFFFFU);  // the word is in the cache now
     ASSERT_TRUE(unit.store(0, {1}));
     EXPECT_TRUE(model.caches_data());
     EXPECT_NE(word.read(), 0xFFFFFFFFU);

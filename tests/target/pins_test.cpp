@@ -1,4 +1,4 @@
-// Pins, converters and pulse outputs of a board, against plain registers. Offsets are those of RM0090, chapters 8, 13,
+// Pins, converters and pulse outputs of a board, with plain registers. The offsets are those of RM0090, chapters 8, 13,
 // 14 and 18.
 #include <gmock/gmock.h>
 
@@ -30,13 +30,13 @@ TEST(AnalogInputs, AnalogInputsKeepTheLastConversionOfEachChannel) {
     AnalogInputs inputs{adc.registers()};
     inputs.start((1U << 3U) | (1U << 5U));
     for (int turn = 0; turn < 2; ++turn) {
-        adc.at(adc_data) = 100 * adc.at(adc_sequence_3);  // the channel that converts now
+        adc.at(adc_data) = 100 * adc.at(adc_sequence_3);  // the channel that is converted now
         inputs.advance();
     }
     EXPECT_FLOAT_EQ(inputs.share(3), 300.0F / 4095.0F);
     EXPECT_FLOAT_EQ(inputs.share(5), 500.0F / 4095.0F);
     EXPECT_EQ(inputs.share(4), 0.0F);
-    adc.at(adc_status) = 0;  // no conversion is done
+    adc.at(adc_status) = 0;  // no conversion has ended
     adc.at(adc_data) = 4095;
     inputs.advance();
     EXPECT_FLOAT_EQ(inputs.share(3), 300.0F / 4095.0F);
@@ -67,7 +67,8 @@ TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
     PulseOutputs outputs{timer.registers(), 84};
     outputs.start();
     outputs.set_frequency(1000.0F);
-    EXPECT_EQ(timer.at(0x28), 1U);      // 84 MHz / 1 kHz = 84,000 counts: above 65,535, so every second one
+    EXPECT_EQ(timer.at(0x28),
+              1U);  // 84 MHz / 1 kHz = 84,000 counts are above 65,535, so the timer counts every second clock
     EXPECT_EQ(timer.at(0x2C), 41999U);  // 42,000 counts
     outputs.set_duty(0, 0.5F);
     outputs.set_duty(1, 0.25F);
@@ -86,7 +87,7 @@ TEST(Port, PortReadsAndSetsItsPins) {
     port.set(3, true);
     EXPECT_EQ(gpio.at(0x18), 1U << 3U);
     port.set(3, false);
-    EXPECT_EQ(gpio.at(0x18), 1U << 19U);  // the upper half resets
+    EXPECT_EQ(gpio.at(0x18), 1U << 19U);  // the upper half resets pins
     port.configure(9, PinMode::alternate, 9);
     EXPECT_EQ(gpio.at(0x00), 2U << 18U);
     EXPECT_EQ(gpio.at(0x24), 9U << 4U);

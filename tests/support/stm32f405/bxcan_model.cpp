@@ -13,7 +13,7 @@ namespace rfr = stm32f405::rfr;
 namespace esr = stm32f405::esr;
 namespace ir = stm32f405::ir;
 
-// Offsets of RM0090 32.9.5, written here once more: the driver's struct has to lie on them.
+// Offsets of RM0090 32.9.5, repeated here to check the struct of the driver.
 constexpr std::size_t at_mcr = 0x000, at_msr = 0x004, at_tsr = 0x008, at_rf0r = 0x00C, at_rf1r = 0x010, at_ier = 0x014,
                       at_esr = 0x018, at_btr = 0x01C, at_transmit = 0x180, at_receive = 0x1B0, at_fmr = 0x200,
                       at_fm1r = 0x204, at_fs1r = 0x20C, at_ffa1r = 0x214, at_fa1r = 0x21C, at_banks = 0x240;
@@ -129,14 +129,14 @@ void BxcanModel::control(std::uint32_t bits) {
     control_ = bits;
 }
 
-/// The acknowledgement comes when somebody looks for it: 32.4.1, 32.4.2.
+/// Updates the acknowledgement bits, which happens at each access: 32.4.1, 32.4.2.
 void BxcanModel::follow_request() {
     asleep_ = asleep_ && (control_ & mcr::sleep) != 0U;
     const bool wanted = (control_ & mcr::initialise) != 0U;
     if (!answers_ || wanted == initialising_) {
         return;
     }
-    if (wanted && !on_bus_) {  // a frame on the bus is finished first
+    if (wanted && !on_bus_) {  // a frame on the bus is completed first
         initialising_ = true;
         recovers_ = false;
     } else if (!wanted && !dominant_) {
@@ -166,7 +166,7 @@ void BxcanModel::write_transmit_status(std::uint32_t bits) {
         }
         if ((own & tsr::abort) != 0U && one.pending) {
             if (on_bus_ == i) {
-                one.aborting = true;  // decided when the transmission ends: 32.7.1
+                one.aborting = true;  // the end of the transmission decides: 32.7.1
             } else {
                 complete(i, false);
             }
@@ -265,7 +265,7 @@ void BxcanModel::write_filter(std::size_t offset, std::uint32_t bits) {
     filters_[(offset - at_banks) / 8][(offset - at_banks) / 4 % 2] = bits;
 }
 
-/// Banks of 32 bits in mask mode: what the driver uses (32.7.4).
+/// Returns the FIFO of an identifier. Supports 32-bit banks in mask mode, as the driver uses them (32.7.4).
 std::optional<std::size_t> BxcanModel::fifo_of(std::uint32_t identifier) const {
     for (std::uint32_t bank = 0; bank < filters_.size(); ++bank) {
         const std::uint32_t own = 1U << bank;
@@ -295,12 +295,12 @@ BxcanModel::Taken BxcanModel::receive(const Frame& frame, std::uint32_t bits_lat
     }
     one.overrun = true;
     if ((control_ & mcr::lock_fifo) == 0U) {
-        one.frames.back() = content;  // the last one is overwritten: 32.7.3
+        one.frames.back() = content;  // the last frame is overwritten: 32.7.3
     }
     return Taken::lost;
 }
 
-/// Lowest identifier, then lowest mailbox: 32.7.1.
+/// Returns the mailbox with the lowest identifier; of equal identifiers, the lowest mailbox: 32.7.1.
 std::optional<std::size_t> BxcanModel::winner() const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < outgoing_.size(); ++i) {
@@ -314,7 +314,7 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame begins: 32.4.1
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame starts: 32.4.1
     if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }
@@ -363,7 +363,7 @@ void BxcanModel::count_errors(std::uint32_t transmit, std::uint32_t receive) {
     }
 }
 
-/// 32.7.6: 128 times 11 recessive bits end bus-off, from when the software has asked for it where ABOM is 0.
+/// 32.7.6: 128 times 11 recessive bits end bus-off. With ABOM 0, they count from the request of the software on.
 void BxcanModel::pass_recessive(std::uint32_t sequences) {
     follow_request();
     if (!bus_off_ || !(recovers_ || (control_ & mcr::leave_bus_off) != 0U)) {

@@ -1,5 +1,5 @@
-// bxCAN as its driver meets it (RM0090 chapter 32): registers that act when they are read and written, and a bus that
-// the test plays.
+// A model of bxCAN for its driver (RM0090 chapter 32): registers with effects on reads and writes, and a bus that the
+// test controls.
 #pragma once
 
 #include <deque>
@@ -17,24 +17,26 @@ class BxcanModel final : public Peripheral {
 
     stm32f405::BxcanRegisters& registers() { return block_; }
 
-    // How the hardware answers.
+    // Behaviour of the hardware.
     void answer_initialisation(bool answers) { answers_ = answers; }  ///< whether INAK ever follows INRQ
-    void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< no 11 recessive bits: INAK stays
+    void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< without 11 recessive bits, INAK stays set
     void release_slowly(bool slowly) { releases_slowly_ = slowly; }   ///< RFOM stays set until finish_release()
     void finish_release();
 
-    // The bus.
-    /// A frame of another node: into its FIFO, lost to an overrun, or filtered out.
+    // Events on the bus.
+    /// What becomes of a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame, std::uint32_t bits_later = 50);
-    /// The mailbox that wins goes on the bus: an abort comes too late for it. Nothing when none waits or one is there.
+    /// Puts the frame of the winning mailbox on the bus, where an abort comes too late for it. Returns nothing when no
+    /// frame waits or one is on the bus already.
     std::optional<Frame> begin_transmission();
-    /// That transmission ends: sent, or lost by an error or arbitration and tried again unless it was to be aborted.
+    /// Ends that transmission: sent, or lost by an error or arbitration. A lost frame is sent again unless its abort
+    /// was requested.
     void end_transmission(bool sent);
-    /// begin_transmission() and a good end_transmission().
+    /// Calls begin_transmission() and end_transmission() with success.
     std::optional<Frame> transmit();
     void count_errors(std::uint32_t transmit, std::uint32_t receive);
-    /// Sequences of 11 recessive bits pass.
+    /// Lets sequences of 11 recessive bits pass.
     void pass_recessive(std::uint32_t sequences);
 
     bool is_initialising() const { return initialising_; }
@@ -74,7 +76,7 @@ class BxcanModel final : public Peripheral {
     std::optional<std::size_t> fifo_of(std::uint32_t identifier) const;
 
     stm32f405::BxcanRegisters block_{};
-    std::uint32_t control_{0x00010002U};  // RM0090 32.9.2: SLEEP and DBF
+    std::uint32_t control_{0x00010002U};  // after a reset (RM0090 32.9.2): SLEEP and DBF
     bool initialising_{false}, asleep_{true};
     bool answers_{true}, dominant_{false}, releases_slowly_{false};
     std::uint32_t bit_timing_{0x01230000U};
@@ -86,9 +88,9 @@ class BxcanModel final : public Peripheral {
     std::array<Fifo, stm32f405::fifo_count> fifos_{};
     std::uint32_t transmit_errors_{0}, receive_errors_{0};
     bool bus_off_{false};
-    bool recovers_{false};  ///< the initialisation mode was left since bus-off
+    bool recovers_{false};  ///< initialisation mode was left after bus-off
     std::uint32_t recessive_{0};
-    std::uint32_t time_{0xFFC0U};  ///< time stamps, in bits: they wrap soon
+    std::uint32_t time_{0xFFC0U};  ///< time stamps in bits, close to their wrap
     std::size_t resets_{0};
 };
 

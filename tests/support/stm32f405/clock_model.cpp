@@ -15,7 +15,7 @@ bool ClockModel::is_locked() const {
     return pll_works_ && has_source && (control_ & cr::pll_on) != 0;
 }
 
-/// Input / PLLM * PLLN / PLLP (RM0090 7.3.2).
+/// Returns input / PLLM × PLLN / PLLP (RM0090 7.3.2).
 double ClockModel::pll_mhz() const {
     const double input = (pll_ >> 22U & 1U) != 0 ? 8 : 16;
     return input / (pll_ & 0x3FU) * (pll_ >> 6U & 0x1FFU) / (2 * ((pll_ >> 16U & 3U) + 1));
@@ -68,7 +68,7 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             if ((bits & 3U) == 2 && !is_locked()) {
                 fault("the core is switched to a PLL that has not locked");
             }
-            // RM0090 3.5.1: 30 MHz a wait state; 5.1.4: VOS above 144 MHz.
+            // RM0090 3.5.1: 30 MHz per wait state; 5.1.4: VOS above 144 MHz.
             if (core_mhz() > 30.0 * ((flash_.at(0) & 7U) + 1)) {
                 fault("too few wait states");
             }

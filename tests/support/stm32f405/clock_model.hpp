@@ -1,4 +1,4 @@
-// Reset and clock control, its power and flash neighbours, as the clock driver meets them (RM0090 chapters 3, 5 and 7).
+// Models of reset and clock control, power and flash for the clock driver (RM0090 chapters 3, 5 and 7).
 #pragma once
 
 #include "target/stm32f405/clock.hpp"
@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-/// Registers without effects of their own.
+/// Registers without side effects.
 template <typename Registers>
 class PlainModel final : public Peripheral {
   public:
@@ -35,7 +35,7 @@ class ClockModel final : public Peripheral {
     void break_pll() { pll_works_ = false; }
     void reset_by_watchdog() { status_ |= stm32f405::rcc_csr::by_watchdog; }
 
-    /// MHz of the core and of APB1 as they are set up.
+    /// Return the configured clock of the core and of APB1 in MHz.
     double core_mhz() const;
     double apb1_mhz() const;
     bool is_crystal_watched() const { return (control_ & stm32f405::rcc_cr::security_on) != 0; }

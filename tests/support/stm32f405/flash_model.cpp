@@ -29,7 +29,8 @@ std::uint32_t SectorModel::on_read(std::size_t offset) {
     if (!controller_.caches_data()) {
         return now;
     }
-    // What a line of the data cache held before the cell changed stays there until the cache is reset (RM0090 3.5.2).
+    // A line of the data cache keeps its old content after a change of the cell, until the cache is reset (RM0090
+    // 3.5.2).
     return cached_.emplace(offset, now).first->second;
 }
 
@@ -148,7 +149,7 @@ void FlashModel::erase() {
     }
 }
 
-/// Programming turns ones to zeros; a cut leaves some of them as they were.
+/// Programs a cell, which turns ones into zeros. A power cut leaves some of these bits unchanged.
 void FlashModel::program(std::uint32_t& cell, std::uint32_t bits) {
     if (locked_ || (control_ & cr::program) == 0) {
         status_ |= sequence_error;

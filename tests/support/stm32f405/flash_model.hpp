@@ -1,5 +1,5 @@
-// The flash controller and two sectors as their driver meets them (RM0090 chapter 3): the unlock sequence, busy times,
-// errors, bits that only an erase sets, and a power cut in the midst of a word or of an erase.
+// Models of the flash controller and two sectors for their driver (RM0090 chapter 3): the unlock sequence, busy times,
+// errors, bits that only an erase sets, and a power cut during a programming or an erase.
 #pragma once
 
 #include <limits>
@@ -46,14 +46,14 @@ class FlashModel final : public Peripheral {
     std::array<stm32f405::FlashSector, 2> sectors() { return {first_.sector(), second_.sector()}; }
     SectorModel& sector(std::size_t which) { return which == 0 ? first_ : second_; }
 
-    /// Power fails in the midst of the operation after `count` more of them; nothing after it has an effect.
+    /// Cuts the power during the operation that follows `count` more operations. Later operations have no effect.
     void cut_power_after(std::size_t count) { operations_left_ = count; }
-    /// Power is back: the controller is as after a reset.
+    /// Restores the power: the controller is as after a reset.
     void restore_power();
-    /// The operation after `count` more of them ends with an error and no effect.
+    /// Lets the operation that follows `count` more operations end with an error and no effect.
     void fail_after(std::size_t count) { until_failure_ = count; }
     void stay_busy(bool stays) { stays_busy_ = stays; }
-    /// Words programmed and sectors erased so far.
+    /// Return the number of programmed words and erased sectors so far.
     std::size_t operations() const { return operations_; }
     std::size_t erases(std::size_t which) const { return erases_[which]; }
     bool is_locked() const { return locked_; }

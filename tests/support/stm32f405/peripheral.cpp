@@ -28,13 +28,13 @@ Peripheral::~Peripheral() {
 }
 
 void Peripheral::fault(const std::string& what) {
-    constexpr std::size_t most = 20;  // of a driver that repeats itself
+    constexpr std::size_t most = 20;  // limit for a driver that repeats the same fault
     if (faults_.size() < most) {
         faults_.push_back(what);
     }
 }
 
-/// The model that holds a register. No model is a defect of the driver that no test can go on from.
+/// Returns the model that contains a register. Without such a model, the driver has a defect that no test can survive.
 Peripheral& peripheral_of(const void* place) {
     for (Peripheral* one : all()) {
         if (number(place) >= one->start_ && number(place) - one->start_ < one->size_) {

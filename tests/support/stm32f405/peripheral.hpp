@@ -1,5 +1,6 @@
-// Models of peripherals behind the registers of the drivers: each access of a Register comes to the model that holds
-// it, so that reads and writes with side effects act at once. An access of no model, or of a gap in one, is a fault.
+// Models of peripherals behind the registers of the drivers. Each access of a Register goes to the model that contains
+// it, so that side effects of reads and writes happen at once. An access without a model, or to a gap of one, is a
+// fault.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +19,11 @@ class Peripheral {
     Peripheral(Peripheral&&) = delete;
     Peripheral& operator=(Peripheral&&) = delete;
 
-    /// What the driver did that the reference manual forbids or that has no effect.
+    /// Returns the actions of the driver that the reference manual forbids or that have no effect.
     const std::vector<std::string>& faults() const { return faults_; }
 
   protected:
-    /// Registers of `size` bytes from `start` on belong to this model as long as it lives.
+    /// Assigns the registers of `size` bytes from `start` on to this model for its lifetime.
     Peripheral(const void* start, std::size_t size);
     ~Peripheral();
 
@@ -32,7 +33,7 @@ class Peripheral {
     friend class stm32f405::Register;
     friend Peripheral& peripheral_of(const void* place);
 
-    /// `offset`: of the register, in bytes.
+    /// `offset` is that of the register in bytes.
     virtual std::uint32_t on_read(std::size_t offset) = 0;
     virtual void on_write(std::size_t offset, std::uint32_t bits) = 0;
 

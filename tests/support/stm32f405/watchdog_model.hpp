@@ -1,4 +1,4 @@
-// The independent watchdog as its driver meets it (RM0090 chapter 21): time passes when the test says so.
+// A model of the independent watchdog for its driver (RM0090 chapter 21). The test advances its time.
 #pragma once
 
 #include "target/stm32f405/watchdog.hpp"
@@ -12,7 +12,7 @@ class WatchdogModel final : public Peripheral {
 
     stm32f405::WatchdogRegisters& registers() { return block_; }
 
-    /// The oscillator runs at `khz`, 32 as a rule.
+    /// Lets time pass with an oscillator of `khz`, normally 32.
     void pass(double ms, double khz = 32);
     bool has_bitten() const { return bitten_; }
     bool is_running() const { return running_; }
@@ -27,7 +27,7 @@ class WatchdogModel final : public Peripheral {
     bool running_{false}, accessible_{false}, bitten_{false}, stays_updating_{false};
     std::uint32_t prescaler_{0}, reload_{0xFFF};
     std::uint32_t updating_reads_{0};
-    double left_{0};  ///< counts
+    double left_{0};  ///< remaining counts
     std::size_t refreshes_{0};
 };
 
