@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""tests/foreign/pcapng.py PROGRAM: what `--log FILE.pcapng` writes, read by tshark. Each frame has the
-identifier, flags, length, data and direction that it had on the bus, and times do not go back. tshark is installed when it is missing."""
+"""tests/foreign/pcapng.py PROGRAM: reads the file written by `--log FILE.pcapng` with tshark. Each frame must have the identifier, flags,
+length, data and direction that it had on the bus, and times must not decrease. Installs tshark if it is missing."""
 import os
 import pathlib
 import shutil
@@ -22,13 +22,13 @@ def install():
 
 
 def run(*words):
-    """A run that ends with its input's last answer: in-process, two devices."""
+    """Runs two devices in-process until the last request of the input is answered."""
     subprocess.run([program, "run", "cbx-ao412@3", "--plain", "--seconds", "0.5", *words], input=REQUESTS, text=True,
                    check=True, stdout=subprocess.PIPE)
 
 
 def read(path):
-    """The FIELDS of each frame."""
+    """Returns the FIELDS of each frame."""
     fields = [word for field in FIELDS for word in ("-e", field)]
     said = subprocess.run(["tshark", "-n", "-r", str(path), "-T", "fields", "-E", "separator=/t", *fields],
                           check=True, capture_output=True, text=True).stdout

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""remap.py PROGRAM: a PDO of each device is remapped and saved by the data sheet, with the frames of python-canopen.
+"""remap.py PROGRAM: remaps and saves a PDO of each device by its data sheet, with the frames that python-canopen sends.
 
-python-canopen is not in Debian. Its habits that matter here, in our own words:
-- It reads integers of a sheet with a base prefix or decimal, reals as decimal numbers, `$NODEID+…` as a sum.
-- It takes the entries of a mapping from the sheet's RECORD. Of an ARRAY it visits as many as sub-index 0 holds, which
-  it has just set to 0: such a sheet cannot be remapped.
-- It makes the PDO invalid, writes transmission type, inhibit and event time if they can be written, sets the count to 0,
-  writes the entries, sets the count, makes the PDO valid again.
-The frames go through `canproof replay`, so there is neither socket nor wall time. A second replay with the same memory
-is the next power-on. Expected answers are CiA 301's: 60h for a download, 4xh with the value for an upload.
+python-canopen is not in Debian. Its behaviour that matters here:
+- It reads integers of a sheet with a base prefix or as decimals, reals as decimals, `$NODEID+…` as a sum.
+- It takes the mapping entries from the RECORD in the sheet. Of an ARRAY, it visits as many entries as sub-index 0
+  contains, which it has just set to 0. So it cannot remap a PDO of such a sheet.
+- It makes the PDO invalid, writes transmission type, inhibit time and event time if they are writable, sets the count
+  to 0, writes the entries, sets the count, and makes the PDO valid again.
+The frames go through `canproof replay`, so the test needs neither a socket nor wall time. A second replay with the same memory is the next
+power-on. The expected answers are those of CiA 301: 60h for a download, 4xh with the value for an upload.
 """
 import configparser
 import re
@@ -32,13 +32,13 @@ TEXTS = (0x09, 0x0A, 0x0F)
 
 
 def number(text):
-    """An integer of the sheet, with the node-ID added where it says so."""
+    """Returns an integer of the sheet, plus the node-ID where the sheet says so."""
     term = re.fullmatch(r"\$NODEID\s*\+\s*(\w+)", text, re.IGNORECASE)
     return NODE + int(term.group(1), 0) if term else int(text, 0)
 
 
 def read_sheet(device, form):
-    """Every entry of the sheet by (index, sub-index); refuses what python-canopen would refuse."""
+    """Returns every entry of the sheet by (index, sub-index). Refuses what python-canopen would refuse."""
     text = subprocess.run([PROGRAM, "eds", device, "--format", form], check=True, capture_output=True, text=True).stdout
     sheet = configparser.RawConfigParser()
     sheet.optionxform = str
@@ -68,7 +68,7 @@ def read_sheet(device, form):
 
 
 class Session:
-    """Frames of a client, 10 ms apart, and the answers that each must get."""
+    """Frames of a client, 10 ms apart, and the expected answer to each."""
 
     def __init__(self):
         self.frames = []

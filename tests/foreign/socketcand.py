@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """socketcand.py PROGRAM: python-can and a second run join a run of two devices as clients of socketcand.
 
-The port is the kernel's choice, read from what the program says. Frames by hand: CBX-AO412 7.9.2 (device type 191h with 0008h),
-CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended one: identifiers alone are compared.
+The kernel chooses the port, which the test reads from the output of the program. Frames are written by hand: CBX-AO412 7.9.2 (device type
+191h with 0008h), CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended frame, so the test compares
+identifiers only.
 """
 import collections
 import re
@@ -20,7 +21,7 @@ def frame(identifier, data):
 
 
 def wait_for(bus, identifier, data):
-    """The next frame with this identifier must carry this data."""
+    """Checks that the next frame with this identifier has this data."""
     while True:
         got = bus.recv(PATIENCE)
         assert got is not None, f"nothing came where {identifier:03X}#{data} was due"
@@ -53,8 +54,8 @@ def converse(port):
 
 
 def wait_for_boot_up(run, nodes):
-    """Returns when all have said their boot-up message: python-can takes one piece of what it gets for one answer, so that a frame
-    beside the answer to its `open` makes it refuse the server."""
+    """Returns when all nodes have sent their boot-up messages. python-can takes one received piece of data for one answer. It would refuse
+    the server if a frame came together with the answer to its `open`."""
     missing = {f"70{node}#00" for node in nodes}
     while missing:
         line = run.stdout.readline()

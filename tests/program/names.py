@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""names.py PROGRAM: what run, panel and replay make of node-IDs and factory data, as a shell sees it."""
+"""names.py PROGRAM: node-IDs and factory data given to run, panel and replay, as a shell sees them."""
 import os
 import pathlib
 import re
@@ -16,7 +16,7 @@ def call(*words):
 
 
 def refused():
-    """One line on stderr, status 2, and nothing runs."""
+    """A refused name gives one line on stderr and status 2, and nothing runs."""
     with tempfile.TemporaryDirectory() as folder:
         eds = os.path.join(folder, "box.eds")
         with open(eds, "w") as out:
@@ -32,7 +32,7 @@ def refused():
 
 
 def named():
-    """Each device is named before the first frame; frames alone are on standard output."""
+    """Each device is named before the first frame. Standard output contains frames only."""
     status, out, err = call("run", "cbx-ao412@3", "ax188001@5", "ax060805@255", "--seconds", "0.05")
     assert status == 0, status
     assert err.splitlines() == ["cbx-ao412@3: node-ID 3", "ax188001@5: node-ID 5", "ax060805@255: no node-ID"], err
@@ -41,14 +41,14 @@ def named():
 
 
 def shared():
-    """Two devices with one node-ID: a warning."""
+    """Two devices with one node-ID give a warning."""
     status, _, err = call("run", "cbx-ao412@5", "ax188001@5", "--seconds", "0.05")
     assert status == 0, status
     assert "warning: node-ID 5 is that of 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
 
 
 def switches():
-    """CAN-CBX-AO412, 3.2.6: the switches at C8h; the application does not run."""
+    """CAN-CBX-AO412, 3.2.6: with the switches at C8h, the application does not run."""
     said = "the coding switches stand at C8h, which is no node-ID"
     for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
                   ("replay", "cbx-ao412", "--node", "200", "-")):
@@ -57,7 +57,7 @@ def switches():
 
 
 def factory():
-    """Factory data: in the answer to 1018h:4, listed, refused."""
+    """Factory data are in the answer to 1018h:4 serial number, are listed, and are refused when wrong."""
     request = "(0.1) can0 605#4018100400000000\n"
     done = subprocess.run([program, "replay", "ax188001@5", "--factory", "serial_number=7", "-"], input=request,
                           capture_output=True, text=True, timeout=120)
@@ -73,7 +73,7 @@ def factory():
 
 
 def part_numbers():
-    """Each part number of the catalogue is a name; the catalogue says in what it differs."""
+    """Each part number of the catalogue is accepted as a name. The catalogue lists how the part numbers differ."""
     listed = call("devices")[1]
     for number in ("AX060835", "AX060840", "AX060841", "AX130771"):
         assert f"{number}: " in listed, listed
@@ -82,7 +82,7 @@ def part_numbers():
 
 
 def version():
-    """The version stands in one place, the project() of CMakeLists.txt."""
+    """The version is defined in one place, the project() of CMakeLists.txt."""
     cmake = pathlib.Path(__file__).resolve().parents[2] / "CMakeLists.txt"
     wanted = re.search(r"project\(canproof VERSION (\S+)", cmake.read_text())[1]
     assert call("--version") == (0, f"canproof {wanted}\n", ""), call("--version")

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""tests/program/outputs.py PROGRAM: what the real program does when a file or a stream cannot be read or written.
+"""tests/program/outputs.py PROGRAM: runs the real program with files and streams that cannot be read or written.
 
-Every command that prints is run with /dev/full as its standard output: it ends with 2 and one line on standard error. A folder is
-no log, a pipe is no file of the register, and no file is emptied before everything else has been checked."""
+Runs every command that prints with /dev/full as its standard output: it must end with status 2 and one line on standard error. A folder is
+refused as a log, a pipe is refused as a file of the register, and no file is emptied before everything else was checked."""
 import os
 import pathlib
 import signal
@@ -31,7 +31,7 @@ def canproof(*words, **how):
 
 
 def refused(result, what, *says):
-    """Status 2, one line on standard error that says so."""
+    """Checks for status 2 and one line on standard error with these words."""
     lines = result.stderr.splitlines()
     expect(result.returncode == 2, f"{what}: status {result.returncode}, not 2")
     expect(len(lines) >= 1 and lines[-1].startswith("canproof: "), f"{what}: standard error says {lines[-3:]}")
@@ -40,7 +40,7 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Each command that prints, with nowhere to print to."""
+    """Runs each command that prints, with a standard output that is full."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"
@@ -66,7 +66,7 @@ def full_disk(folder):
 
 
 def closed_output(folder):
-    """A file that is opened does not become standard output."""
+    """A closed standard output is not replaced by a file that the program opens."""
     log = folder / "closed.log"
     result = subprocess.run(["sh", "-c", 'exec "$0" "$@" >&-', program, "run", "cbx-ao412@3", "--seconds", "0.01",
                              "--log", str(log)], stderr=subprocess.PIPE, text=True, timeout=PATIENCE,
@@ -77,7 +77,7 @@ def closed_output(folder):
 
 
 def reader_that_goes():
-    """`run | head -1` ends, though nothing more is printed that could fail."""
+    """`run | head -1` ends, although the program prints nothing more that could fail."""
     with subprocess.Popen([program, "run", "cbx-ao412@3"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True) as run:
         first = run.stdout.readline()
@@ -125,7 +125,7 @@ def no_register(folder):
 
 
 def nothing_is_emptied(folder):
-    """A start that is refused leaves the files of another one as they are."""
+    """A refused start does not change the files of another run."""
     log, outputs = folder / "old.log", folder / "old.csv"
     kept = "(0.000000) can0 703#00\n"
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""tests/program/readme_devices.py PROGRAM: each table of README and src/target/README.md whose first column is headed "device" or "image" has one row
-for every device of `canproof devices`, by its name, or by the title or first part number in its register, and no other row."""
+"""tests/program/readme_devices.py PROGRAM: checks the tables of README and src/target/README.md whose first column is headed "device" or
+"image". Each has one row for every device of `canproof devices`, by its name, or by the title or first part number in its register, and no
+other row."""
 import pathlib
 import re
 import subprocess
@@ -13,7 +14,8 @@ LEAST_TABLES = 3  # the list of devices, the memory of their images, and their w
 
 
 def devices(program):
-    """By name: what a row may call the device. A line of `canproof devices` that does not begin with a space begins with a name."""
+    """Returns the terms by which a row may name each device, by device name. A line of `canproof devices` without a leading space begins
+    with a name."""
     lines = subprocess.run([program, "devices"], check=True, text=True, capture_output=True).stdout.splitlines()[1:]
     known = {}
     for name in (line.split()[0] for line in lines if not line.startswith(" ")):
@@ -23,7 +25,7 @@ def devices(program):
 
 
 def device_tables(text):
-    """Of each table of devices: the number of its first line, and its first column."""
+    """Returns, for each table of devices, the number of its first line and its first column."""
     for table in re.finditer(r"^\| *(?:device|image) *\|.*\n\|[-| ]+\|\n((?:\|.*\n)+)", text, re.M):
         rows = [row.split("|")[1].strip().strip("`") for row in table.group(1).splitlines()]
         yield text.count("\n", 0, table.start()) + 1, rows

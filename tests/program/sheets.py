@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""tests/program/sheets.py PROGRAM: `canproof eds check` and `eds --format dbc` as a shell calls them: what they print, write and end with."""
+"""tests/program/sheets.py PROGRAM: runs `canproof eds check` and `eds --format dbc` from a shell and checks output, files and exit
+status."""
 import json
 import pathlib
 import subprocess
@@ -22,7 +23,7 @@ def canproof(*words):
 
 
 def statuses(folder, sheet):
-    """0 without an error, 1 with one, 2 for what is no EDS; a warning counts with --strict."""
+    """The status is 0 without an error, 1 with one, and 2 for a file that is not an EDS. With --strict, a warning counts as an error."""
     good = folder / "cbx-ao412.eds"
     good.write_text(sheet)
     result = canproof("eds", "check", good)
@@ -44,7 +45,7 @@ def statuses(folder, sheet):
 
 
 def fixes(folder, sheet):
-    """--fix writes the other file, leaves the first, and reports what it did; in place as well."""
+    """--fix writes the other file, leaves the first unchanged, and reports its changes. It also works in place."""
     bad, better = folder / "bad.eds", folder / "better.eds"
     text = sheet.replace("FileName=cbx-ao412.eds", "FileName=bad.eds").replace("[FileInfo]", "[fileinfo]")
     bad.write_text(text)
@@ -61,7 +62,7 @@ def fixes(folder, sheet):
 
 
 def control_characters(folder):
-    """What a file says reaches the terminal without control characters."""
+    """Texts of a file reach the terminal without control characters."""
     evil = folder / "better.eds"
     evil.write_text("[FileInfo]\nFileVersion=\x1b[2J\nFile\tVersion=1\nstrange\x7f\n")
     result = canproof("eds", "check", evil)
@@ -69,7 +70,7 @@ def control_characters(folder):
 
 
 def databases(folder):
-    """--format dbc of a device and of a file; --node where it means something."""
+    """--format dbc works for a device and for a file, and accepts --node only where it has a meaning."""
     of_device = canproof("eds", "ax188001", "--format", "dbc", "--node", 5)
     expect(of_device.returncode == 0 and "BO_ 1797 ax188001_Heartbeat: 1 ax188001\n" in of_device.stdout, "dbc")
     sheet = folder / "ax188001.eds"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/program/shell_words.py PROGRAM: completion and manual page name every command and option that --help names."""
+"""tests/program/shell_words.py PROGRAM: checks that completion and manual page contain every command and option of --help."""
 import pathlib
 import re
 import shutil
@@ -18,7 +18,7 @@ def said(*words, **how):
 
 
 def commands_of(path):
-    """Names of the commands below a command, as its --help lists them."""
+    """Returns the names of the subcommands of a command, as its --help lists them."""
     text = said(PROGRAM, *path, "--help")
     listed = re.search(r"^Subcommands:\n((?:  .*\n)+)", text, re.M)
     return re.findall(r"^  (\S+)", listed.group(1), re.M) if listed else []
@@ -35,7 +35,7 @@ def tree(path=()):
 
 
 def completed(script, words):
-    """What bash offers behind these words, of which the last is begun."""
+    """Returns the completions that bash offers for these words, of which the last is incomplete."""
     line = f'source {script}; COMP_WORDS=(canproof {" ".join(words)}); COMP_CWORD={len(words)}; _canproof; printf "%s\\n" "${{COMPREPLY[@]}}"'
     return said("bash", "-c", line).split()
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""statements.py PROGRAM: `spec statements`, `spec check` and the audit over a small manual with statements, as a shell sees
-them, and the statements of the manuals of this repository. The marks are computed here, by their definition in spec/README.md."""
+"""statements.py PROGRAM: runs `spec statements`, `spec check` and the audit from a shell on a small manual with statements, and checks the
+statements of the manuals of this repository. The marks are computed here by their definition in spec/README.md."""
 import hashlib
 import json
 import pathlib
@@ -144,7 +144,7 @@ def audited(project):
 
 
 def shipped(project):
-    """Each manual of this repository has statements, none of them open, in every normative section."""
+    """Each manual of this repository has statements in every normative section, none of them open."""
     manuals = sorted((SPEC / "manuals").glob("*.toml"))
     assert manuals, f"no manual in {SPEC}"
     for manual in manuals:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""stop.py PROGRAM: what may not keep the program from hearing its user, or others from being served. What an end takes is counted in
-processor time, so that the load of the machine does not matter.
+"""stop.py PROGRAM: checks that nothing keeps the program from obeying its user or from serving other clients. The time to end is measured
+in processor time, so that the load of the machine does not matter.
 """
 import collections
 import os
@@ -21,7 +21,7 @@ def processor_seconds(pid):
 
 
 def end(process, by):
-    """Ends it by a signal; what it said on stderr from then on."""
+    """Ends the process by a signal. Returns its stderr from then on."""
     before = processor_seconds(process.pid)
     process.send_signal(by)
     said = process.stderr.read()
@@ -37,8 +37,8 @@ def start(*words):
 
 
 def overload():
-    """A run that is behind its bus says so, and still obeys Ctrl-C. Twenty devices are told to send a SYNC each microsecond: 1006h
-    (communication cycle period) 1, 1005h with bit 30 (producer)."""
+    """A run that is behind its bus reports that and still obeys Ctrl-C. Twenty devices send a SYNC every microsecond: 1006h (communication
+    cycle period) is 1, 1005h (COB-ID SYNC) has bit 30 set (producer)."""
     nodes = range(1, 21)
     run = start("run", "--plain", *(f"cbx-ao412@{node}" for node in nodes))
     threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()
@@ -57,7 +57,7 @@ def overload():
 
 
 def fetch(port, headers=""):
-    """The body that the panel's page comes with."""
+    """Returns the body of the page of the panel."""
     with socket.create_connection(("127.0.0.1", port)) as client:
         client.sendall(f"GET / HTTP/1.1\r\nHost: localhost\r\n{headers}\r\n".encode())
         answer = b""
@@ -67,7 +67,7 @@ def fetch(port, headers=""):
 
 
 def slow_clients():
-    """Sixteen clients that go no further than half a request keep neither another client nor the end waiting."""
+    """Sixteen clients that send only half a request delay neither another client nor the end."""
     panel = start("panel", "cbx-ao412@3", "--port", "0")
     slow = []
     try:

@@ -1,4 +1,4 @@
-"""Reads the seeded faults, tests/seeded/*.patch, applies them to a copy of the tree and takes them back."""
+"""Reads the seeded faults (tests/seeded/*.patch), applies them to a copy of the tree and removes them again."""
 import os
 import pathlib
 import re
@@ -12,11 +12,11 @@ LEFT_OUT = {"build", ".git", "out", "__pycache__"}
 
 
 class Wrong(Exception):
-    """A patch that is not as it should be: its text says how."""
+    """An invalid patch. The text of the exception names the reason."""
 
 
 def layers():
-    """The names that a patch may begin with: the shared firmware, the host's buses, and each device."""
+    """Returns the names with which a patch may begin: the shared firmware, the buses of the host, and each device."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src" / "devices").glob("*/firmware"))
     return ["canopen", *devices, "bus"]
 
@@ -47,7 +47,7 @@ class Fault:
             raise Wrong(f"{self.name}: a fault is one of src/, not of {', '.join(outside) or 'nothing'}")
 
     def patch(self, tree, *options):
-        """Runs patch(1); context must fit word for word, lines may have moved."""
+        """Runs patch(1). The context must match exactly; lines may have moved."""
         return subprocess.run(["patch", "-s", "-f", "-F0", "-p1", "-r", "-", *options, "-d", str(tree), "-i", str(self.path)],
                               capture_output=True, text=True, check=False)
 
@@ -62,7 +62,7 @@ class Fault:
             raise Wrong(f"{self.name} cannot be taken back: {done.stdout.strip()}")
 
     def check(self, tree):
-        """Looks whether it applies, without writing."""
+        """Checks whether the patch applies, without writing."""
         done = self.patch(tree, "--dry-run")
         if done.returncode != 0:
             raise Wrong(f"{self.name} does not apply; write it anew: {done.stdout.strip()}")
@@ -73,7 +73,7 @@ def all_patches():
 
 
 def read_faults(paths):
-    """The faults, or one exception that names every wrong patch."""
+    """Returns the faults, or raises one exception that names every invalid patch."""
     faults, wrong = [], []
     for path in paths:
         try:
@@ -101,7 +101,7 @@ def same(one, other):
 
 
 def copy_tree(tree):
-    """Makes `tree` the same as the project. A file that is the same stays as it is: what it made need not be built again."""
+    """Makes `tree` equal to the project. An equal file is not touched, so that its build results stay valid."""
     tree.mkdir(parents=True, exist_ok=True)
     wanted = files_below(ROOT)
     for name in files_below(tree) - wanted:

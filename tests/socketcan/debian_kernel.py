@@ -1,4 +1,4 @@
-"""The Debian kernel that the guest runs: fetched once, unpacked, and put with its modules into an initial file system."""
+"""The Debian kernel of the guest: downloaded once, unpacked, and put with its modules into an initial file system."""
 import gzip
 import lzma
 import os
@@ -13,14 +13,14 @@ SETUP_SECTORS, PAYLOAD_OFFSET, PAYLOAD_LENGTH = 0x1F1, 0x248, 0x24C  # offsets i
 
 
 def package_of(metapackage):
-    """The package with the kernel itself: its name has the ABI number, which moves. None where apt knows of none."""
+    """Returns the package with the kernel itself, whose name contains the current ABI number, or None if apt knows no such package."""
     depends = subprocess.run(["apt-cache", "depends", metapackage], capture_output=True, text=True).stdout
     found = re.search(r"Depends: (linux-image-[0-9]\S+)", depends)
     return found.group(1) if found else None
 
 
 def fetch(folder):
-    """The unpacked package in `folder`; what is there already is taken."""
+    """Returns the unpacked package in `folder`. Uses an existing one."""
     name = package_of("linux-image-amd64")
     if name is None:
         subprocess.run([*([] if os.getuid() == 0 else ["sudo"]), "apt-get", "update", "-qq"], check=True)
@@ -42,14 +42,14 @@ def fetch(folder):
 
 
 def unpack_image(image):
-    """The ELF inside a bzImage: without it the guest would spend its time unpacking."""
+    """Returns the ELF image inside a bzImage, so that the guest spends no time unpacking."""
     offset, length = struct.unpack_from("<II", image, PAYLOAD_OFFSET)
     start = (image[SETUP_SECTORS] + 1) * 512 + offset
     return lzma.LZMADecompressor(format=lzma.FORMAT_XZ).decompress(image[start:start + length])
 
 
 def in_order(unpacked):
-    """The files of MODULES and of all that they need, those needed first."""
+    """Returns the files of MODULES and of the modules that these need, in the order of their dependencies."""
     files = {file.stem.replace("_", "-"): file for file in unpacked.glob("lib/modules/*/kernel/**/*.ko")}
     built_in = {pathlib.Path(line).stem.replace("_", "-")
                 for line in next(unpacked.glob("lib/modules/*/modules.builtin")).read_text().splitlines()}
@@ -89,7 +89,7 @@ def write_initramfs(modules, init, target):
 
 
 def prepare(folder, init):
-    """(kernel, initial file system) below `folder`, made where they are missing or older than what they are made of."""
+    """Returns (kernel, initial file system) below `folder`. Creates them if they are missing or older than their sources."""
     unpacked = fetch(folder)
     kernel = unpacked / "vmlinux"
     if not kernel.exists():

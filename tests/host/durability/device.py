@@ -1,4 +1,4 @@
-"""The program as it runs, and a model of what its device has stored."""
+"""The running program, and a model of the data that its device has stored."""
 import dataclasses
 import os
 import random
@@ -12,7 +12,7 @@ LONGEST_WAIT = 120.0  # reached only by a program that hangs
 
 
 class Broken(Exception):
-    """`kind` is what is counted: lost, unusable or other."""
+    """`kind` is the counter: lost, unusable or other."""
 
     def __init__(self, kind, text):
         super().__init__(text)
@@ -33,7 +33,7 @@ AX188001 = Device("ax188001@5", 5, ((0x1017, 0), (0x1800, 5), (0x1801, 5)), ("sa
 
 
 class Running:
-    """`canproof run` with its frames; killed at the end of the `with` when it still runs."""
+    """`canproof run` with its frames. The end of the `with` block kills it if it still runs."""
 
     def __init__(self, program, device, folder, environment, preexec):
         self.device = device
@@ -64,7 +64,7 @@ class Running:
         self.deadline = time.monotonic() + seconds
 
     def frame(self, *beginnings):
-        """The next frame that begins like one of these; None when the program has ended."""
+        """Returns the next frame with one of these beginnings, or None when the program has ended."""
         until = time.monotonic() + LONGEST_WAIT
         while True:
             while self.lines:
@@ -145,7 +145,7 @@ class Model:
         return state
 
     def look(self, running, what, may_end=False):
-        """The state after a start. False: the program ended before it could be read."""
+        """Reads the state after a start. Returns False if the program ended before."""
         state = self.state_of(running, what, may_end)
         if state is None:
             return False
@@ -158,13 +158,13 @@ class Model:
         return True
 
     def look_at_any(self, running, what):
-        """Any state that was ever stored or shipped will do; node-ID and values are stored apart."""
+        """Accepts any state that was ever stored or shipped; node-ID and values are stored separately."""
         node, values = self.state_of(running, what, False)
         if values not in {one[1] for one in self.past} or node not in {one[0] for one in self.past} | {self.device.shipped}:
             raise Broken("lost", f"{what}: {(node, values)} was never stored")
 
     def only_kept(self):
-        """What was refused may not be there."""
+        """Checks that refused values are not stored."""
         self.maybe = set()
 
     def ask(self, running, kind=None):
@@ -191,7 +191,8 @@ class Model:
         self.maybe.add(self.asked)
 
     def answer(self, running):
-        """True: acknowledged. False: refused by the memory; what is kept stays, what was asked may be there. None: the program ended."""
+        """Returns True if the store was acknowledged, and False if the memory refused it: then the old state stays, and the requested state
+        is possible too. Returns None if the program ended."""
         answer = running.frame(self.good, self.bad)
         if answer is None:
             return None

@@ -1,10 +1,10 @@
-"""Neighbouring calls that nobody can tell apart in either order: no mutant swaps them.
+"""Neighbouring calls whose order makes no difference. No mutant swaps such calls.
 
-Two rules, by what is written at the calls and by the types of what stands there:
+Two rules use the source of the calls and the types in it:
 - two stores into different fields of the object dictionary (`set`, `set_given`);
-- two calls of methods of different objects that are made of values alone: they have no reference, pointer or view through
-  which one could reach the other. The firmware has no variables outside of objects.
-In both, what the calls are given is made of values as well, and computing it changes nothing and does not ask the other object."""
+- two method calls of different objects that consist of values only: they have no reference, pointer or view to the other
+  object. The firmware has no variables outside of objects.
+In both rules the arguments consist of values too. Their computation changes nothing and does not read the other object."""
 import re
 
 from clang.cindex import CursorKind as K
@@ -18,7 +18,7 @@ CHANGING = re.compile(r"\+\+|--|(?:<<|>>|[-+*/%&|^])?=|new|this")
 
 
 def is_value(kind):
-    """Whether an object of this type is made of values alone."""
+    """Returns whether an object of this type consists of values only."""
     kind = kind.get_canonical()
     name = kind.spelling.replace("const ", "")
     if kind.kind.name == "CONSTANTARRAY":
@@ -32,7 +32,7 @@ def is_value(kind):
 
 
 def is_read_only(parameter):
-    """Whether a function changes nothing through a parameter: a value, or a constant reference or pointer to one."""
+    """Returns whether a function changes nothing through a parameter: a value, or a constant reference or pointer to a value."""
     kind = parameter.type.get_canonical()
     if kind.kind.name not in REFERENCES:
         return is_value(kind)
@@ -40,7 +40,7 @@ def is_read_only(parameter):
 
 
 def place(cursor):
-    """The names that lead to an object held by value, the outermost first; nothing for any other expression."""
+    """Returns the names that lead to an object stored by value, the outermost first; nothing for any other expression."""
     declared = cursor.referenced
     if declared is None or declared.kind not in VARIABLES or declared.type.get_canonical().kind.name in REFERENCES:
         return None
@@ -52,7 +52,7 @@ def place(cursor):
 
 
 def asks_only_values(cursor, but):
-    """Whether computing an expression changes nothing and reads values alone, none of them named in `but`."""
+    """Returns whether the computation of an expression changes nothing and reads only values, none of them named in `but`."""
     if any(CHANGING.fullmatch(token.spelling) for token in cursor.get_tokens()):
         return False
     for part in cursor.walk_preorder():
@@ -74,7 +74,7 @@ def asks_only_values(cursor, but):
 
 
 def method(call):
-    """(method, object, arguments) of a call of a method of a named object; nothing for any other call."""
+    """Returns (method, object, arguments) of a method call of a named object; nothing for any other call."""
     parts = list(call.get_children())
     declared = call.referenced
     if declared is None or declared.kind != K.CXX_METHOD or not parts or parts[0].kind != K.MEMBER_REF_EXPR:
@@ -84,7 +84,7 @@ def method(call):
 
 
 def field(argument):
-    """(name, index) of a field of the dictionary: the index is a literal's text, nothing where there is none or another."""
+    """Returns (name, index) of a dictionary field. The index is the text of a literal, or nothing if it is missing or no literal."""
     parts = list(argument.walk_preorder())
     named = [part.referenced for part in parts if part.kind in (K.DECL_REF_EXPR, K.MEMBER_REF_EXPR)
              and part.referenced is not None and part.referenced.kind in VARIABLES]
@@ -96,7 +96,7 @@ def field(argument):
 
 
 def store(call):
-    """What a store puts where: (field, value); nothing for any other call."""
+    """Returns (field, value) of a store; nothing for any other call."""
     found = method(call)
     if not found or found[0].spelling not in STORES or found[0].semantic_parent.spelling != "ObjectDictionary" or len(found[2]) != 2:
         return None
@@ -105,12 +105,12 @@ def store(call):
 
 
 def are_different(one, other):
-    """Whether two fields are."""
+    """Returns whether two fields are different."""
     return one[0] != other[0] or (None not in (one[1], other[1]) and one[1] != other[1])
 
 
 def are_independent(first, second):
-    """Whether two calls do the same in either order."""
+    """Returns whether two calls have the same result in either order."""
     stores = store(first), store(second)
     if all(stores):
         return are_different(stores[0][0], stores[1][0])

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Calls of which the rules of independence.py say that their order matters, or not: each pair against what its author knows."""
+"""Tests the rules of independence.py: pairs of calls, each with the known answer whether their order matters."""
 import sys
 
 import clang.cindex
@@ -85,7 +85,7 @@ a.set(n); own();
 
 
 def pairs(lines):
-    """(text, first call, second call) of each line."""
+    """Returns (text, first call, second call) of each line."""
     bodies = lines.strip().splitlines()
     text = DECLARATIONS.replace("    void run(int n, int m);\n", "".join(
         f"    void run_{i}(int n, int m) {{ {body} }}\n" for i, body in enumerate(bodies)))

@@ -32,7 +32,7 @@ Alterations generated_alterations() {{
 
 
 def firmware_files(source):
-    """The sources and headers of the firmware: what all devices share, then that of each device."""
+    """Returns the sources and headers of the firmware: the part that all devices share, then that of each device."""
     src = os.path.join(source, "src")
     roots = [os.path.join(src, "firmware"), *sorted(glob.glob(os.path.join(src, "devices", "*", "firmware")))]
     return [os.path.join(folder, file) for root in roots for folder, _, files in sorted(os.walk(root)) for file in sorted(files)
@@ -40,14 +40,14 @@ def firmware_files(source):
 
 
 def host_files(source):
-    """The sources and headers of the host's buses and replay, without the system calls of SocketCAN: only a kernel answers those."""
+    """Returns the sources and headers of the buses and replay of the host, without the system calls of SocketCAN, which need a kernel."""
     roots = [os.path.join(source, "src", "host", "sim", part) for part in ("bus", "replay")]
     return [path for root in roots for path in sorted(glob.glob(os.path.join(root, "*.[ch]pp")))
             if not os.path.basename(path).startswith("linux_can_system.")]
 
 
 def number_text(text, first):
-    """The text with NUMBER[n] as numbers of the program, from `first` on."""
+    """Returns the text with NUMBER[n] replaced by mutant numbers of the program, from `first` on."""
     parts = text.split("NUMBER[")
     out = [parts[0]]
     for part in parts[1:]:
@@ -57,7 +57,7 @@ def number_text(text, first):
 
 
 def write_changed(path, text):
-    """Leaves a file alone that holds this already: nothing is compiled anew."""
+    """Writes a file only if its content changes, so that nothing is compiled again without need."""
     if os.path.exists(path) and open(path, encoding="utf-8").read() == text:
         return
     os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -66,7 +66,7 @@ def write_changed(path, text):
 
 
 def lines_of(name, mutants, first):
-    """The lines of the list for one file, whose first mutant has the number `first`."""
+    """Returns the lines of the list for one file, whose first mutant has the number `first`."""
     lines = []
     for number, (line, function, original, mutated) in enumerate(mutants, first):
         cell = json.dumps(f"{function}, line {line}")

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""Writes the code anew with every mutant of its operators and conditions in it, each to be chosen while it runs.
+"""Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
-A comparison becomes true, false, and the one with equality moved, unless it chooses between two values that are then the
-same, as in `a < b ? a : b`; any other condition true and false; && becomes || and
-back; + - * / % << >> & | ^, alone and before =, become another of them. Statements, names, indices and literals: statements.py.
-What stands in a constant expression stays: a mutant there would not be one of the running program.
+A comparison becomes true, false, and the comparison with or without equality, opposite to the original. The last mutant is omitted where
+the comparison chooses between values that are then equal, as in `a < b ? a : b`. Any other condition becomes true and false. && becomes ||
+and vice versa; + - * / % << >> & | ^, alone and before =, become another of these operators. Statements, names, indices and literals: see
+statements.py. Constant expressions stay unchanged, because a mutant there would not be one of the running program.
 
     schemata.py SOURCE_FOLDER OUTPUT_FOLDER COMPILER_ARGUMENT...
 
-Reads src/firmware, src/devices/NAME/firmware, src/host/sim/bus and src/host/sim/replay, writes them below OUTPUT_FOLDER, and
+Reads src/firmware, src/devices/NAME/firmware, src/host/sim/bus and src/host/sim/replay, and writes them below OUTPUT_FOLDER. Also writes
 OUTPUT_FOLDER/mutants.cpp, the list for tests/mutation/main.cpp."""
 import collections
 import os
@@ -35,7 +35,7 @@ SPACE = "::canproof::mutants::"
 
 
 class Rewriter(Statements):
-    """The edits of one file. Mutants are numbered from 0; `NUMBER[n]` in the text stands for the final number."""
+    """The edits of one file. Mutants are numbered from 0; `NUMBER[n]` in the text is replaced by the final number."""
 
     def __init__(self, path, name):
         self.path = path
@@ -65,7 +65,7 @@ class Rewriter(Statements):
     # Operators and operands of an expression.
 
     def operator_of(self, cursor):
-        """(operator, its offset, left, right) of a binary operator, built in or of a class; nothing for other cursors."""
+        """Returns (operator, its offset, left, right) of a binary operator, built-in or of a class; nothing for other cursors."""
         children = list(cursor.get_children())
         if cursor.kind in (K.BINARY_OPERATOR, K.COMPOUND_ASSIGNMENT_OPERATOR) and len(children) == 2:
             first, last = children
@@ -82,7 +82,7 @@ class Rewriter(Statements):
 
     @staticmethod
     def core(cursor):
-        """The expression without parentheses and conversions around it."""
+        """Returns the expression without parentheses and conversions around it."""
         while cursor.kind in WRAPPERS:
             children = list(cursor.get_children())
             if len(children) != 1:
@@ -93,7 +93,7 @@ class Rewriter(Statements):
     # Rewriting.
 
     def call(self, cursor, function, numbers, operator, at, first, last):
-        """`a OP b` becomes `function(number, (a), (b))`."""
+        """Rewrites `a OP b` to `function(number, (a), (b))`."""
         end, after = self.wrap(cursor, f"{SPACE}{function}(NUMBER[{numbers}], (", "))")
         self.removed[at] = (len(operator), "), (")
         self.visit(first)
@@ -108,7 +108,7 @@ class Rewriter(Statements):
         self.close(end, after)
 
     def condition(self, cursor):
-        """An expression that decides something."""
+        """Rewrites an expression that decides between two paths."""
         core = self.core(cursor)
         operation = self.operator_of(core)
         if operation and operation[0] in ("&&", "||") and core.kind == K.BINARY_OPERATOR:
@@ -242,7 +242,7 @@ class Rewriter(Statements):
         self.split(cursor, lambda child: child.kind.is_expression())
 
     def for_statement(self, cursor):
-        """The condition stands between the two semicolons of the head."""
+        """Rewrites a `for` statement, whose condition is between the two semicolons of its head."""
         depth, signs = 0, []
         for token in cursor.get_tokens():
             depth += {"(": 1, ")": -1, "{": 1, "}": -1}.get(token.spelling, 0)
@@ -254,7 +254,7 @@ class Rewriter(Statements):
                    and signs[0] < child.extent.start.offset < signs[1])
 
     def when_equal(self, cursor, operands):
-        """What an expression is when both operands are equal: one of them, 0, or unknown."""
+        """Returns the value of an expression when both operands are equal: one of them, 0, or unknown."""
         core = self.core(cursor)
         if self.source(core) in operands:
             return "operand"
@@ -264,7 +264,7 @@ class Rewriter(Statements):
         return "0" if ZERO.fullmatch(self.source(core)) else None
 
     def moves_nothing(self, condition, values):
-        """Whether a comparison chooses between values that are the same where its operands are: `a < b ? a : b`."""
+        """Returns whether a comparison chooses between values that are equal when its operands are: `a < b ? a : b`."""
         core = self.core(condition)
         operation = self.operator_of(core)
         if not operation or operation[0] not in COMPARISONS:
@@ -297,7 +297,7 @@ class Rewriter(Statements):
             self.statement(child)
 
     def declarations(self, cursor, scope=""):
-        """Bodies of functions; nothing outside them runs."""
+        """Visits the bodies of functions; code outside of them does not run."""
         for child in cursor.get_children():
             if child.location.file is None or child.location.file.name != self.path:
                 continue

@@ -1,8 +1,8 @@
-"""Mutants of statements, variables, indices and literals: what an author forgets or mixes up.
+"""Mutants of statements, variables, indices and literals: typical omissions and mix-ups of an author.
 
-A call or `break` that stands alone is deleted, an assignment dropped; calls that follow each other swap places where that
-can make a difference (independence.py); a variable becomes another one of its type (a parameter or local variable, or a
-member of the same class); an index becomes 0; a literal one more and one less."""
+A call or `break` that is a statement of its own is deleted, an assignment is dropped. Calls that follow each other are swapped where this
+can make a difference (independence.py). A variable becomes another one of its type (a parameter, a local variable, or a member of the same
+class). An index becomes 0; a literal becomes one more and one less."""
 import re
 
 from clang.cindex import CursorKind as K
@@ -29,12 +29,12 @@ def is_scalar(cursor):
 
 
 class Statements:
-    """What Rewriter (schemata.py) does with statements and names; it has the edits."""
+    """The part of Rewriter (schemata.py) for statements and names. Rewriter has the edits."""
 
     # Statements.
 
     def call_of(self, statement):
-        """The call that a statement is, below conversions and static_cast<void>; nothing for other statements."""
+        """Returns the call of which a statement consists, below conversions and static_cast<void>; nothing for other statements."""
         core = self.core(statement)
         if core.kind == K.CXX_STATIC_CAST_EXPR and self.source(core).startswith("static_cast<void>("):
             core = self.core(list(core.get_children())[-1])
@@ -48,11 +48,11 @@ class Statements:
         return bool(operation) and operation[0].endswith("=") and operation[0] not in ("==", "!=", "<=", ">=")
 
     def after(self, statement):
-        """The offset behind the semicolon of a statement."""
+        """Returns the offset after the semicolon of a statement."""
         return self.text.index(b";", statement.extent.end.offset) + 1
 
     def statement(self, statement):
-        """Visits a statement; the mutant leaves it out."""
+        """Visits a statement. Its mutant omits the statement."""
         if self.call_of(statement) is not None or statement.kind == K.BREAK_STMT:
             mutated = "deleted"
         elif self.is_assignment(statement):
@@ -65,7 +65,7 @@ class Statements:
         self.visit(statement)
 
     def swapped(self, calls):
-        """Calls that follow each other: each mutant swaps two neighbours."""
+        """Makes mutants of calls that follow each other: each mutant swaps two neighbours."""
         numbers = [self.mutant(first, f"swapped with {' '.join(self.source(second).split())}") for first, second in zip(calls, calls[1:])]
         step = f"step_NUMBER[{numbers[0]}]"
         self.opens[calls[0].extent.start.offset].append(
@@ -96,7 +96,7 @@ class Statements:
 
     @staticmethod
     def next_one(name, others):
-        """Of several, the one that follows in the order of declaration, or the first."""
+        """Returns the next name in the order of declaration, or the first."""
         names = [other for other, _ in others]
         if name not in names:
             return names[0] if names else None
@@ -104,7 +104,7 @@ class Statements:
         return after[0] if after else None
 
     def other_variable(self, core):
-        """The text of another variable of the same type; nothing when there is none."""
+        """Returns the text of another variable of the same type; nothing if there is none."""
         declared, kind = core.referenced, plain_type(core)
         if declared is None or not kind:
             return None
@@ -121,7 +121,7 @@ class Statements:
         return None
 
     def variable(self, cursor, core):
-        """The value of a variable; whether it became a mutant."""
+        """Rewrites the value of a variable. Returns whether it became a mutant."""
         other = self.other_variable(core)
         if other is None or "depend" in core.type.spelling:
             return False
@@ -132,7 +132,7 @@ class Statements:
         return True
 
     def value(self, cursor):
-        """Rewrites what reads a variable; whether it does."""
+        """Rewrites an expression that reads a variable. Returns whether it did."""
         children = list(cursor.get_children())
         if len(children) != 1 or children[0].extent != cursor.extent or children[0].kind not in (K.DECL_REF_EXPR, K.MEMBER_REF_EXPR):
             return False
@@ -143,7 +143,7 @@ class Statements:
         return self.variable(cursor, children[0])
 
     def members(self, cursor):
-        """What stands before the name of a member; behind it are arguments of a template only."""
+        """Visits the part before the name of a member; the part after the name has only template arguments."""
         if cursor.kind == K.MEMBER_REF_EXPR:
             for child in cursor.get_children():
                 if child.extent.end.offset <= cursor.location.offset:
@@ -179,7 +179,7 @@ class Statements:
         self.close(end, after)
 
     def named(self, cursor):
-        """Rewrites a cursor that one of the functions above knows; whether one does."""
+        """Rewrites a cursor that one of the functions above supports. Returns whether one did."""
         kind = cursor.kind
         if kind == K.COMPOUND_STMT:
             self.block(cursor)

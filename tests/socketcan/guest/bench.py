@@ -1,4 +1,4 @@
-"""What the checks stand on: verdicts on the console, an ear on the bus, a run of the program."""
+"""Common parts of the checks: verdicts on the console, a listener on the bus, a run of the program."""
 import os
 import re
 import select
@@ -19,7 +19,7 @@ verdicts = []
 
 
 class check:
-    """with check("what holds"): … prints one line, and goes on with the next check whatever happens."""
+    """with check("what holds"): … prints one line. After a failure, the next check runs all the same."""
 
     def __init__(self, name):
         self.name = name
@@ -37,14 +37,14 @@ class check:
 
 
 def sh(*words):
-    """Output of a command that must succeed."""
+    """Returns the output of a command that must succeed."""
     done = subprocess.run(words, capture_output=True, text=True)
     assert done.returncode == 0, f"{' '.join(words)}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
 def until(what, holds, pause=0.01):
-    """Waits until `holds()` is true, for what can only be looked at every `pause` seconds."""
+    """Waits until `holds()` is true, for conditions that must be polled every `pause` seconds."""
     end = time.monotonic() + PATIENCE
     while not holds():
         assert time.monotonic() < end, f"not seen: {what}"
@@ -52,7 +52,7 @@ def until(what, holds, pause=0.01):
 
 
 def parse(text):
-    """can_id and data of `603#40…` or `703#R`."""
+    """Returns can_id and data of `603#40…` or `703#R`."""
     identifier, _, data = text.partition("#")
     if data.startswith("R"):
         return int(identifier, 16) | REMOTE, b""
@@ -64,7 +64,7 @@ def show(can_id, data):
 
 
 class Ear:
-    """A raw socket on an interface, with kernel stamps."""
+    """A raw socket on an interface, with time stamps of the kernel."""
 
     def __init__(self, interface):
         self.socket = socket.socket(socket.PF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
@@ -84,7 +84,7 @@ class Ear:
         self.socket.send(CAN_FRAME.pack(can_id, len(data), data.ljust(8, b"\0")))
 
     def next(self, patience=PATIENCE):
-        """(text, time) of the next frame; None when none came in time."""
+        """Returns (text, time) of the next frame, or None after a time-out."""
         if not select.select([self.socket], [], [], patience)[0]:
             return None
         packed, control, _, _ = self.socket.recvmsg(CAN_FRAME.size, 64)
@@ -95,7 +95,7 @@ class Ear:
         return text, seconds + nanoseconds / 1e9
 
     def wait(self, pattern):
-        """(text, time) of the next frame that matches; what comes before it is passed over."""
+        """Returns (text, time) of the next frame that matches, and skips the frames before it."""
         passed = []
         while True:
             got = self.next()
@@ -109,7 +109,7 @@ class Ear:
         return self.wait(answer)
 
     def rest(self, silence=0.3):
-        """Frames until nothing has come for so long."""
+        """Returns the frames until the bus has been silent for this time."""
         frames = []
         while (got := self.next(silence)) is not None:
             frames.append(got[0])
@@ -117,14 +117,14 @@ class Ear:
 
 
 def boot_up(ear, nodes):
-    """Boot-up messages; the devices share a process, their order is no matter."""
+    """Waits for the boot-up messages. Their order does not matter, because the devices share a process."""
     missing = {f"70{node}#00" for node in nodes}
     while missing:
         missing.discard(ear.wait(r"70\d#00")[0])
 
 
 class Run:
-    """canproof run …, its notices readable as they come; log: the frames, as candump writes them."""
+    """`canproof run …`, with notices that can be read while it runs. log: the frames in the format of candump."""
 
     def __init__(self, program, *words, prefix=()):
         self.log = f"/tmp/run.{os.getpid()}.log"
@@ -145,7 +145,7 @@ class Run:
         self.process.stderr.close()
 
     def wait_notice(self, pattern):
-        """The notice that matches; each is read once."""
+        """Returns the notice that matches. Each notice is read once."""
         end = time.monotonic() + PATIENCE
         while True:
             for line in self.said.splitlines(keepends=True):
@@ -158,14 +158,14 @@ class Run:
             self.said += piece
 
     def frames(self):
-        """(seconds, ID#DATA, T or R) of the log so far; a line still being written is left out."""
+        """Returns (seconds, ID#DATA, T or R) of the log so far, without an incomplete last line."""
         with open(self.log) as log:
             lines = [line.split() for line in log.read().split("\n")[:-1]]
         return [(float(line[0].strip("()")), line[2], line[3]) for line in lines]
 
     def stop(self):
-        """Ends it as a user does; everything that it said since the last notice read, but for the names of its devices and for
-        what a slow machine makes it say."""
+        """Ends the run as a user does. Returns all notices since the last one read, without the names of its devices and without the
+        notices that only a slow machine causes."""
         self.seconds = self.processor_seconds()
         self.process.terminate()
         self.said = re.sub(r"(?m)^the simulation .*\n", "", self.said + self.process.stderr.read().decode())

@@ -1,7 +1,7 @@
-"""`canproof conform` against the four devices on interfaces of the kernel: the same verdicts as in virtual time.
+"""Runs `canproof conform` on the four devices on interfaces of the kernel. The verdicts must be those in virtual time.
 
-Three devices have a virtual interface each; the fourth is on an emulated SJA1000 controller with 125 kbit/s, and the test on another
-that shares its bus. All four are tested at once: a run waits most of its time."""
+Three devices have a virtual interface each. The fourth is on an emulated SJA1000 controller with 125 kbit/s, and its test is on another
+controller on the same bus. All four are tested at the same time, because a run waits most of its time."""
 import json
 import subprocess
 

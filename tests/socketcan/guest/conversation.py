@@ -1,4 +1,4 @@
-"""The four devices on vcan0 from one process: asked by cansend and python-can, heard by candump, replayed from the log."""
+"""The four devices on vcan0 in one process: cansend and python-can send requests, candump records, and the log is replayed."""
 import os
 import signal
 import subprocess
@@ -33,7 +33,7 @@ def ask_with_python_can():
 
 
 def stamps_are_the_kernels(ear, run):
-    """What arrives while the process stands still is logged at the time at which it arrived."""
+    """A frame that arrives while the process is stopped is logged with its time of arrival."""
     run.process.send_signal(signal.SIGSTOP)
     with Ear("vcan0") as other:
         stamps = []
@@ -50,7 +50,7 @@ def stamps_are_the_kernels(ear, run):
 
 
 def dumped():
-    """(seconds, ID#DATA) of candump's own log."""
+    """Returns (seconds, ID#DATA) of the log of candump."""
     with open(DUMP) as dump:
         lines = [line.split() for line in dump]
     return [(float(line[0].strip("()")), line[2]) for line in lines]
@@ -77,7 +77,7 @@ def log_replays(program, run):
 
 
 def check_short(kind, program):
-    """What a build with sanitizers is put through: they speak up, and end it with another status, when something is wrong."""
+    """The short check for a build with sanitizers, which print an error and change the exit status on a defect."""
     with Ear("vcan0") as ear, Run(program, *NAMES, "--bus", "socketcan:vcan0") as run:
         with check(f"{kind}four devices of one process boot up and answer"):
             boot_up(ear, FOUR)

@@ -1,4 +1,4 @@
-"""Frames as fast as the kernel passes them on, in both directions, and what becomes of those for which there is no room."""
+"""Frames as fast as the kernel transfers them, in both directions, and the fate of frames for which there is no room."""
 import re
 import signal
 import subprocess
@@ -11,7 +11,7 @@ REQUEST, ANSWER = "603#4000100000000000", "583#4300100091010800"  # CBX-AO412 7.
 
 
 def flood(count):
-    """cangen without a gap: as fast as the kernel takes frames. Frames a second."""
+    """Sends frames with cangen without a gap, as fast as the kernel accepts them. Returns the frames per second."""
     begun = time.monotonic()
     sh("cangen", "vcan0", "-g", "0", "-n", str(count), "-I", "603", "-L", "8", "-D", REQUEST.partition("#")[2])
     return count / (time.monotonic() - begun)
@@ -23,7 +23,7 @@ def occurrences(path, text):
 
 
 def full_rate(program):
-    """Each request of a flood is in the log and answered, and each answer is heard by candump, which has room for all."""
+    """Each request of a flood is in the log and answered. candump, which has enough room, receives each answer."""
     path = "/tmp/flood.log"
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0") as run:
         ear.wait("703#00")
@@ -42,7 +42,7 @@ def full_rate(program):
 
 
 def losses_are_told(program):
-    """Without rights and kept from reading, it has room for some hundred frames. It says how many are missing."""
+    """A run without rights that is kept from reading has room for some hundred frames. It reports how many are missing."""
     count = 2000
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0",
                                   prefix=["setpriv", "--reuid", "65534", "--clear-groups"]) as run:

@@ -1,4 +1,4 @@
-"""What the interface does to the devices: error frames, a full queue, filters, going down and coming back."""
+"""Effects of the interface on the devices: error frames, a full queue, filters, going down and coming back."""
 import re
 import subprocess
 import time
@@ -9,7 +9,7 @@ DEVICES = ["cbx-ao412@3", "ax188001@5", "ax060805@6"]
 
 
 def wait_all(ear, patterns):
-    """Every pattern, in whatever order the nodes speak."""
+    """Waits for every pattern, in any order of the nodes."""
     open_ones = list(patterns)
     while open_ones:
         got = ear.wait("|".join(open_ones))[0]
@@ -17,8 +17,8 @@ def wait_all(ear, patterns):
 
 
 def error_frames(ear):
-    """linux/can/error.h: class 004h controller, with 10h receive passive, 40h active, 01h receive overflow in byte 1; class 040h
-    bus-off, class 100h restarted. Emergency codes: CBX-AO412 7.9.4; AX188001 Table 5; AX060805 4.2.4."""
+    """linux/can/error.h: class 004h controller, with 10h receive passive, 40h active, 01h receive overflow in byte 1; class 040h bus-off,
+    class 100h restarted. Emergency codes: CBX-AO412 7.9.4; AX188001 Table 5; AX060805 4.2.4."""
     sh("cansend", "vcan0", "20000004#0010000000000000")
     ear.wait("083#2081110100000000")  # error passive, one entry in the error list
     sh("cansend", "vcan0", "20000004#0040000000000000")
@@ -65,7 +65,7 @@ def check_faults(kind, program):
 
 
 def matches():
-    """Frames that each filter of a node has let through: {identifier: [count of each socket]}."""
+    """Returns the number of frames that each filter of a node has accepted: {identifier: [count of each socket]}."""
     counts = {}
     with open("/proc/net/can/rcvlist_fil") as filters:
         for line in filters:
@@ -76,7 +76,7 @@ def matches():
 
 
 def filters(program):
-    """The kernel wakes a node's socket for what the node may react to and for nothing else."""
+    """The kernel wakes the socket of a node only for frames to which the node may react."""
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "ax188001@5", "--bus", "socketcan:vcan0"):
         boot_up(ear, [3, 5])
         # The kernel passes a frame to one socket after the other, so this socket may have it before that of the program.
@@ -92,7 +92,7 @@ def filters(program):
 
 
 def full_queue(program):
-    """A queue of four frames that passes 60 a second: what does not fit is refused with ENOBUFS."""
+    """A queue of four frames that sends 60 frames a second refuses further frames with ENOBUFS."""
     count = 24
     sh("ip", "link", "add", "dev", "vxcan0", "type", "vxcan", "peer", "name", "vxcan1")
     for interface in ("vxcan0", "vxcan1"):

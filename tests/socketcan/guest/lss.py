@@ -1,7 +1,7 @@
-"""The manuals' LSS session on an interface with a bit rate: two emulated SJA1000 controllers on one bus.
+"""The LSS session of the manuals on an interface with a bit rate: two emulated SJA1000 controllers on one bus.
 
-Frames 95 to 102 of the screen shot in AX188001 3.1.1.2 (node 80, 125 to 250 kbit/s), with a switch delay of 100 ms (6400) where it
-has 5 s (8813). AX130751 3.1.1 and AX060805 4.1.1 have the same session.
+Frames 95 to 102 of the screen shot in AX188001 3.1.1.2 (node 80, 125 to 250 kbit/s), with a switch delay of 100 ms (6400) instead of 5 s
+(8813). AX130751 3.1.1 and AX060805 4.1.1 show the same session.
 """
 import re
 
@@ -45,7 +45,7 @@ def granted(program, device):
 
 
 def stored(ear):
-    """7E5#17, asked again as long as the node keeps its switch delay."""
+    """Waits for the answer 7E5#17, and repeats the request during the switch delay of the node."""
     ear.send("7E5#17")
     return "7E4#170000" in [text[:10] for text in ear.rest(0.05)]
 

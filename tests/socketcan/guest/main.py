@@ -1,5 +1,5 @@
-"""Every check, in order; `run` names the programs on the kernel's command line. The builds with sanitizers have a network of their own
-beside the release build's: vcan0, can0 and can1 there are others than here."""
+"""Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the release build
+in a network of their own, where vcan0, can0 and can1 are other interfaces than here."""
 import ctypes
 import os
 import re
@@ -46,14 +46,14 @@ def check_sanitized(kind, program):
 
 
 def take_interfaces():
-    """The second pair of controllers, once it is in this network, under the names of the first."""
+    """Takes the second pair of controllers, once it is in this network, and renames it like the first pair."""
     for old, new in (("can2", "can0"), ("can3", "can1")):
         bench.until(f"{old} here", lambda old=old: f"{old}:" in bench.sh("ip", "link", "show"))
         bench.sh("ip", "link", "set", old, "name", new)
 
 
 def sanitized_beside(kinds):
-    """Starts their checks; the end of a pipe from which their verdicts come, one byte each."""
+    """Starts the checks of these builds. Returns the end of a pipe that delivers their verdicts, one byte each."""
     verdicts, told = os.pipe()
     child = os.fork()
     if child == 0:

@@ -1,4 +1,4 @@
-"""The panel on SocketCAN: what its page sends is on the bus, and what is on the bus stands in its log."""
+"""The panel on SocketCAN: frames sent by its page are on the bus, and frames of the bus are in its log."""
 import json
 import subprocess
 import urllib.request

@@ -1,4 +1,4 @@
-"""What python-can asks the four devices: a script of its own."""
+"""A separate script of requests that python-can sends to the four devices."""
 import can
 
 FOUR = {3: "17000000", 4: "55000000", 5: "55000000", 6: "55000000"}  # 1018h:01 vendor-ID: esd 17h, Axiomatic 55h

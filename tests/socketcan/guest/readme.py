@@ -1,4 +1,4 @@
-"""The commands of the section "Use it on your bus" of src/host/app/README.md, as they stand there, typed into a shell one after the other."""
+"""Types the commands of the section "Use it on your bus" of src/host/app/README.md into a shell, one after the other."""
 import os
 import re
 import subprocess
@@ -16,7 +16,7 @@ def blocks():
 
 
 class Shell:
-    """A shell in a folder where build/ is the project's; whoever types may become root, and python3 is warm."""
+    """A shell in a folder whose build/ is that of the project. Its user may become root, and python3 starts fast (warm_python.py)."""
 
     def __init__(self):
         os.makedirs(f"{FOLDER}/bin", exist_ok=True)
@@ -36,7 +36,7 @@ class Shell:
             return output.read()
 
     def type(self, line, *expected):
-        """Types a line; returns when the shell has said it all and is ready for the next."""
+        """Types a line. Returns when the shell has printed all expected output and is ready for the next line."""
         done = f"{FOLDER}/done"
         if os.path.exists(done):
             os.unlink(done)
@@ -55,7 +55,7 @@ class Shell:
 
 
 def on_vcan(lines):
-    """What each line must bring, by its first words; a line that is not known here fails."""
+    """Checks the output of each line, selected by its first words. A line without an entry here fails."""
     expected = {
         "sudo ip link add dev vcan0": [],
         "sudo ip link set vcan0 up": [],
@@ -69,7 +69,7 @@ def on_vcan(lines):
 
 
 def listeners(interface):
-    """Sockets that hear every frame of the interface."""
+    """Returns the sockets that receive every frame of the interface."""
     with open("/proc/net/can/rcvlist_all") as sockets:
         return sum(line.split()[:1] == [interface] for line in sockets)
 

@@ -1,4 +1,4 @@
-"""python-can takes the guest seconds to import. One process does it once and forks for every script to be run with it."""
+"""Runs python-can scripts fast. Its import takes seconds in the guest, so one process imports it once and forks for every script."""
 import os
 import sys
 import traceback
@@ -51,7 +51,7 @@ def run(script):
 
 
 def ask(script):
-    """(exit status, what it printed) of a script."""
+    """Returns (exit status, output) of a script."""
     with open(ASK, "w") as to:
         to.write(script)
     with open(ANSWER) as answer:
