@@ -77,8 +77,8 @@ void check_parameters(Slave& slave) {
     }
 }
 
-/// What the node may send according to its dictionary. Frames of a step may follow the settings before the step or
-/// after it.
+/// The settings of the dictionary that determine which frames the node may send. A frame of a step must match the
+/// settings before the step or after it.
 struct Settings {
     std::array<Pdo, pdo_count> tpdos;
     bool operational{false};

@@ -95,7 +95,7 @@ TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
     verifies<req::CO_STORE_004>();
     write("603#2310100173617665");
     write("603#2310100173617665");
-    // As after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
+    // The state after 2^32 - 1 saves: sequence numbers FFFFFFFEh and FFFFFFFFh.
     const std::size_t size = bank_size();
     set_header(0, size, sequence_at, 0xFFFFFFFE);
     set_header(size, size, sequence_at, 0xFFFFFFFF);

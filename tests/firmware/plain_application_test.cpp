@@ -31,7 +31,7 @@ class PlainApplication final : public Application {
     /// The answers of the application; the default where empty.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
-    /// What it was told to have a new value.
+    /// The objects that were reported to it as written.
     std::vector<std::uint16_t> written{};
 
   private:

@@ -26,7 +26,7 @@ struct Circumstances {
     std::uint64_t now{0};  ///< ms since power-on
 };
 
-/// What determines an output, in this order of priority (1.2, 1.3).
+/// The reasons that determine the state of an output, in this order of priority (1.2, 1.3).
 enum class Decision { off, forced, ramp_off, keep, fault, control };
 
 /// A ramp between two values at constant speed: it crosses the whole span in the time of its direction.

@@ -27,7 +27,7 @@ inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned num
     return own;
 }
 
-/// Whether the slave is in LSS configuration; see follows_lss(). Kept in notes[lss_mode_note].
+/// The number of the note that contains whether the slave is in LSS configuration; see follows_lss().
 constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;

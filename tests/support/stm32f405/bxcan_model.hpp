@@ -24,7 +24,7 @@ class BxcanModel final : public Peripheral {
     void finish_release();
 
     // Events on the bus.
-    /// What becomes of a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.
+    /// The result for a frame of another node: stored in its FIFO, lost to an overrun, or filtered out.
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame, std::uint32_t bits_later = 50);
     /// Puts the frame of the winning mailbox on the bus, where an abort comes too late for it. Returns nothing when no

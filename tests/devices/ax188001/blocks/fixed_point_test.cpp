@@ -14,7 +14,7 @@ namespace {
 
 using namespace ax188001;
 
-/// As long as in the firmware, so that the functions of the firmware are tested.
+/// Has the length used by the firmware, so that the functions of the firmware are tested.
 using Coefficients = std::array<double, InversePiece::size>;
 
 }  // namespace
