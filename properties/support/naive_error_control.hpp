@@ -164,7 +164,7 @@ class Node {
         }
         settle();
     }
-    /// Each failure changes the state as 1029h:1 says, also one that begins while another lasts.
+    /// Evaluates failures; the first failure changes the state by 1029h:1.
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;

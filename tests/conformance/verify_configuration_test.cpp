@@ -93,9 +93,15 @@ TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
     talk(kept);
 }
 
-// Day, month and year, hour and minute, their digits read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12, AX060805
-// 4.2.12
-TEST(VerifyConfigurationOfTheDevice, StaysWhateverIsConfigured) {
+TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
+    verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
+    leave_date_and_time();
+    talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
+}
+
+// Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
+// AX060805 4.2.12
+TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);

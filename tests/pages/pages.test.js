@@ -61,7 +61,7 @@ for (const name of pages) {
   });
 }
 
-test('each printed sheet says its commit', async () => {
+test('each printed sheet shows its commit', async () => {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pages-'));
   const page = await opened('hazards.html', LOOKS[0]);
   const pdf = path.join(folder, 'page.pdf');

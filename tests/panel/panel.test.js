@@ -119,7 +119,7 @@ after(async () => {
   await browser?.close();
 });
 
-test('a temperature dragged over the shutdown limit shows as lamp, emergency and frame', async (t) => {
+test('a temperature dragged over the shutdown limit is shown by lamp, emergency and frame', async (t) => {
   const page = await openPage(t);
   assert.equal(await lamp(page, 'ax188001', 'ERR').locator('.words').innerText(), 'off');
   await send(page, '602#2B30400100000000'); // 4030h:1 error react delay: none
@@ -140,7 +140,7 @@ test('a temperature dragged over the shutdown limit shows as lamp, emergency and
   await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=dark]').waitFor();
 });
 
-test('the keyboard alone does the same, and always shows where it is', async (t) => {
+test('the same works with the keyboard alone, and the focus is always visible', async (t) => {
   const page = await openPage(t);
   const focus = () => page.evaluate(() => {
     const at = document.activeElement;
@@ -170,7 +170,7 @@ test('the keyboard alone does the same, and always shows where it is', async (t)
   await card(page, 'ax188001').locator('.emcy', { hasText: 'negative warning' }).or(card(page, 'ax188001').locator('.emcy:not(.error)')).first().waitFor();
 });
 
-test('NMT goes over the bus, and the LED of the device flashes as the device switches it', async (t) => {
+test('an NMT command goes over the bus, and the LED on the page flashes as the device switches it', async (t) => {
   const page = await openPage(t);
   const status = lamp(page, 'cbx-ao412', 'S');
   await status.locator('.words', { hasText: 'blinking' }).waitFor();
@@ -188,7 +188,7 @@ test('NMT goes over the bus, and the LED of the device flashes as the device swi
   await card(page, 'cbx-ao412').locator('.gauge', { hasText: 'Output 1' }).locator('.figure', { hasText: /^5\.00/ }).waitFor();
 });
 
-test('tilt is dragged, and what the plant makes of it comes back', async (t) => {
+test('a dragged tilt reaches the plant, and the measured angle is shown', async (t) => {
   const page = await openPage(t);
   const horizon = card(page, 'ax060805').locator('.attitude');
   await horizon.scrollIntoViewIfNeeded();
@@ -202,7 +202,7 @@ test('tilt is dragged, and what the plant makes of it comes back', async (t) => 
   await until(page, () => Math.abs(Number(document.querySelector('[data-device=ax060805] .gauge .figure').textContent) - 30) <= 3);
 });
 
-test('another page sees what this one sets', async (t) => {
+test('another page shows a value that this page sets', async (t) => {
   const one = await openPage(t);
   const other = await openPage(t);
   const box = control(one, 'ax130751', 'supply').locator('input[type=number]');
@@ -213,7 +213,7 @@ test('another page sees what this one sets', async (t) => {
   assert.match(csv, /^\d+\.\d{6},ax130751\.supply,13\.5$/m);
 });
 
-test('frames that came too fast for the program are told, and only then', async (t) => {
+test('lost frames are shown, and nothing is shown without a loss', async (t) => {
   const page = await openPage(t);
   assert.equal(await page.locator('#bus-lost-field').isVisible(), false);
   await page.route('**/api/state*', async (route) => {
@@ -227,7 +227,7 @@ test('frames that came too fast for the program are told, and only then', async 
   await page.unrouteAll({ behavior: 'ignoreErrors' });
 });
 
-test('a simulation that is behind is told, and only then', async (t) => {
+test('a lag of the simulation is shown, and nothing is shown without a lag', async (t) => {
   const page = await openPage(t);
   await page.route('**/api/state*', async (route) => {
     const response = await route.fetch();
@@ -240,7 +240,7 @@ test('a simulation that is behind is told, and only then', async (t) => {
   await page.locator('#bus-lag-field').waitFor({ state: 'hidden' });
 });
 
-test('a client of socketcand and the page see the same bus', async (t) => {
+test('a client of socketcand and the page show the same bus', async (t) => {
   const served = await startPanel('cbx-ao412@3', '--bus', 'socketcand:127.0.0.1:0');
   t.after(served.stop);
   const port = Number(/socketcand listens at port (\d+)/.exec(await served.says(/listens at port \d+/))[1]);
@@ -261,7 +261,7 @@ test('a client of socketcand and the page see the same bus', async (t) => {
   await hears(/< frame 583 \S+ 4F01100000000000 >/i);
 });
 
-test('what cannot be is told in words', async (t) => {
+test('a refused frame is explained in words', async (t) => {
   const context = await browser.newContext();
   t.after(() => context.close());
   const page = await context.newPage();
@@ -273,7 +273,7 @@ test('what cannot be is told in words', async (t) => {
   await page.locator('#message.wrong', { hasText: '900' }).waitFor();
 });
 
-test('nothing is wider than the screen, from a small phone to a wide desk', async (t) => {
+test('no element is wider than the screen, from a small phone to a wide desktop', async (t) => {
   const page = await openPage(t);
   for (const summary of await page.locator('summary').all()) await summary.click();
   for (const [width, height] of [[320, 640], [390, 844], [768, 1024], [1920, 1080]]) {
@@ -285,7 +285,7 @@ test('nothing is wider than the screen, from a small phone to a wide desk', asyn
   }
 });
 
-test('every text is readable, light and dark', async (t) => {
+test('every text has enough contrast, light and dark', async (t) => {
   const page = await openPage(t);
   for (const summary of await page.locator('summary').all()) await summary.click();
   for (const [colorScheme, background] of [['light', 'rgb(236, 238, 236)'], ['dark', 'rgb(18, 22, 24)']]) {
@@ -297,7 +297,7 @@ test('every text is readable, light and dark', async (t) => {
   }
 });
 
-test('who wants less motion reads the pattern instead of seeing it flash', async (t) => {
+test('with reduced motion, the LED pattern is written instead of flashing', async (t) => {
   const page = await openPage(t, { reducedMotion: 'reduce' });
   await page.getByRole('group', { name: 'NMT, all nodes' }).getByRole('button', { name: 'Pre-op' }).click();
   const status = lamp(page, 'cbx-ao412', 'S');
@@ -348,7 +348,7 @@ test('a page of another site can neither read nor change anything', async (t) =>
   assert.deepEqual(state.frames.filter((frame) => frame.data === '0202'), []);
 });
 
-test('wrong options are told, with status 2', () => {
+test('wrong options are reported, with status 2', () => {
   for (const [words, said] of [[['--port', '99999'], '--port'], [['nothing'], 'nothing'], [['--port', new URL(panel.url).port], 'cannot be had'], [['--bus', 'carrier-pigeon'], 'carrier-pigeon']]) {
     const run = spawnSync(canproof, ['panel', ...words], { encoding: 'utf8' });
     assert.equal(run.status, 2, words.join(' '));

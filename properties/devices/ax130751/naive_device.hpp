@@ -217,7 +217,7 @@ class Device {
         errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
         errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
     }
-    /// Errors of communication, and what 1029h:1 makes of each of them.
+    /// Reports communication errors; the first of them changes the state by 1029h:1.
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
         network_.silent = any(silent_);

@@ -237,8 +237,7 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// 7.9.21: heartbeat, guarding and bus-off. The node follows 1029h each time one of them begins; the outputs follow
-/// 6443h while any of them lasts.
+/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h the outputs.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);

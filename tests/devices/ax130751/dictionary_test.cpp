@@ -1,7 +1,5 @@
-// Every object of the AX130751 as chapter 3 of its manual has it: type, access, mapping, default and limits of each
-// entry, read by hand from the object's page. The tables are asked directly; what goes over the bus has its own tests.
-#include <set>
-
+// Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
+// taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
