@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/base/shard.hpp"
 #include "host/prove/theorem.hpp"
 
 namespace canproof::host::prove {
@@ -16,6 +18,7 @@ struct ProveOptions {
     std::filesystem::path overlay{};  ///< changed sources, by their path; empty: none
     std::string area{};               ///< only proofs of this folder; empty: all
     std::string theorem{};            ///< only this one; empty: all
+    std::optional<Shard> shard{};     ///< only this part of the theorems that fit
     unsigned seconds{60};             ///< of processor time for one theorem; it is unknown after that
     unsigned jobs{2};                 ///< processes at once
     bool replays{true};               ///< runs each counterexample natively
