@@ -9,6 +9,7 @@
 #include "host/base/input_error.hpp"
 #include "host/prove/faults.hpp"
 #include "host/prove/prove_all.hpp"
+#include "host/prove/prove_shards.hpp"
 #include "host/prove/results.hpp"
 #include "host/prove/scratch_folder.hpp"
 
@@ -22,6 +23,8 @@ struct Arguments {
     std::filesystem::path root{"."};
     std::filesystem::path build{};
     std::string json{};
+    std::string shard{};
+    std::string merge{};
     std::string faults{};
     unsigned every{1};
 };
@@ -35,6 +38,9 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
         ->capture_default_str();
     app.add_option("--jobs", options.jobs, "processes at once")->check(CLI::Range(1, 64))->capture_default_str();
     app.add_option("--json", arguments.json, "file to write the results to");
+    app.add_option("--shard", arguments.shard, "I/N: only the Ith of N parts of the theorems; --json for --merge");
+    app.add_option("--merge", arguments.merge, "folder of the JSON files of all shards, in place of proving")
+        ->excludes("--shard");
     app.add_option("--faults", arguments.faults, "table of seeded faults: each must be refuted");
     app.add_option("--every", arguments.every, "with --faults: only every Nth of the table")
         ->check(CLI::Range(1, 1000));
@@ -49,14 +55,18 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     options.generated = std::filesystem::absolute(arguments.build.empty() ? own : arguments.build) / "generated";
     const std::filesystem::path json = arguments.json.empty() ? "" : std::filesystem::absolute(arguments.json);
+    const std::filesystem::path merge = arguments.merge.empty() ? "" : std::filesystem::absolute(arguments.merge);
+    if (!arguments.shard.empty()) {
+        options.shard = parse_shard(arguments.shard);
+    }
     std::filesystem::current_path(arguments.root);
     if (!arguments.faults.empty()) {
         return try_faults(arguments.faults, arguments.every, options);
     }
-    const std::vector<TheoremResult> results = prove_all(options);
+    const std::vector<TheoremResult> results = merge.empty() ? prove_all(options) : merge_shards(merge);
     std::cout << table_of(results);
     if (!json.empty()) {
-        write_file(json, json_text(results));
+        write_file(json, options.shard ? shard_text(*options.shard, results) : json_text(results));
     }
     bool all_proven = true;
     for (const TheoremResult& one : results) {

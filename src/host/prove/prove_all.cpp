@@ -163,14 +163,17 @@ std::vector<TheoremResult> prove_all(const ProveOptions& options) {
     for (const auto& file : files) {
         programs.push_back(std::make_unique<Program>(compiler.bitcode(file)));
         for (const std::string& name : programs.back()->theorems()) {
-            if (options.theorem.empty() || options.theorem == name) {
+            if (!options.theorem.empty() && options.theorem != name) {
+                continue;
+            }
+            if (!options.shard || options.shard->holds(count)) {
                 TheoremResult result;
                 result.name = name;
                 result.file = file.string();
                 result.area = file.parent_path().filename().string();
                 queue.add(*programs.back(), result);
-                ++count;
             }
+            ++count;
         }
     }
     if (count == 0) {

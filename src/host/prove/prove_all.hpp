@@ -2,20 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host/base/shard.hpp"
 #include "host/prove/theorem.hpp"
 
 namespace canproof::host::prove {
 
 struct ProveOptions {
     std::filesystem::path proofs{"properties/proofs"};
-    std::filesystem::path generated;  ///< folder with the headers that the build generated
-    std::filesystem::path scratch;    ///< folder for temporary files
-    std::filesystem::path overlay{};  ///< folder with changed sources, by their path; empty: none
-    std::string area{};               ///< only the proofs of the folder with this name; empty: all
-    std::string theorem{};            ///< only this theorem; empty: all
+    std::filesystem::path generated;  ///< headers that the build wrote
+    std::filesystem::path scratch;    ///< folder for what is compiled
+    std::filesystem::path overlay{};  ///< changed sources, by their path; empty: none
+    std::string area{};               ///< only proofs of this folder; empty: all
+    std::string theorem{};            ///< only this one; empty: all
+    std::optional<Shard> shard{};     ///< only this part of the theorems that fit
     unsigned seconds{60};             ///< of processor time for one theorem; it is unknown after that
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< runs each counterexample as a native program

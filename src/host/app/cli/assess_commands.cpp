@@ -253,6 +253,8 @@ class ProveCommand : Command {
         command.add_option("--timeout", value_, "seconds of processor time for one theorem; unknown after that");
         command.add_option("--jobs", value_, "processes at once");
         command.add_option("--json", value_, "file to write the results to");
+        command.add_option("--shard", value_, "I/N: only the Ith of N parts of the theorems; --json for --merge");
+        command.add_option("--merge", value_, "folder of the JSON files of all shards, in place of proving");
         command.add_option("--faults", value_, "table of seeded faults: each must be refuted");
         command.add_option("--every", value_, "with --faults: only every Nth of the table");
         command.add_flag("--no-replay", "do not run counterexamples natively");
