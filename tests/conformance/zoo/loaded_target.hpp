@@ -8,9 +8,9 @@
 
 namespace canproof::test::zoo {
 
-/// The additional frames have restricted identifiers of CiA 301 that are not assigned (7.3.5), so that no slave accepts
-/// them: some precede those of the slave in arbitration, some do not. The same seed gives the same frames at the same
-/// times.
+/// No slave may react to the frames: they are those of another node's services, NMT commands to that node, 29-bit
+/// frames, some with the numbers of the slave's own identifiers, and frames on identifiers that CiA 301 gives to nobody
+/// (7.3.5). Some win over the slave's, some do not. The same seed gives the same frames at the same times.
 class LoadedTarget final : public host::conform::Target {
   public:
     /// `load`: fraction of the bus that the additional frames occupy, 0 to 1. Above 0.7 a tester with one queue falls
@@ -35,6 +35,7 @@ class LoadedTarget final : public host::conform::Target {
     Frame random_frame();
 
     host::conform::VirtualTarget inner_;
+    std::uint8_t node_id_;
     double load_;
     std::mt19937_64 generator_;
     Instant next_{};

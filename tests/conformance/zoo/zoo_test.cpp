@@ -129,13 +129,14 @@ TEST(Zoo, NoCaseFailsOnTheCorrectSlave) {
 
 TEST_P(UnderRandomLoad, NoCaseFailsOnTheCorrectSlave) {
     const std::size_t run = GetParam();
-    std::mt19937_64 generator{first_seed() + run};
+    const std::uint64_t seed = first_seed() + run;
+    std::mt19937_64 generator{seed};
     const double load = 0.05 + 0.0055 * static_cast<double>(generator() % 100U);  // 5 to 60 %
     LoadedTarget target{std::make_unique<WrongSlave>(), node, load, generator()};
     ConformOptions options;
     options.cases = cases_of_run(run);
     for (const CaseResult& one : conform::run_cases(conform::built_in_cases(), sheet(), target, options).results) {
-        EXPECT_FALSE(is_failure(one)) << "load " << load << ": " << words_of(one);
+        EXPECT_FALSE(is_failure(one)) << "seed " << seed << ", load " << load << ": " << words_of(one);
     }
 }
 
