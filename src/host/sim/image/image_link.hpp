@@ -27,7 +27,7 @@ struct ImageGreeting {
 class ImageLink {
   public:
     /// Milliseconds that an image may take for one message: emulation within emulation takes seconds to start.
-    static constexpr int patience_ms = 60000;
+    static constexpr int patience_ms = 300000;
 
     /// `to` and `from` are ends of pipes; `name` is for messages.
     ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator = {});

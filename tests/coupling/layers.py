@@ -1,0 +1,30 @@
+"""The layers of the firmware, by the path of a unit from the project's folder: that of a header and its .cpp, without an ending."""
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def layer_of(unit):
+    """`base`, `canopen`, `blocks`, `ax188001`, `blocks of ax188001`, `drivers`; None of what is no firmware."""
+    shared = re.match(r"src/firmware/(\w+)/", unit)
+    if shared:
+        return shared.group(1)
+    own = re.match(r"src/devices/([^/]+)/firmware/(.*)", unit)
+    if own:
+        name = own.group(1)
+        return name if own.group(2).startswith(name.replace("-", "_")) else f"blocks of {name}"
+    return "drivers" if unit.startswith("src/target/stm32f405/") else None
+
+
+def is_downward(upper, lower):
+    """Whether the one may call the other: a device everything that is not another device's, drivers what is shared, the rest base."""
+    if upper == lower or lower == "base":
+        return True
+    if upper in ("base", "blocks", "canopen"):
+        return False
+    if upper == "drivers":
+        return lower == "canopen"
+    if upper.startswith("blocks of "):
+        return lower == "blocks"
+    return lower in ("canopen", "blocks", f"blocks of {upper}")
