@@ -16,6 +16,8 @@ std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
 /// … and those of the buses on a real kernel.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
+/// … and those of the theorems about it, with the prover.
+std::vector<std::string> proof_sources(const std::filesystem::path& root);
 /// … and that of the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
