@@ -2,6 +2,9 @@
 # canproofConfig.cmake): sources of the firmware, of test bench and fuzz world, headers and compiled libraries of the host.
 set(home lib/canproof)
 install(TARGETS canproof DESTINATION bin)
+if(TARGET canproof-prove)
+  install(TARGETS canproof-prove DESTINATION bin)  # `canproof prove` looks for it beside itself
+endif()
 install(TARGETS speccompiler canproof_base canproof_register canproof_datasheet canproof_codegen canproof_sim
                 canproof_report canproof_conform canproof_assess canproof_http canproof_app
         RUNTIME DESTINATION ${home}/prebuilt ARCHIVE DESTINATION ${home}/prebuilt)

@@ -11,7 +11,7 @@ extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept;
-void canproof_assume(bool holds) noexcept;
+void canproof_assume(bool holds, const char* file, unsigned line) noexcept;
 void canproof_claim(bool holds, unsigned line) noexcept;
 void canproof_shows(const char* statement) noexcept;
 void canproof_proves(const char* requirement) noexcept;
@@ -30,9 +30,10 @@ void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes values for which the condition is false.
-inline void assume(const bool holds) noexcept {
-    canproof_assume(holds);
+/// Excludes values for which this does not hold. The table of theorems shows the line.
+inline void assume(const bool holds, const char* const file = __builtin_FILE(),
+                   const unsigned line = __builtin_LINE()) noexcept {
+    canproof_assume(holds, file, line);
 }
 
 /// Claims that the condition holds. `line` is the line of the claim.

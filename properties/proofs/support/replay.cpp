@@ -63,9 +63,9 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
     return bytes == 0 ? memory + room : memory;  // without bytes the first one is outside already
 }
 
-void canproof_assume(bool holds) noexcept {
+void canproof_assume(bool holds, const char* file, unsigned line) noexcept {
     if (!holds) {
-        std::fputs("an assumption excludes the counterexample\n", stderr);
+        std::fprintf(stderr, "the assumption in %s:%u excludes the counterexample\n", file, line);
         std::_Exit(assumption_fails);
     }
 }

@@ -1,5 +1,6 @@
 #include "host/prove/harness.hpp"
 
+#include <filesystem>
 #include <map>
 
 #include "host/prove/access.hpp"
@@ -123,6 +124,8 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
         return HarnessEffect::none;
     }
     if (name == "canproof_assume") {
+        const std::string file = std::filesystem::path{globals.text(call.arguments[1])}.lexically_normal().string();
+        proof.assumptions.insert(file + ":" + std::to_string(number(call.arguments[2]).value_or(0)));
         return assume(state, call.arguments[0]);
     }
     if (name == "canproof_claim") {

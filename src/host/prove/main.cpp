@@ -4,14 +4,19 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <stdexcept>
 
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/prove_options.hpp"
+#include "host/base/replace_folder.hpp"
 #include "host/prove/faults.hpp"
+#include "host/prove/proofs_exhibit.hpp"
 #include "host/prove/prove_all.hpp"
 #include "host/prove/prove_shards.hpp"
 #include "host/prove/results.hpp"
 #include "host/prove/scratch_folder.hpp"
+#include "host/prove/verdict_xml.hpp"
 
 namespace canproof::host::prove {
 
@@ -23,30 +28,55 @@ struct Arguments {
     std::filesystem::path root{"."};
     std::filesystem::path build{};
     std::string json{};
-    std::string shard{};
-    std::string merge{};
+    std::string out{};
+    std::string xml{};
     std::string faults{};
     unsigned every{1};
 };
 
+/// The options of prove_options.hpp, each with where its value goes.
+class Options {
+  public:
+    explicit Options(CLI::App& app) : app_{app} {}
+
+    template <typename Target>
+    CLI::Option* operator()(const char* name, Target& target) {
+        ++count_;
+        return app_.add_option(name, target, help_of_prove_option(name));
+    }
+    void off(const char* name, bool& target) {
+        ++count_;
+        app_.add_flag(std::string{"!"} + name, target, help_of_prove_option(name));
+    }
+    std::size_t count() const { return count_; }
+
+  private:
+    CLI::App& app_;
+    std::size_t count_{0};
+};
+
 void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
-    app.add_option("--only", options.area, "proofs of this folder below properties/proofs: base");
-    app.add_option("--proofs", options.proofs, "folder of harnesses")->capture_default_str();
-    app.add_option("--theorem", options.theorem, "this one alone");
-    app.add_option("--timeout", options.seconds, "seconds of processor time for one theorem; unknown after that")
-        ->check(CLI::Range(1, 86400))
-        ->capture_default_str();
-    app.add_option("--jobs", options.jobs, "processes at once")->check(CLI::Range(1, 64))->capture_default_str();
-    app.add_option("--json", arguments.json, "file to write the results to");
-    app.add_option("--shard", arguments.shard, "I/N: only the Ith of N parts of the theorems; --json for --merge");
-    app.add_option("--merge", arguments.merge, "folder of the JSON files of all shards, in place of proving")
-        ->excludes("--shard");
-    app.add_option("--faults", arguments.faults, "table of seeded faults: each must be refuted");
-    app.add_option("--every", arguments.every, "with --faults: only every Nth of the table")
-        ->check(CLI::Range(1, 1000));
-    app.add_flag("!--no-replay", options.replays, "do not run counterexamples natively");
-    app.add_option("--root", arguments.root, "the project's folder")->capture_default_str();
-    app.add_option("--build", arguments.build, "a build of the project; where this program lies without it");
+    Options add{app};
+    add("--only", options.area);
+    add("--proofs", options.proofs)->capture_default_str();
+    add("--theorem", options.theorem);
+    add("--timeout", options.seconds)->check(CLI::Range(1, 86400))->capture_default_str();
+    add("--jobs", options.jobs)->check(CLI::Range(1, 64))->capture_default_str();
+    add("--json", arguments.json);
+    add("--out", arguments.out);
+    add("--xml", arguments.xml);
+    add("--faults", arguments.faults);
+    add("--every", arguments.every)->check(CLI::Range(1, 1000));
+    add.off("--no-replay", options.replays);
+    add("--root", arguments.root)->capture_default_str();
+    add("--build", arguments.build);
+    if (add.count() != prove_options.size()) {
+        throw std::logic_error{"prove_options.hpp lists other options"};
+    }
+}
+
+std::filesystem::path absolute_or_empty(const std::string& path) {
+    return path.empty() ? std::filesystem::path{} : std::filesystem::absolute(path);
 }
 
 int prove(const Arguments& arguments, ProveOptions& options) {
@@ -54,11 +84,9 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     options.scratch = scratch.path();
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     options.generated = std::filesystem::absolute(arguments.build.empty() ? own : arguments.build) / "generated";
-    const std::filesystem::path json = arguments.json.empty() ? "" : std::filesystem::absolute(arguments.json);
-    const std::filesystem::path merge = arguments.merge.empty() ? "" : std::filesystem::absolute(arguments.merge);
-    if (!arguments.shard.empty()) {
-        options.shard = parse_shard(arguments.shard);
-    }
+    const std::filesystem::path json = absolute_or_empty(arguments.json);
+    const std::filesystem::path out = absolute_or_empty(arguments.out);
+    const std::filesystem::path xml = absolute_or_empty(arguments.xml);
     std::filesystem::current_path(arguments.root);
     if (!arguments.faults.empty()) {
         return try_faults(arguments.faults, arguments.every, options);
@@ -67,6 +95,12 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     std::cout << table_of(results);
     if (!json.empty()) {
         write_file(json, options.shard ? shard_text(*options.shard, results) : json_text(results));
+    }
+    if (!xml.empty()) {
+        write_file(xml, verdict_xml(results));
+    }
+    if (!out.empty()) {
+        replace_folder(out, exhibit_of(results));
     }
     bool all_proven = true;
     for (const TheoremResult& one : results) {
@@ -84,14 +118,12 @@ int main(int argc, char** argv) {
     CLI::App app{"canproof prove: theorems about the firmware, shown for all values"};
     prove::Arguments arguments;
     prove::ProveOptions options;
-    prove::add_options(app, arguments, options);
     try {
+        prove::add_options(app, arguments, options);
         app.parse(argc, argv);
+        return prove::prove(arguments, options);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : prove::wrong_use;
-    }
-    try {
-        return prove::prove(arguments, options);
     } catch (const std::exception& error) {
         std::cerr << "canproof prove: " << error.what() << '\n';
         return prove::wrong_use;

@@ -48,6 +48,7 @@ struct Proof {
     std::string statement{};                  ///< what the harness says that it shows
     std::vector<std::string> requirements{};  ///< that it names
     std::function<void()> noted{};            ///< after each of both
+    std::set<std::string> assumptions{};      ///< `file:line` of each
     std::set<std::string> functions{};        ///< of the firmware, that were executed
 };
 

@@ -19,16 +19,6 @@ Verdict verdict_named(const std::string& name) {
     return Verdict::unknown;
 }
 
-std::size_t count(const std::vector<TheoremResult>& results, Verdict verdict) {
-    return static_cast<std::size_t>(
-        std::count_if(results.begin(), results.end(), [verdict](const auto& one) { return one.verdict == verdict; }));
-}
-
-std::string paths_text(double paths) {
-    constexpr double most_written_out = 999999.0;
-    return paths > most_written_out ? fmt::format("{:.1e}", paths) : fmt::format("{:.0f}", paths);
-}
-
 void append_details(std::string& text, const TheoremResult& one) {
     if (one.verdict == Verdict::proven) {
         return;
@@ -44,6 +34,16 @@ void append_details(std::string& text, const TheoremResult& one) {
 
 }  // namespace
 
+std::size_t count(const std::vector<TheoremResult>& results, Verdict verdict) {
+    return static_cast<std::size_t>(
+        std::count_if(results.begin(), results.end(), [verdict](const auto& one) { return one.verdict == verdict; }));
+}
+
+std::string paths_text(double paths) {
+    constexpr double most_written_out = 999999.0;
+    return paths > most_written_out ? fmt::format("{:.1e}", paths) : fmt::format("{:.0f}", paths);
+}
+
 nlohmann::json json_of(const TheoremResult& one) {
     return {{"name", one.name},
             {"file", one.file},
@@ -53,6 +53,7 @@ nlohmann::json json_of(const TheoremResult& one) {
             {"verdict", name_of(one.verdict)},
             {"reason", one.reason},
             {"functions", one.functions},
+            {"assumptions", one.assumptions},
             {"paths", one.paths},
             {"obligations", one.obligations},
             {"questions", one.questions},
@@ -71,6 +72,7 @@ TheoremResult result_of(const nlohmann::json& json) {
     one.verdict = verdict_named(json.at("verdict"));
     one.reason = json.at("reason");
     json.at("functions").get_to(one.functions);
+    json.at("assumptions").get_to(one.assumptions);
     one.paths = json.at("paths");
     one.obligations = json.at("obligations");
     one.questions = json.at("questions");

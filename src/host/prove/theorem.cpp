@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host/prove/machine.hpp"
+#include "host/prove/source_statement.hpp"
 #include "host/prove/unknown.hpp"
 
 namespace canproof::host::prove {
@@ -98,6 +99,9 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
         result.reason = std::string{"z3: "} + error.msg();
     }
     result.functions.assign(proof.functions.begin(), proof.functions.end());
+    for (const std::string& place : proof.assumptions) {
+        result.assumptions.push_back(place + ": " + statement_at(place));
+    }
     result.obligations = proof.obligations.size();
     result.questions = proof.solver.questions();
 }

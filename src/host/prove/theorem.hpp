@@ -21,8 +21,9 @@ struct TheoremResult {
     std::string statement{};
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
-    std::string reason{};                  ///< the obligation that fails or is open; why nothing is known
-    std::vector<std::string> functions{};  ///< of the firmware, that were executed
+    std::string reason{};                    ///< the obligation that fails or is open; why nothing is known
+    std::vector<std::string> functions{};    ///< of the firmware, that were executed
+    std::vector<std::string> assumptions{};  ///< what the harness assumes, each with its place
     double paths{0.0};
     std::size_t obligations{0};
     std::size_t questions{0};  ///< questions to z3

@@ -11,6 +11,7 @@
 #include "host/app/cli/mutate_command.hpp"
 #include "host/app/cli/prove_command.hpp"
 #include "host/assess/fuzz/campaign.hpp"
+#include "host/base/prove_options.hpp"
 
 namespace canproof::host {
 
@@ -247,19 +248,13 @@ class ProveCommand : Command {
   private:
     /// Adds the options of canproof-prove, which checks the values and has the defaults.
     void add_options(CLI::App& command) {
-        command.add_option("--only", value_, "proofs of this folder below properties/proofs: base");
-        command.add_option("--proofs", value_, "folder of harnesses");
-        command.add_option("--theorem", value_, "this one alone");
-        command.add_option("--timeout", value_, "seconds of processor time for one theorem; unknown after that");
-        command.add_option("--jobs", value_, "processes at once");
-        command.add_option("--json", value_, "file to write the results to");
-        command.add_option("--shard", value_, "I/N: only the Ith of N parts of the theorems; --json for --merge");
-        command.add_option("--merge", value_, "folder of the JSON files of all shards, in place of proving");
-        command.add_option("--faults", value_, "table of seeded faults: each must be refuted");
-        command.add_option("--every", value_, "with --faults: only every Nth of the table");
-        command.add_flag("--no-replay", "do not run counterexamples natively");
-        command.add_option("--root", value_, "the project's folder");
-        command.add_option("--build", value_, "a build of the project; where this program lies without it");
+        for (const ProveOption& one : prove_options) {
+            if (one.takes_value) {
+                command.add_option(one.name, value_, one.help);
+            } else {
+                command.add_flag(one.name, one.help);
+            }
+        }
     }
     /// Returns the options in the form in which the user gave them.
     static std::vector<std::string> words_of(const CLI::App& command) {

@@ -92,13 +92,19 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
     return stale;
 }
 
+/// What an exhibit speaks of.
+std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
+    if (key == "code-mutation") {  // what notices a mutant are the tests
+        return firmware_and_tests(root);
+    }
+    return key == "proofs" ? proof_sources(root) : firmware_sources(root);
+}
+
 std::vector<Exhibit> exhibits_in(const Places& places) {
     std::vector<Exhibit> all;
     for (const auto& folder : exhibit_folders(places.exhibits)) {
         all.push_back(read_exhibit(folder));
-        // The tests decide which mutants of code are noticed, so a changed test makes this exhibit stale.
-        const auto sources =
-            all.back().key == "code-mutation" ? firmware_and_tests(places.root) : firmware_sources(places.root);
+        const auto sources = sources_of(all.back().key, places.root);
         mark_stale(all.back(), changed_source(places.root, sources, folder / "exhibit.json"));
     }
     return all;

@@ -109,6 +109,10 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
     return with(firmware_sources(root), {"src/host/sim/bus", "src/host/sim/run", "tests/socketcan"});
 }
 
+std::vector<std::string> proof_sources(const fs::path& root) {
+    return with(firmware_sources(root), {"properties/proofs", "src/host/prove"});
+}
+
 std::vector<std::string> target_sources(const fs::path& root) {
     return with(firmware_sources(root), {"src/target"});
 }

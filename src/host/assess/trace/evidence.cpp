@@ -120,7 +120,9 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
         if (claims != evidence.verdicts.end()) {
             std::vector<std::pair<std::string, std::string>> tests;
             for (const auto& verdict : claims->second) {
-                tests.emplace_back(verdict.file, verdict.test);
+                if (verdict.kind != "proof") {  // a theorem is no test: nobody reads expected values in it
+                    tests.emplace_back(verdict.file, verdict.test);
+                }
             }
             now.tests = marks.of_tests(tests);
         }

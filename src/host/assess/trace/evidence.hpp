@@ -14,7 +14,7 @@ namespace canproof::host {
 
 struct Verdict {
     std::string test;  ///< Suite.Name
-    std::string kind;  ///< test, property or fuzz
+    std::string kind;  ///< test, property, fuzz or proof
     bool passed{false};
     double seconds{0.0};
     std::string file{};  ///< source of the test relative to the project's folder; empty when the runner does not report

@@ -1,0 +1,41 @@
+// The options of `canproof prove`, for the program that completes them and for canproof-prove, which it starts.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace canproof::host {
+
+struct ProveOption {
+    const char* name;
+    bool takes_value;
+    const char* help;
+};
+
+inline constexpr std::array<ProveOption, 13> prove_options{{
+    {"--only", true, "proofs of this folder below properties/proofs, such as base"},
+    {"--proofs", true, "folder of harnesses"},
+    {"--theorem", true, "this one alone"},
+    {"--timeout", true, "seconds of processor time for one theorem; unknown after that"},
+    {"--jobs", true, "processes at once"},
+    {"--json", true, "file to write the results to"},
+    {"--out", true, "folder to write the table to, for the evidence pack: build/exhibits/proofs"},
+    {"--xml", true, "file to write verdicts to, for the audit: build/NAME/verdicts/proofs.xml"},
+    {"--faults", true, "table of seeded faults: each must be refuted"},
+    {"--every", true, "with --faults: only every Nth of the table"},
+    {"--no-replay", false, "do not run counterexamples natively"},
+    {"--root", true, "the project's folder"},
+    {"--build", true, "a build of the project; where canproof-prove lies without it"},
+}};
+
+/// What an option does. A name that is not listed gives an empty text.
+constexpr const char* help_of_prove_option(std::string_view name) {
+    for (const ProveOption& one : prove_options) {
+        if (one.name == name) {
+            return one.help;
+        }
+    }
+    return "";
+}
+
+}  // namespace canproof::host

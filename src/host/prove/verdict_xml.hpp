@@ -1,0 +1,15 @@
+// Verdicts of theorems for the audit, in the form in which the test programs leave theirs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/prove/theorem.hpp"
+
+namespace canproof::host::prove {
+
+/// A test case for each theorem that names a requirement, with a claim of the kind `proof` for each of these. One that
+/// is refuted has failed; one that is unknown is left out: it shows nothing.
+std::string verdict_xml(const std::vector<TheoremResult>& results);
+
+}  // namespace canproof::host::prove
