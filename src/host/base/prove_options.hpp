@@ -12,7 +12,7 @@ struct ProveOption {
     const char* help;
 };
 
-inline constexpr std::array<ProveOption, 13> prove_options{{
+inline constexpr std::array<ProveOption, 15> prove_options{{
     {"--only", true, "proofs of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder of harnesses"},
     {"--theorem", true, "this one alone"},
@@ -21,6 +21,8 @@ inline constexpr std::array<ProveOption, 13> prove_options{{
     {"--json", true, "file to write the results to"},
     {"--out", true, "folder to write the table to, for the evidence pack: build/exhibits/proofs"},
     {"--xml", true, "file to write verdicts to, for the audit: build/NAME/verdicts/proofs.xml"},
+    {"--shard", true, "I/N: only part I of N of the theorems; --json for --merge"},
+    {"--merge", true, "folder of the JSON files of all shards, in place of proving"},
     {"--faults", true, "table of seeded faults: each must be refuted"},
     {"--every", true, "with --faults: only every Nth of the table"},
     {"--no-replay", false, "do not run counterexamples natively"},

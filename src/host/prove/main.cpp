@@ -30,6 +30,8 @@ struct Arguments {
     std::string json{};
     std::string out{};
     std::string xml{};
+    std::string shard{};
+    std::string merge{};
     std::string faults{};
     unsigned every{1};
 };
@@ -65,6 +67,8 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     add("--json", arguments.json);
     add("--out", arguments.out);
     add("--xml", arguments.xml);
+    CLI::Option* const shard = add("--shard", arguments.shard);
+    add("--merge", arguments.merge)->excludes(shard);
     add("--faults", arguments.faults);
     add("--every", arguments.every)->check(CLI::Range(1, 1000));
     add.off("--no-replay", options.replays);
@@ -87,6 +91,10 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     const std::filesystem::path json = absolute_or_empty(arguments.json);
     const std::filesystem::path out = absolute_or_empty(arguments.out);
     const std::filesystem::path xml = absolute_or_empty(arguments.xml);
+    const std::filesystem::path merge = absolute_or_empty(arguments.merge);
+    if (!arguments.shard.empty()) {
+        options.shard = parse_shard(arguments.shard);
+    }
     std::filesystem::current_path(arguments.root);
     if (!arguments.faults.empty()) {
         return try_faults(arguments.faults, arguments.every, options);
