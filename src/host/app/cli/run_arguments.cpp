@@ -9,8 +9,10 @@ namespace canproof::host {
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
     command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
-    command.add_option("--arm", running.arm,
-                       "build/target/bridged_NAME.elf, or FILE@NODE: the device's image on an STM32F405 in QEMU");
+    command
+        .add_option("--arm", running.arm,
+                    "build/target/bridged_NAME.elf, or FILE@NODE: the device's image on an STM32F405 in QEMU")
+        ->allow_extra_args(false);
     command.add_option("--factory", running.factory, factory_help)->allow_extra_args(false);
     command
         .add_option("--bus", running.bus,
