@@ -1,4 +1,4 @@
-"""Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the release build
+"""Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the program
 in a network of their own, where vcan0, can0 and can1 are other interfaces than here."""
 import ctypes
 import os
@@ -27,8 +27,8 @@ def make_vcan():
     bench.sh("ip", "link", "set", "vcan0", "up")
 
 
-def check_release(program):
-    readme.check_all()  # this check creates vcan0
+def check_program(program):
+    readme.check_all(program)  # this check creates vcan0
     conversation.check_all(program)
     flood.check_all(program)
     interface.check_kernel(program)

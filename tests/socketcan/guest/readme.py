@@ -16,7 +16,9 @@ def blocks():
 
 
 class Shell:
-    """A shell in a folder whose build/ is that of the project. Its user may become root, and python3 starts fast (warm_python.py)."""
+    """A shell in a folder whose build/release/canproof is `program`. Its user may become root, and python3 starts fast (warm_python.py)."""
+
+    program = None
 
     def __init__(self):
         os.makedirs(f"{FOLDER}/bin", exist_ok=True)
