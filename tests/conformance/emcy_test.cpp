@@ -252,7 +252,7 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 
-TEST_F(Errors, AnUnknownStateOfTheControllerIsBusOff) {
+TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     verifies<req::AO4_ERR_008>();
     EXPECT_TRUE(can_state(4).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());

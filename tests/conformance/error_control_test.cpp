@@ -282,7 +282,7 @@ TEST_F(SlaveErrorControl, TheIdentifierIs700hAndTheNodeIdWithout100Eh) {
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
 }
 
-TEST_F(ErrorControlService, TheIdentifierOf100EhIsErrorControlsOrUnrestricted) {
+TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestrictedOnes) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
@@ -341,7 +341,7 @@ TEST_F(ErrorControlService, EachErrorActsBy1029hAlsoWhileAnotherLasts) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(ErrorControlService, BusOffActsBy1029h) {
+TEST_F(ErrorControlService, BusOffChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     send("000#0103");
     inputs.can_state = 3;

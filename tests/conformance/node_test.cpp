@@ -91,7 +91,7 @@ TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(NodeService, BusOffAtPowerOnActsBy1029hAtOnce) {
+TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});

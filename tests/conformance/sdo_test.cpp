@@ -270,7 +270,7 @@ TEST_F(SlaveSdo, ThreeBytesTravelExpedited) {
                 });
 }
 
-TEST_F(SlaveSdo, WithoutASizeTheEntrysOwnLengthIsMeantNotThatOfItsObject) {
+TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
     verifies<req::CO_SDO_003>();
     talk(*this, {
                     {"605#2201210134120000", {"585#6001210100000000"}},  // 2101h:1, 16 bits; sub-index 0 has 8

@@ -41,7 +41,7 @@ TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
     talk(kept);
 }
 
-TEST_F(VerifyConfiguration, AChangeOfAStoredValueMakesItZero) {
+TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
          {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication

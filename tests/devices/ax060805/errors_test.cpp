@@ -363,7 +363,7 @@ TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLast
     }
 }
 
-TEST_F(Ax060805Errors, ADamagedStoredSetIs6300hAndTheDefaultsApply) {
+TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
     verifies<req::INC_ERR_012, req::INC_T22>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);

@@ -260,7 +260,7 @@ TEST_F(Network, SelfStartYieldsToABusOffUnless1029hLeavesTheState) {
     EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
 }
 
-TEST_F(Network, SelfStartYieldsToASensorErrorAtEitherReset) {
+TEST_F(Network, SensorErrorPreventsTheSelfStartAtEitherReset) {
     verifies<req::INC_START_001, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();

@@ -162,7 +162,7 @@ TEST_F(Ax130751Errors, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
     }
 }
 
-TEST_F(Ax130751Errors, AStoppedNodeStaysStopped) {
+TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAnError) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");

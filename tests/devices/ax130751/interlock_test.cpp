@@ -309,7 +309,7 @@ TEST_F(Ax130751Interlock, ASecondSilentProducerShutsOutputsOffToo) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "pre-operational again";
 }
 
-TEST_F(Ax130751Interlock, BlocksGoOnWithoutOperational) {
+TEST_F(Ax130751Interlock, BlocksRunOutsideOperational) {
     verifies<req::AOR_OUT_026>();
     send("000#807F");
     choose(0x3010, 0, canopen, 4);

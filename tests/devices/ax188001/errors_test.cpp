@@ -303,7 +303,7 @@ TEST_F(Ax188001Errors, EachCommunicationErrorHasItsReactionAlsoWhileAnotherLasts
     }
 }
 
-TEST_F(Ax188001Errors, TheMasterMayStartANodeWhoseErrorLasts) {
+TEST_F(Ax188001Errors, MasterMayStartANodeWhoseErrorLasts) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#017F");

@@ -222,7 +222,7 @@ TEST_F(Values, ThermocoupleTypesOfTable1ApplyAtOnceAndNoOthers) {
     }
 }
 
-TEST_F(Values, AValueThatScalesToASentinelIsMovedByOne) {
+TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
     verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_002>();
     heat(1, 100.0);
     read_once();

@@ -32,7 +32,7 @@ TEST(ReplaceFolder, MayBeNamedFromTheCurrentFolder) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, StaysAsItIsWhenOneFileCannotBeWritten) {
+TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);

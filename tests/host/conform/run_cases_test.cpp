@@ -190,7 +190,7 @@ TEST(ConformRun, FailureNamesATesterThatIsLate) {
                 testing::Not(HasSubstr("late")));
 }
 
-TEST(ConformRun, RiskNeedsItsPermission) {
+TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
     BusLikeTarget target{sound_slave()};
     ConformOptions options;
     options.allow_outputs = options.allow_store = options.allow_lss = false;
