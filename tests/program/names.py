@@ -49,7 +49,7 @@ def shared():
 
 def switches():
     """CAN-CBX-AO412, 3.2.6: with the switches at C8h, the application does not run."""
-    said = "the coding switches stand at C8h, which is no node-ID"
+    said = "the coding switches are at C8h, which is no node-ID"
     for words in (("run", "cbx-ao412@200", "--seconds", "0.05"), ("replay", "cbx-ao412@200", "-"),
                   ("replay", "cbx-ao412", "--node", "200", "-")):
         status, out, err = call(*words)

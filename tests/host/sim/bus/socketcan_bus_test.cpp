@@ -160,7 +160,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     EXPECT_THAT(notices, SizeIs(2));
     step(1);
     ASSERT_THAT(notices, SizeIs(4));
-    EXPECT_EQ(notices[2], "vcan0: 7 frames came faster than they were read and are lost to a");
+    EXPECT_EQ(notices[2], "vcan0: 7 frames arrived faster than they were read and are lost for a");
     system.sockets[first].dropped = 9;  // no frame has arrived since that could report the count
     EXPECT_EQ(bus->report(now).missed, 9U);
     EXPECT_EQ(bus->report(now).lost, 0U);
