@@ -113,13 +113,19 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// Collects the bytes of objects left open from which a value is chosen.
-void collect_inputs(const Proof& proof, const Term& value, std::vector<Term>& found) {
+/// A byte of an open state that a value can be, with the condition for it.
+struct OpenByte {
+    Term when;
+    Term byte;
+};
+
+/// Collects the bytes of open states from which a value is chosen while `when` is true.
+void collect_inputs(const Proof& proof, const Term& value, const Term& when, std::vector<OpenByte>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
-        collect_inputs(proof, value.arg(1), found);
-        collect_inputs(proof, value.arg(2), found);
+        collect_inputs(proof, value.arg(1), when && value.arg(0), found);
+        collect_inputs(proof, value.arg(2), when && !value.arg(0), found);
     } else if (proof.state_bytes.count(value.id()) != 0) {
-        found.push_back(value);
+        found.push_back({when, value});
     }
 }
 
@@ -139,12 +145,13 @@ void Machine::check_range(const llvm::LoadInst& read, const Term& value, const A
     const auto fits = [&](const Term& byte) {
         return z3::uge(byte, limit(bounds.getUnsignedMin())) && z3::ule(byte, limit(bounds.getUnsignedMax()));
     };
-    std::vector<Term> open;
-    collect_inputs(proof_, value, open);
-    for (const Term& byte : open) {
-        proof_.solver.know(fits(byte));
+    std::vector<OpenByte> open;
+    collect_inputs(proof_, value, proof_.context.bool_val(true), open);
+    for (const OpenByte& one : open) {  // only where it is that byte: elsewhere nothing is known of it
+        proof_.solver.know(
+            z3::implies(all_of(proof_.context, arrival.state.path) && one.when, fits(one.byte)).simplify());
     }
-    const bool is_open = open.size() == 1 && same(open.front(), value);
+    const bool is_open = open.size() == 1 && same(open.front().byte, value);
     if (!is_open) {
         proof_.obligations.add(arrival.state.path, fits(value), "what is read as a bool is 0 or 1", where_is(read));
     }

@@ -1,0 +1,66 @@
+// Fastscan: any request in any state of the scan, for any address.
+#include "firmware/canopen/lss_fastscan.hpp"
+
+#include "generated/canopen/requirements.hpp"
+#include "properties/proofs/support/proof.hpp"
+
+namespace canproof::proofs {
+
+namespace {
+
+/// What holds between two requests: one of four numbers is asked for, and not all four are confirmed.
+bool is_consistent(const LssFastscan& scan) {
+    return (scan.position_ < lss_number_count) && (scan.confirmed_ < 15U);
+}
+
+}  // namespace
+
+void a_scan_begins_with_nothing_confirmed() {
+    shows("a scan begins at the vendor-ID with no number confirmed, and is consistent");
+    LssFastscan scan{};
+    scan.restart();
+    claim(is_consistent(scan));
+    claim((scan.position() == 0U) && (scan.confirmed_ == 0U));
+}
+
+void a_scan_request_is_answered_as_cia_305_says() {
+    shows(
+        "a Fastscan request is answered exactly when it restarts the scan, or is sound, in turn and fits the address");
+    proves<req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_055>();
+    LssFastscan scan = any<LssFastscan>();
+    assume(is_consistent(scan));
+    const auto request = any<LssFastscan::Request>();
+    const auto own = any<std::uint32_t>();
+    const std::uint32_t position = scan.position();
+    const std::uint32_t bit_check = request[5];
+    const std::uint32_t asked = (std::uint32_t{request[4]} << 24U) | (std::uint32_t{request[3]} << 16U) |
+                                (std::uint32_t{request[2]} << 8U) | request[1];
+    const bool restarts = bit_check == 128U;
+    bool fits{true};
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit) {
+        fits = fits && ((bit < bit_check) || (((own >> bit) & 1U) == ((asked >> bit) & 1U)));
+    }
+    const bool sound = (bit_check < 32U) && (request[7] < 4U) && (request[6] == position);
+    const LssFastscan::Outcome outcome = scan.scan(request, own);
+    claim((outcome != LssFastscan::Outcome::silent) == (restarts || (sound && fits)));
+    claim(is_consistent(scan));
+}
+
+void a_scan_confirms_all_four_numbers() {
+    shows("a scan is complete exactly when its last number is confirmed, and a silent request changes nothing");
+    proves<req::CO_LSS_053, req::CO_LSS_054>();
+    LssFastscan scan = any<LssFastscan>();
+    assume(is_consistent(scan));
+    const LssFastscan before = scan;
+    const auto request = any<LssFastscan::Request>();
+    const LssFastscan::Outcome outcome = scan.scan(request, any<std::uint32_t>());
+    const bool answered = outcome != LssFastscan::Outcome::silent;
+    const bool confirms = answered && (request[5] == 0U) && (request[7] != before.position_);
+    const std::uint32_t confirmed = before.confirmed_ | (confirms ? (1U << before.position_) : 0U);
+    claim((outcome == LssFastscan::Outcome::completed) == (confirmed == 15U));
+    claim(answered || ((scan.position_ == before.position_) && (scan.confirmed_ == before.confirmed_)));
+    const bool goes_on = confirms && (confirmed != 15U);
+    claim(!goes_on || ((scan.position_ == request[7]) && (scan.confirmed_ == confirmed)));
+}
+
+}  // namespace canproof::proofs

@@ -1,0 +1,50 @@
+// What a service of a node works on: a dictionary with any values, a transmit queue, frames of a bus.
+#pragma once
+
+#include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/transmit_queue.hpp"
+#include "generated/cbx_ao412/objects.hpp"
+#include "properties/proofs/support/proof.hpp"
+
+namespace canproof::proofs {
+
+/// Any frame that a controller can deliver: at most eight bytes.
+inline Frame any_frame() {
+    const Frame frame = any<Frame>();
+    assume(frame.length <= max_frame_length);
+    return frame;
+}
+
+/// Any time that a clock shows. One that counts microseconds from power-on reaches 2^63 after 292,000 years.
+inline Instant any_time() {
+    const Instant now = any<Instant>();
+    assume(now.us < (std::uint64_t{1U} << 63U));
+    return now;
+}
+
+/// The dictionary of the CAN-CBX-AO412, which has an object for each service, with any values.
+struct AnyDictionary {
+    std::array<std::uint8_t, generated::cbx_ao412::image_size> image{
+        any<std::array<std::uint8_t, generated::cbx_ao412::image_size>>()};
+    ObjectDictionary objects{generated::cbx_ao412::tables, MutableBytes{image}, LimitAbort::range};
+};
+
+/// The frame that waits at this place of a queue, from 0 on.
+inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
+    return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
+}
+
+/// What holds of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
+/// that waits can be the boot-up message; identifiers ascend behind it.
+inline bool is_consistent(const TransmitQueue& queue) {
+    bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
+                 (!queue.boot_up_waits_ || !queue.empty());
+    for (std::size_t i = 1U; i < TransmitQueue::capacity; ++i) {
+        const bool counts = (i < queue.size()) && !((i == 1U) && queue.boot_up_waits_);
+        const bool ascends = waiting(queue, i - 1U).id <= waiting(queue, i).id;
+        sound = sound && (!counts || ascends);
+    }
+    return sound;
+}
+
+}  // namespace canproof::proofs
