@@ -12,7 +12,7 @@ install(FILES CMakeLists.txt LICENSE DESTINATION ${home})
 install(DIRECTORY src/firmware src/target DESTINATION ${home}/src USE_SOURCE_PERMISSIONS)
 install(DIRECTORY src/host DESTINATION ${home}/src USE_SOURCE_PERMISSIONS
         FILES_MATCHING PATTERN CMakeLists.txt PATTERN *.cmake PATTERN *.hpp PATTERN main.cpp PATTERN ccache_launcher REGEX "/panel/page/[^/]*$")
-# What an image of tests for the microcontroller compiles.
+# Sources of the host that an image of tests for the microcontroller compiles.
 foreach(file base/time_text codegen/dictionary_rows sim/bus/candump sim/bus/frame_text sim/devices/generic_device sim/devices/memory)
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES src/host/${file}.cpp DESTINATION ${home}/src/host/${folder})
@@ -48,7 +48,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "CANopen devices from requirements: progra
 set(CPACK_DEBIAN_PACKAGE_SECTION devel)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What ./run and ./test of a new device need; what mutate, coverage, misra, fuzz and target need beyond it is recommended.
+# Packages that ./run and ./test of a new device need; those of mutate, coverage, misra, fuzz and target are recommended.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++, cmake (>= 3.25), ninja-build, libtomlplusplus-dev, nlohmann-json3-dev, libpugixml-dev, libcli11-dev, libfmt-dev, libssl-dev, libsocketcan-dev, libgtest-dev, libgmock-dev, librapidcheck-dev")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-19, libclang-rt-19-dev, llvm-19, python3, python3-clang-19, clang-tidy-19, clang-tools-19, cppcheck, ccache, googletest, gcc-arm-none-eabi, libnewlib-arm-none-eabi, libstdc++-arm-none-eabi-newlib, qemu-system-arm")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -130,7 +130,7 @@ def add_review(arguments, generated):
     kept = [review for review in read_reviews() if (review["rule"], review["file"]) != (rule, file)]
     kept.append({"rule": rule, "file": file, "date": datetime.date.today(), "by": arguments.by,
                  "fingerprint": fingerprint(file_of(file, generated).read_text()), "judgement": arguments.judgement})
-    lines = ["# What a person judged, for one content of one file; `canproof misra review FILE RULE` writes these records.", ""]
+    lines = ["# Judgements of a person, each for one content of one file; `canproof misra review FILE RULE` writes these records.", ""]
     for review in sorted(kept, key=lambda one: ([int(part) for part in one["rule"].split(".")], one["file"])):
         quoted = review["judgement"].replace("\\", "\\\\").replace('"', '\\"')
         lines += ["[[review]]", f'rule = "{review["rule"]}"', f'file = "{review["file"]}"', f'date = {review["date"]}',

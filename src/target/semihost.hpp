@@ -1,4 +1,4 @@
-// What an image in QEMU asks of the machine around it.
+// Requests of an image in QEMU to the machine around it.
 #pragma once
 
 namespace canproof::target {

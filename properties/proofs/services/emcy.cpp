@@ -13,8 +13,7 @@ namespace index = generated::canopen::index;
 
 constexpr std::uint32_t list_length = 10U;  ///< of 1003h in the CAN-CBX-AO412 (7.9.4)
 
-/// What holds between two calls: only errors that there are are active, and wait; the list is not longer than it can
-/// be.
+/// Invariant between two calls: only errors of the table are active or wait, and the list has at most its full length.
 bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
     bool sound = (emcy.active_ < (std::uint64_t{1U} << max_errors)) &&
                  (emcy.pending_count_ <= Emcy::pending_capacity) &&

@@ -12,7 +12,7 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// What holds between two calls: times are those of 1017h (heartbeat), 100Ch and 100Dh (guarding); a heartbeat is due
+/// Invariant between two calls: times are those of 1017h (heartbeat), 100Ch and 100Dh (guarding); a heartbeat is due
 /// only with a heartbeat time, and a node with one is not guarded.
 bool is_consistent(const ErrorControl& control, const ObjectDictionary& objects) {
     const bool produces = control.heartbeat_time_.us != 0U;

@@ -29,7 +29,7 @@ class AnyApplication final : public LssApplication {
     std::uint8_t stored_{0U};
 };
 
-/// What holds between two requests: each count is within its sequence, node-IDs are those that LSS gives, and a time is
+/// Invariant between two requests: each count is within its sequence, node-IDs are those that LSS gives, and a time is
 /// due exactly while the bit rate is being switched.
 bool is_consistent(const Lss& lss) {
     return (static_cast<std::uint32_t>(lss.state_) <= 1U) && (lss.selected_ <= lss_number_count) &&

@@ -8,7 +8,7 @@ namespace canproof::proofs {
 
 namespace {
 
-/// What holds between two requests: one of four numbers is asked for, and not all four are confirmed.
+/// Invariant between two requests: the master asks for one of four numbers, and not all four are confirmed.
 bool is_consistent(const LssFastscan& scan) {
     return (scan.position_ < lss_number_count) && (scan.confirmed_ < 15U);
 }

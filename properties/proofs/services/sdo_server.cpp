@@ -49,7 +49,7 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// What holds between two requests, without block transfer: a transfer is at a place within its value, its toggle bit
+/// Invariant between two requests, without block transfer: a transfer is at a place within its value, its toggle bit
 /// is 0 or 10h, and without one no time is due. Beside index and sub-index there is room for the command of an answer.
 bool is_consistent(const SdoServer& server) {
     const bool is_idle = server.state_ == State::idle;

@@ -12,7 +12,7 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// What holds between two calls: identifier and length are those of 1005h and 1019h; a SYNC is due only while the
+/// Invariant between two calls: identifier and length are those of 1005h and 1019h; a SYNC is due only while the
 /// producer may work, is switched on and has a period.
 bool is_consistent(const Sync& sync, const ObjectDictionary& objects) {
     const bool produces = sync.allowed_ && ((objects.read(index::sync_cob_id, 0U) & 0x40000000U) != 0U) &&

@@ -1,4 +1,4 @@
-// What LSS stores, when the power fails: the old configuration or the new one, never a mixture.
+// The LSS store when the power fails: it holds the old configuration or the new one, never a mixture.
 #include "firmware/canopen/lss_store.hpp"
 
 #include "generated/canopen/requirements.hpp"

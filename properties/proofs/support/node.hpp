@@ -1,4 +1,4 @@
-// What a service of a node works on: a dictionary with any values, a transmit queue, frames of a bus.
+// Surroundings of a service of a node: a dictionary with any values, a transmit queue, frames of a bus.
 #pragma once
 
 #include "firmware/canopen/object_dictionary.hpp"
@@ -34,7 +34,7 @@ inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
     return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
 }
 
-/// What holds of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
+/// Invariant of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
 /// that waits can be the boot-up message; identifiers ascend behind it.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&

@@ -24,7 +24,7 @@ class LssFastscan {
         completed  ///< answered; all four numbers are confirmed
     };
 
-    /// Expects the vendor-ID next; no number is confirmed.
+    /// Expects the vendor-ID next; none of the four numbers is confirmed.
     void restart() noexcept;
     /// Returns the number that the master is expected to ask for, as an LssNumber.
     std::uint32_t position() const noexcept { return position_; }

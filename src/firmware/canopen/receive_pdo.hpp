@@ -60,7 +60,7 @@ class ReceivePdos {
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
     /// Any of these.
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// Which did not come within their event time and have not come since: bit n stands for RPDO n + 1.
+    /// The RPDOs that did not come within their event time and have not come since: bit n stands for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// Reads the PDO again after a write to an entry of 14xxh or 16xxh.

@@ -30,7 +30,7 @@ inline constexpr std::array<ProveOption, 15> prove_options{{
     {"--build", true, "a build of the project; where canproof-prove lies without it"},
 }};
 
-/// What an option does. A name that is not listed gives an empty text.
+/// Returns the help of an option. A name that is not listed gives an empty text.
 constexpr const char* help_of_prove_option(std::string_view name) {
     for (const ProveOption& one : prove_options) {
         if (one.name == name) {

@@ -59,7 +59,7 @@ Place place_of(const EdsTelling& tell, unsigned line) {
     return {tell.file, line};
 }
 
-/// Returns the type of an entry whose DataType is no number: its word, or a type that fits its sub-index and value.
+/// Returns the type of an entry whose DataType is not a number: its word, or a type that fits its sub-index and value.
 std::string assumed_type(const IniSection& section, const std::string& word, bool is_counter) {
     const auto named =
         std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });

@@ -9,8 +9,8 @@
 
 namespace canproof::host::prove {
 
-/// What an access needs beside its address: the alignment that the address must have, and the place in the source, for
-/// messages.
+/// Conditions of an access beside its address: the alignment that the address must have, and the place in the source,
+/// for messages.
 struct AccessSite {
     std::uint64_t alignment{1};
     std::string where;

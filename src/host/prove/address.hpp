@@ -26,7 +26,7 @@ Term base_of(z3::context& context, ObjectId object);
 /// between addresses; any other term is returned as a place without an object.
 std::vector<Place> places_of(const Term& address, std::size_t objects);
 
-/// The same address, built anew from its places, so that it is a base plus one offset term, or a choice of such sums.
+/// The same address, built again from its places, so that it is a base plus one offset term, or a choice of such sums.
 Term address_at(z3::context& context, const std::vector<Place>& places);
 
 }  // namespace canproof::host::prove

@@ -12,7 +12,7 @@ namespace {
 /// An access at an offset that is not a constant becomes a choice between all bytes of the object. This is the largest
 /// object, in bytes, for which the prover makes such a choice.
 constexpr std::size_t most_choices = 8192;
-/// What is copied from or to a place that is not constant is copied word by word up to this size.
+/// A copy from or to a place that is not constant goes word by word up to this size.
 constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {

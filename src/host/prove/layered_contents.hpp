@@ -26,7 +26,7 @@ struct AskedByte {
     Term value;
 };
 
-/// The bottom layer: each offset holds an unknown byte. That equal offsets hold equal bytes is told to the solver as a
+/// The bottom layer: each offset holds an unknown byte. That equal offsets hold equal bytes is given to the solver as a
 /// fact, through `know`.
 class UnknownBytes : public LayeredContents {
   public:

@@ -21,7 +21,7 @@ struct Arrival {
     Values values;
 };
 
-/// What a function leaves behind when it returns.
+/// The state that a function leaves behind when it returns.
 struct Return {
     State state;
     Value value;

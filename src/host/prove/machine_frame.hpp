@@ -1,4 +1,4 @@
-// What belongs to one call while it is being executed.
+// The state of one call while it is being executed.
 #pragma once
 
 #include "host/prove/machine.hpp"

@@ -10,7 +10,7 @@
 
 namespace canproof::host::prove {
 
-/// What never changes about an object.
+/// Properties of an object that never change.
 struct Object {
     std::string name;
     Term size;  ///< 64 bits
@@ -31,15 +31,15 @@ class Objects {
     std::vector<Object> all_;
 };
 
-/// What the objects hold on one path. An object without contents does not exist on it, or no longer.
+/// Contents of the objects on one path. An object without contents does not exist on it, or no longer.
 class Memory {
   public:
     void set(ObjectId id, ContentsPointer contents) { changed_[id] = std::move(contents); }
     void remove(ObjectId id) { changed_.erase(id); }
     /// Empty when the object does not exist on this path.
     ContentsPointer contents(const Objects& objects, ObjectId id) const;
-    /// Merges the memory of another path into this one: each object holds what it held here where `condition` is true,
-    /// and what it held there where it is false.
+    /// Merges the memory of another path into this one: each object holds its contents from here where `condition` is
+    /// true, and its contents from there where it is false.
     void merge(const Objects& objects, const Term& condition, const Memory& otherwise);
 
   private:

@@ -45,7 +45,7 @@ struct Proof {
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
     std::set<unsigned> state_bytes{};         ///< of open states, by number of the term
-    std::string statement{};                  ///< what the harness says that it shows
+    std::string statement{};                  ///< the statement of the harness
     std::vector<std::string> requirements{};  ///< that it names
     std::function<void()> noted{};            ///< after each of both
     std::set<std::string> assumptions{};      ///< `file:line` of each

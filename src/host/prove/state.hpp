@@ -19,8 +19,8 @@ struct Meeting {
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 
-/// Merges `second` into `first`. The returned condition chooses what held on `first` alone, for values that are not in
-/// memory.
+/// Merges `second` into `first`. The returned condition chooses what was true on `first` alone, for values that are not
+/// in memory.
 Term merge(z3::context& context, const Objects& objects, State& first, const State& second);
 
 }  // namespace canproof::host::prove

@@ -37,7 +37,7 @@ struct KnownBits {
     unsigned count{0};
     std::uint64_t bits{0};
 };
-/// What is plain about the lowest bits: a sum of products by powers of two has its remainder there.
+/// Returns the lowest bits that are known: a sum of products by powers of two has its remainder there.
 KnownBits low_bits(const Term& term);
 /// `condition ? a : b`, without a choice where there is none.
 Term choose(const Term& condition, const Term& a, const Term& b);

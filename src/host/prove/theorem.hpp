@@ -23,13 +23,13 @@ struct TheoremResult {
     Verdict verdict{Verdict::unknown};
     std::string reason{};                    ///< the obligation that fails or is open; why nothing is known
     std::vector<std::string> functions{};    ///< of the firmware, that were executed
-    std::vector<std::string> assumptions{};  ///< what the harness assumes, each with its place
+    std::vector<std::string> assumptions{};  ///< assumptions of the harness, each with its place
     double paths{0.0};
     std::size_t obligations{0};
     std::size_t questions{0};  ///< questions to z3
     double seconds{0.0};
     std::vector<InputBytes> inputs{};  ///< of the counterexample, in the order in which the harness asks for them
-    std::string replay{};              ///< what the native program does with these inputs
+    std::string replay{};              ///< result of the native program with these inputs
 };
 
 /// Executes the theorem and decides its obligations. A theorem whose end no path reaches is refuted: its assumptions

@@ -16,7 +16,7 @@ std::optional<std::string> other_word(const std::string& word, const std::vector
 /// the upper limit), a real number grows by a hundredth (0 becomes 0.01). `type` is a CiA type. A text gives no value.
 Value other_value(const Value& value, const std::string& type);
 /// Returns a value one step above or below, with the steps of other_value(); nothing at a limit of the type, or for a
-/// value that is no number.
+/// value that is not a number.
 std::optional<Value> neighbour(const Value& value, const std::string& type, int step);
 /// Returns the bit pattern of a number or boolean in a C++ type: `float`, `double`; any other type is a whole number.
 std::uint64_t bit_pattern(const Value& value, const std::string& cpp_type_name);

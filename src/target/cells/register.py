@@ -203,7 +203,7 @@ class Table:
                                for row in self.item["rows"])
 
     def choices(self, at, cell):
-        """What a cell of an input stands for: (first, last), as often as it stands for several."""
+        """Returns the values that a cell of an input stands for: (first, last), as often as it stands for several."""
         kind, words, low, high = self.kinds[at]
         if cell == "*":
             if words is not None:

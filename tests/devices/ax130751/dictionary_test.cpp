@@ -365,7 +365,7 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
 
 TEST_F(Ax130751Dictionary, OnlyTheObjectsOfTheManualExist) {
     verifies<req::AOR_OD_1000>();
-    // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects; 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
+    // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects. 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
     // outputs, 4 of extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of
     // diagnostics, 4 of the system
     EXPECT_EQ(objects_.tables().objects.count,

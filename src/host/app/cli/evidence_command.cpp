@@ -92,9 +92,9 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
     return stale;
 }
 
-/// What an exhibit speaks of.
+/// Returns the sources that an exhibit is about.
 std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
-    if (key == "code-mutation") {  // what notices a mutant are the tests
+    if (key == "code-mutation") {  // tests notice a mutant
         return firmware_and_tests(root);
     }
     return key == "proofs" ? proof_sources(root) : firmware_sources(root);

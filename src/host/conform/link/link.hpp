@@ -80,7 +80,7 @@ class Link {
     const std::vector<FrameRecord>& log() const { return log_; }
     /// All frames since the link was made.
     const BusUse& bus_use() const { return use_; }
-    /// Is told each frame that the tester sends.
+    /// Calls `listener` with each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// Returns when the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }

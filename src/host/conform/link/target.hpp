@@ -28,7 +28,7 @@ class Interrupted : public std::runtime_error {
 /// Who switches the slave off and on.
 enum class PowerSwitch {
     nobody,
-    hand,    ///< the user, when told to; takes seconds
+    hand,    ///< the user, on request; takes seconds
     program  ///< at once
 };
 

@@ -1,4 +1,4 @@
-// What a run has measured, in words and drawn: the load of the bus, and times with what the cases accept of them.
+// Measurements of a run, in words and drawn: the load of the bus, and times with what the cases accept of them.
 #pragma once
 
 #include <map>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Duration settling = milliseconds(50);
 constexpr Duration afterthought = milliseconds(20);     // a frame too many comes by then
-constexpr Duration tolerated_delay = milliseconds(20);  // of the tester; more is told with a failure
+constexpr Duration tolerated_delay = milliseconds(20);  // of the tester; more is reported with a failure
 constexpr Duration power_off_time = milliseconds(200);
 constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;

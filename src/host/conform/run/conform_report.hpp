@@ -37,7 +37,7 @@ struct CaseResult {
     std::string why;   ///< reason of every verdict except passed
     std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;          ///< what could not be put back
+    std::vector<std::string> left;          ///< entries that were not put back
     std::map<std::string, Measured> times;  ///< by what was measured
     std::vector<FrameRecord> frames;        ///< of a case that did not pass
     unsigned runs{0};
@@ -64,7 +64,7 @@ struct ConformReport {
     std::uint64_t lost_frames{0};  ///< came faster than they were read
     bool interrupted{false};
     std::vector<std::string> troubles;  ///< wrong behaviour of the slave before the first case
-    std::vector<std::string> left;      ///< what could not be restored at the end
+    std::vector<std::string> left;      ///< entries that were not restored at the end
 
     std::size_t count(Verdict verdict) const {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),

@@ -192,7 +192,7 @@ class ValueCheck {
         }
     }
 
-    /// Returns a limit as a number; reports a limit that is no number.
+    /// Returns a limit as a number; reports a limit that is not a number.
     std::optional<Number> limit(const char* key) {
         const IniValue* given = entry_.section->filled(key);
         if (given == nullptr) {

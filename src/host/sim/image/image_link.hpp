@@ -17,7 +17,7 @@ class ImageFailed : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What an image says first.
+/// First message of an image.
 struct ImageGreeting {
     std::string device;     ///< of the catalogue
     std::size_t inputs{0};  ///< how many it has

@@ -1,4 +1,4 @@
-// Which nodes of the in-process bus receive a frame, and how a frame affects the nodes whose filters refuse it.
+// The nodes of the in-process bus that receive a frame, and how a frame affects the nodes whose filters refuse it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

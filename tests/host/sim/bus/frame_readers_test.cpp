@@ -1,4 +1,4 @@
-// Which readers receive a frame, by exact identifier and by wider filters.
+// The readers that receive a frame, by exact identifier and by wider filters.
 #include "host/sim/bus/frame_readers.hpp"
 
 #include <gmock/gmock.h>

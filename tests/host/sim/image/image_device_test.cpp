@@ -95,7 +95,7 @@ TEST(ImageDevice, AnswersTheTelegramsOfItsManual) {
 }
 
 // A heartbeat every 10 ms (1017h) for 35 ms: at 10, 20 and 30.
-TEST(ImageDevice, ActsInTheTimeThatItIsTold) {
+TEST(ImageDevice, ActsInTheTimeThatItIsGiven) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);
     EXPECT_EQ(ao412.send("603#2B1710000A000000"), Frames{"583#6017100000000000"});

@@ -1,4 +1,4 @@
-// What an image says is refused when it is no message of the protocol.
+// Bytes of an image that are no message of the protocol are refused.
 #include "host/sim/image/image_link.hpp"
 
 #include <gtest/gtest.h>
