@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes all four devices on one bus, as nodes 3 to 6. Frames of a master or of one device reach all other devices.
 // Inputs, time and power cuts apply to one device. The records are those of support/device_world.hpp; bits 4 and 5 of
 // the first byte select the device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads logs of any bytes. A log is either refused with a place, or it is written and read back unchanged.
 #include <sstream>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads EDS files of any bytes. A file is either refused with lines and fixes, or it gives a device that switches on,
 // runs, and is written and read back unchanged. The check names existing lines; its safe fixes terminate and keep the
 // device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lets errors start and end in any order, with commands, bus-off, inhibit times and writes between them. Compares the
 // messages, the error register and the list of the last four errors with a naive model. Input: records of two bytes, an
 // event and its number.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mixes NMT commands, heartbeat, heartbeat consumer and node guarding in any order and at any times. Compares the
 // frames on 705h, their times and the NMT state with a naive model. Input: records of four bytes, an event with its
 // numbers; the highest bit of the first byte adds a frame of any length.

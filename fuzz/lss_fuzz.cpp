@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sends frames of an LSS master, of any bytes and lengths and at any times, to a node without a node-ID, and later with
 // the node-ID that it was given. Input: records of ten bytes: the event, a length or time, and eight bytes of data.
 #include <algorithm>

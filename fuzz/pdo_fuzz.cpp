@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mixes everything that affects PDOs, in any order: SDO writes to their parameters, RPDOs and other frames, remote
 // frames, SYNCs, NMT commands, values that change in the device, and time. The slave is that of the conformance suite,
 // node 5. Input: records of ten bytes: the event, its argument (length, number or milliseconds), and eight bytes of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loads register files of any bytes. A file is either refused with faults, each with a line and a fix, or it gives a
 // dictionary that runs and is written as a data sheet. Input: a digit that selects one of the three files, then the
 // text.

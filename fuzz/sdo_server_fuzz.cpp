@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sends SDO requests of any bytes, in any order and at any times: expedited, segmented and block transfer of numbers,
 // strings and DOMAINs. Compares every answer with that of a naive server. Input: records of nine bytes. The first byte
 // is a time step before the request, in units of 16 ms; the other eight are the request. From E0h on the request is the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Feeds the socketcand server with any bytes of a client, in pieces of any size. Only CAN frames go onto the bus and
 // memory stays bounded. The client gets the same bytes as from a server. Input: a byte with the size of a piece, then
 // as many bytes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Sourced by scripts: the fuzz targets of a build, from the list that its configure step writes (fuzz/CMakeLists.txt).
 
 # target_names BUILD: prints the names of all targets, one per line.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares emergency messages, 1001h and 1003h with a naive node for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
 // 7.5.2.38): every abort code, the resulting entries, and the length of the frame that is sent.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of PDOs, compared with a model that handles rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
 // transmission times, with a clock of milliseconds.
 #include <gtest/gtest.h>

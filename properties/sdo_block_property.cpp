@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the SDO server with a naive server: for any requests in any order both give the same answers. Also
 // properties of block transfer that need no model. A failure shrinks to a log of frames.
 #include <gtest/gtest.h>

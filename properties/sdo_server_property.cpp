@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the SDO server, checked on a device.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # find_package(canproof): how an outside project gets its devices built, tested and proven as those of this one are.
 #
 #   project(my_device LANGUAGES CXX)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # `cmake --install`: the program, and below lib/canproof what an outside project builds its devices from (find_package,
 # canproofConfig.cmake): sources of the firmware, of test bench and fuzz world, headers and compiled libraries of the host.
 set(home lib/canproof)

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
 # Builds the fuzz targets as OSS-Fuzz and ClusterFuzzLite require: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, into $OUT, each with
 # its seeds, dictionary and options. The build is in $WORK. TARGETS="sdo_server pdo" selects targets.
 set -eu

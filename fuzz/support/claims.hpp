@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names the requirements that a fuzz target shows, as names that must compile; the replay of its corpus writes them
 // with its verdict.
 #pragma once

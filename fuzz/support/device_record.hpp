@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decodes the records of a device world that do not need the device: see device_world.hpp.
 #pragma once
 

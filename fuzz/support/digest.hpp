@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hashes the observations of a run: FNV-1a, 64 bits. Two runs have the same value only when all observations were
 // equal, apart from collisions.
 #pragma once

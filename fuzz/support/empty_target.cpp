@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target that does nothing: fuzz/throughput compares the cost of libFuzzer itself with it.
 #include <cstddef>
 #include <cstdint>

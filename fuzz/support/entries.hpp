@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterates over the entries of the dictionary of a device.
 #pragma once
 

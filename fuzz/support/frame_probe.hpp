@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lets a program that replays a corpus measure the work for each frame, or log the frames. Fuzz targets call the probe
 // around every frame that they give to a device; without a listener the probe does nothing.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs one input of a fuzz target on a device: twice with the same result, and with a reset at the end.
 #pragma once
 

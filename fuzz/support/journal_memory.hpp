@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A memory that records the order in which its bytes were written, so that a power cut can be placed after any of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Advances time for a device whose driver keeps every deadline.
 #pragma once
 

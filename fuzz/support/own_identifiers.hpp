@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Returns the identifiers on which a device may send, according to its present dictionary.
 #pragma once
 

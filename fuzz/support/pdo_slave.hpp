@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slave of the PDO target: its PDOs and the values that they may carry, read from its dictionary. Unchanged
 // parameters are not read again and nothing is searched twice: the target runs thousands of inputs per second.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target with a planted bug that fuzzing finds quickly: it compares four bytes one after the other.
 #include <cstddef>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A libFuzzer mutator for inputs that are records of one size: it removes, repeats, swaps and inserts whole records, so
 // that the following records keep their meaning; at times it changes bytes as libFuzzer does.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER…
 // --xml writes the verdict for the audit, --frames a candump log of the frames given to the device (see
 // candump_of_run.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes how the frames of an input are replayed: `canproof replay` of a device or of a data sheet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks a requirement of a fuzz target.
 #pragma once
 

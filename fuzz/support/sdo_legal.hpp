@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks which answers a server without block transfer may give to a request (CiA 301, 7.2.4.3). The check covers
 // single frames and keeps no state, for targets in which SDO is one service among others. sdo_server_fuzz.cpp checks
 // the whole protocol.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tracks which parts of a memory contain bytes that the device under test did not write. An interrupted write there may
 // repair damage, so that the content is neither the old nor the new one.
 #pragma once

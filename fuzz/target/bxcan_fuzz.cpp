@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes the CAN driver of the microcontroller on a model of its registers, with any order of frames, transmissions,
 // aborts, errors, stuck buses and bit rates. Input: records of four bytes: the event, and three bytes for it.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults that the check of the call graph must report: recursion, an unlisted indirect call, a deep stack.
 struct Memory {
     virtual int read(int at) = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions for the test of the check in checks/served.py. The marked ones serve no item; all others do.
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks the firmware and the generated headers against MISRA C++:2023, with checkers that are themselves tested.
 
 misra/run [--root PROJECT] BUILD_FOLDER [OUTPUT_FOLDER]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Caches the outputs of the tools as long as none of their inputs changes.
 
 The cache contains only outputs: each run evaluates findings, tests of the checkers and records again. The key of an output is a

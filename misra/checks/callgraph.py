@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks the call graph that g++ writes for each object file: no recursion, no unlisted indirect call, bounded stack.
 
 callgraph.toml lists the indirect calls by the reference that they use, with the classes that they can reach. "host_stack" in a

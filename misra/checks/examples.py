@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Tests the checkers on each rule's examples."""
 import tempfile
 

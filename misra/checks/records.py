@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Compares the records of people (plan, deviations and reviews) with the findings of the tools."""
 import csv
 import datetime

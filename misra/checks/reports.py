@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Writes the reports of a run: misra.sarif, and compliance.md and misra.html in the form of MISRA Compliance:2020."""
 import html
 import json

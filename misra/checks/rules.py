@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads the rules' checkers in misra/rules/, and defines their findings."""
 import fnmatch
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Tests the checkers on seeds: violations in the style of the firmware, inserted into copies of firmware files.
 
 misra/seeds/*.toml contains them. A seed is a marked line of a piece of code; the other lines of the piece comply with its rule.

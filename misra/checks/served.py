@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Finds functions of the firmware that serve no item of the requirements register.
 
 A function serves an item in three cases: a link (`static_assert(implements<req::…>)`) is in it or directly above it or its

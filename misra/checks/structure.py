@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks properties of the whole firmware: the includes between layers, and the symbols that its libraries need."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the tools and parses their outputs: clang-query, clang-tidy (with clang's warnings and analyzer), cppcheck, g++."""
 import concurrent.futures
 import os

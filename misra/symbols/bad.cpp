@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Needs symbols that the firmware must not need: the heap, exceptions, run-time type information, floating-point traps.
 #include <cfenv>
 

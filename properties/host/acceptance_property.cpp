@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the filters of a node accept the identifiers of its dictionary, and that a node behind its filters
 // behaves like one that receives everything.
 #include <gtest/gtest.h>

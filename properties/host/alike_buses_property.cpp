@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that devices send the same frames on every bus: in the process, on a virtual CAN interface of the kernel, and
 // in a second run.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a run whose nodes receive only accepted frames, and are advanced only when something is due, has the same
 // frames as a naive run in which every node receives every frame and is advanced at every step.
 #include <gtest/gtest.h>

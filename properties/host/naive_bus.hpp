@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A naive CAN bus: a list of stations and a clock in whole microseconds. Frames are strings of bits, arbitration
 // compares them bit by bit, the CRC is a long division.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares how a run and a replay recognise the frames of their own nodes with a plain list: the oldest equal frame.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

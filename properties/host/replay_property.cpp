@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays any stimuli and frames: time never decreases, and the replay of a run reproduces the run.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

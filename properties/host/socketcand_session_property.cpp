@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the frames that a socketcand client receives with a list of its subscriptions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance slave in a stateful property: all frames are kept as a candump log, which a failing property prints
 // for `canproof replay`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive model of NMT, heartbeat and node guarding of the conformance slave (node 5) by CiA 301 (7.2.8, 7.3.2), on a
 // clock of milliseconds that is evaluated tick by tick. Shares no code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An LSS slave that keeps whole histories of frames and evaluates them for each answer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive PDOs by CiA 301 (7.4.7, 7.5.2.36, 7.5.2.38): a row of bits, least significant bit of the first byte first,
 // divided as the mapping defines. Shares no code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An SDO client that always sends the request that the naive server expects: it completes transfers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The objects of a naive SDO server: whole values in containers, access rights, and the abort codes of CiA 301 for
 // refused access. Shares no code with the firmware.
 #pragma once

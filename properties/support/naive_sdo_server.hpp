@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A naive SDO server, written from CiA 301 with containers and without limits of memory: whole values, whole blocks.
 // The server of the firmware must give the same answers. Shares no code with the firmware.
 #pragma once

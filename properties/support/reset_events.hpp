@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates events for a device before and after a reset, so that a failure shrinks to the events that it needs.
 #pragma once
 

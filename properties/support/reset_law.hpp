@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a reset clears all earlier state. A unit with any history is reset; from then on its frames and outputs
 // must equal those of a unit that is switched on at that moment with the same stored set and inputs. CiA 301, 7.3.2.2:
 // reset node, power-on. communication_law() covers reset communication, which keeps the application; lss_law() covers

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs one device under any events, for the properties of reset_law.hpp. `Traits` names its types, its memory and the
 // useful writes; see properties/devices/NAME/reset_property.cpp.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same small dictionary twice: for the server of the firmware, compiled from a register, and for the naive server.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The catalogue: all devices that canproof_add_device() added.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The description of a device in the catalogue; src/devices/NAME/simulation/model.cpp defines it.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Checks the parts of a device. canproof_add_device() calls it; to run it without a build:
 #   cmake -DROOT=. -DNAME=ax188001 -P src/devices/device_parts.cmake
 

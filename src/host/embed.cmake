@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes files as a C++ source, for scripts that cmake -P runs.
 
 # canproof_embed(OUT NAMESPACE FUNCTION HEADER ORIGIN NAME FILE [NAME FILE]…): writes NAMESPACE::FUNCTION(), which HEADER declares

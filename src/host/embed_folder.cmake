@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DFOLDER=… -DPATTERN=… -DNAMESPACE=… -DFUNCTION=… -DHEADER=… -DOUT=… -P embed_folder.cmake: writes a C++ source with the
 # files of FOLDER that match PATTERN, by their relative paths.
 include(${CMAKE_CURRENT_LIST_DIR}/embed.cmake)

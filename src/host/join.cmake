@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # canproof_join(TARGET BELOW folder [APART regex]): compiles up to six sources of one folder as one, which halves what their headers
 # cost. Which ones go together follows from their names, so that a new file changes one group. The joined files name their
 # sources from BELOW, a folder that TARGET looks for headers in: all copies of the project share one compiler cache. A source that

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Headers of the standard library and of other libraries that most files of the host include, precompiled once per build. None
 # belongs to this project, because its change would recompile everything. Each file still includes everything that it uses: see
 # -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.

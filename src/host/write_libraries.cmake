@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # canproof_write_libraries(FILE): writes each library of this project on a line, for tests/layers_check. The line has fields with
 # tabs between them: its name, the folder of its CMakeLists, its sources, its links, and the links that its users inherit.
 function(canproof_write_libraries file)

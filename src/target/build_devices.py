@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The devices of a build, from the list that its configure step writes (src/devices/canproof_add_device.cmake)."""
 import pathlib
 import tomllib

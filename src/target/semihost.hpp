@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Requests of an image in QEMU to the machine around it.
 #pragma once
 

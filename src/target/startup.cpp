@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Start-up from reset to image_main(): switches the floating-point unit on, initialises variables, runs constructors.
 #include <cstddef>
 #include <cstdint>

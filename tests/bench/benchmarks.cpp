@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures times with Google Benchmark: the transactions of tests/bench/count, and the cost of a whole node and of the
 // tools. tests/bench/compare compares a run with the baseline.
 #include <benchmark/benchmark.h>

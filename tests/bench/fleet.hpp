@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulates many AX130751, each in its own virtual time: the cost of a simulation driven by deadlines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays the corpus of a fuzz target and leaves, under callgrind with --collect-atstart=no, one dump for each frame
 // that the target gives to a device: NAME_cost FILE|FOLDER... From the dumps tests/bench/frame_cost finds the most
 // expensive frame.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/growth_loads.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work of a chosen size for the host and for the devices that it simulates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs work of growing size: under callgrind, started without instrumentation, each run leaves a dump named
 // `load<TAB>size`, from which tests/bench/growth makes the table. Alone the program only checks that the work is done.
 // With an argument it runs only the full loads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures how many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, in operational with
 // default parameters, through a hundred seconds of virtual time. It writes a table, a plot and their description as an
 // exhibit of the pack (src/host/assess/evidence/exhibit.hpp). Exits with status 1 when 1,000 are slower than real time,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A server for transactions: it answers frames. Counting covers receive(), pump() and change(): from the received frame
 // or event to the frames that are taken from the queue.
 #pragma once

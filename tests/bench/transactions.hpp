@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole transactions of a node, from the received frame to the frame that is handed over for transmission. Each is set
 // up once and can then be repeated.
 #pragma once

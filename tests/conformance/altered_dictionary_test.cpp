@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests dictionaries that none of the four devices has: absent objects, default values that could not be written,
 // entries of other types. The services answer as CiA 301 requires; node 5.
 #include <gtest/gtest.h>

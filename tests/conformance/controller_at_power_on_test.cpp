@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State of the CAN controller at power-on (CiA 301, 7.2.7.1): errors found at boot-up are reported when the bus works.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/lss_bench.hpp"

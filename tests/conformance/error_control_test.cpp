@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heartbeat, node guarding and life guarding (CiA 301, 7.2.8.2; CAN-CBX-AO412, 7.9.10, 7.9.11, 7.9.16, 7.9.17, 7.9.21),
 // node 3.
 #include "generated/canopen/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slave of the LSS tests: the conformance slave, node 5, with vendor-ID 0000005Fh, product code AA020301h, revision
 // 00010002h and serial number 20261121h. Requests are 7E5#…, answers 7E4#….
 #pragma once

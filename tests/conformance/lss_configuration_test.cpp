@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS, configuration (CiA 305, 6.4): node-ID, bit rate, activation of the bit rate, storing.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS of a node without a node-ID (CiA 305, 6.4.2): which services it has and how it gets a node-ID.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays the session of the screen capture in the Axiomatic manuals as a log to each device: AX130751 3.1.3, AX188001
 // 3.1.1.2, AX060805 4.1.1.2.
 #include <gtest/gtest.h>

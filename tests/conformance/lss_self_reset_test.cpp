@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS of devices that reset themselves when they leave LSS configuration, as in the Axiomatic manuals.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS states and frames of a slave by CiA 305.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/lss_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State that the node keeps between frames: after a reset, deadlines, and the effects of LSS switch delays.
 #include "firmware/canopen/node.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of PDOs and the order of remapping (CiA 301, 7.5.2.35 to 7.5.2.38; the procedure a) to e) of the
 // manuals), on the conformance slave, node 5. The same rules apply to receive and transmit PDOs.
 #include "generated/canopen/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors and times of several receive PDOs are separate (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A receive PDO with a refused value counts as not received and is reported by 8200h (CiA 301, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/altered_slave.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Receive PDOs (CiA 301, 7.2.2, 7.5.2.35) on the conformance slave of support/rpdo_bench.hpp.
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every abort code of CiA 301 (7.2.4.3.17, Table 22): the frames that cause it on the conformance slave, node 5, as
 // whole exchanges; the last answer is the abort. Codes that nothing causes are listed with the reason.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The slave of the block transfer tests (CiA 301, 7.2.4.3.8 to 7.2.4.3.16): the conformance slave, node 5. Its DOMAIN
 // of 64 KiB is 2400h. The CRC of "123456789" is 31C3h.
 #pragma once

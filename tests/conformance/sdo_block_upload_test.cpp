@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SDO block upload (CiA 301, 7.2.4.3.12 to 7.2.4.3.16): whole exchanges.
 #include "firmware/base/crc16.hpp"
 #include "generated/canopen/requirements.hpp"

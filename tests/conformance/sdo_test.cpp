@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SDO server, expedited and segmented (CiA 301, 7.2.4), on a CAN-CBX-AO412 as node 3 and on the conformance slave as
 // node 5.
 #include "generated/canopen/requirements.hpp"

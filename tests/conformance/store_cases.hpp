@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shared by the tests of storing: a CAN-CBX-AO412, node 3, one value of each group of parameters, and its memory.
 #pragma once
 

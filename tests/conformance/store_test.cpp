@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Store and restore (CiA 301, 7.5.2.13, 7.5.2.14; CAN-CBX-AO412, 7.9.12, 7.9.13, 7.5.1), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"

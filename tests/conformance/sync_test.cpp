@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SYNC consumer and producer (CiA 301, 7.2.5; CAN-CBX-AO412, 7.9.5, 7.9.6, 7.9.19), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transmit PDOs of types 0 to 240, 252 and 253 (CiA 301, 7.2.2, 7.5.2.37): SYNC and remote frames.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"

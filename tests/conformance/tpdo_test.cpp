@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transmit PDOs (CiA 301, 7.2.2, 7.5.2.37): operational, types 254 and 255, parameters.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Couplings between units, as libclang sees them in the code."""
 import collections
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The layers of the firmware, by the path of a unit from the project's folder: that of a header and its .cpp, without an ending."""
 import pathlib
 import re

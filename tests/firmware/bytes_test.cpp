@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes that cannot be read or written beyond their end (firmware/base/bytes.hpp).
 #include "firmware/base/bytes.hpp"
 

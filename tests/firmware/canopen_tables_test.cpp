@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decision tables of CiA 301 and 305, cell by cell.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The check that the compiler runs on every generated dictionary, tested with a small valid dictionary and with invalid
 // ones.
 #include "firmware/canopen/dictionary_check.hpp"

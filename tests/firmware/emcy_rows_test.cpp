@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors that are not listed, or not sent, as their row of the error table requires (firmware/canopen/emcy.hpp).
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instants and sequence numbers (firmware/base).
 #include <gtest/gtest.h>
 

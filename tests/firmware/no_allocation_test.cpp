@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // After the start nothing allocates memory: a session of every service runs while the allocator fails.
 #include <gtest/gtest.h>
 

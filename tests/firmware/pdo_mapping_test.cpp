@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mapping objects, resolved (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 

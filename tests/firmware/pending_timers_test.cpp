@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pending activities of the services that all devices share, 100 ms long, and each event 40 ms later that can end, keep
 // or restart them (CiA 301, 7.2.2, 7.2.5, 7.2.8).
 #include <gtest/gtest.h>

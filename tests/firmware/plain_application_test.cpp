@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device that implements only what it must: the default answers of Application and LssApplication, and of a node and
 // a dictionary used directly.
 #include <gtest/gtest.h>

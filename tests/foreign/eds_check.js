@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // eds_check.js FILE.eds FILE.json: compares every entry of the dictionary, as the foreign parser read it, with the
 // requirements register.
 const fs = require('fs');

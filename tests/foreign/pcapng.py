@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/foreign/pcapng.py PROGRAM: reads the file written by `--log FILE.pcapng` with tshark. Each frame must have the identifier, flags,
 length, data and direction that it had on the bus, and times must not decrease. Installs tshark if it is missing."""
 import os

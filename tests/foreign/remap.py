@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """remap.py PROGRAM: remaps and saves a PDO of each device by its data sheet, with the frames that python-canopen sends.
 
 python-canopen is not in Debian. Its behaviour that matters here:

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """socketcand.py PROGRAM: python-can and a second run join a run of two devices as clients of socketcand.
 
 The kernel chooses the port, which the test reads from the output of the program. Frames are written by hand: CBX-AO412 7.9.2 (device type

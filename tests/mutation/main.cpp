@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments beside those of
 // GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks every page of an evidence pack with axe-core and prints it.
 'use strict';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the contrast of every visible text with its background (WCAG 2.1). Runs inside the page.
 'use strict';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions and displays of the panel in a real browser. Every wait is for a condition. The kernel chooses every port.
 'use strict';
 const assert = require('node:assert/strict');

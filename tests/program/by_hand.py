@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """by_hand.py PROGRAM: `canproof conform --by-hand` asks its user to switch a slave off and on, and the cases of 1010h (store
 parameters) and 1011h (restore default parameters) that need it run. This script is the user: it kills the slave's process and starts
 it again on the same stored parameters.

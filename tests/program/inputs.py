@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/inputs.py PROGRAM: runs the real program with real logs, real times and values out of range."""
 import pathlib
 import subprocess

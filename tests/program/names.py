@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """names.py PROGRAM: node-IDs and factory data given to run, panel and replay, as a shell sees them."""
 import os
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/outputs.py PROGRAM: runs the real program with files and streams that cannot be read or written.
 
 Runs every command that prints with /dev/full as its standard output: it must end with status 2 and one line on standard error. A folder is

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/readme_devices.py PROGRAM: checks the tables of README and src/target/README.md whose first column is headed "device" or
 "image". Each has one row for every device of `canproof devices`, by its name, or by the title or first part number in its register, and no
 other row."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/shards.py PROGRAM: `canproof mutate --code` in three shards leaves the same bytes as on one machine.
 
 A script stands in for the program of mutants: eleven mutants, each third survives. The scripts of fuzz/cluster run the shards.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/sheets.py PROGRAM: runs `canproof eds check` and `eds --format dbc` from a shell and checks output, files and exit
 status."""
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """tests/program/shell_words.py PROGRAM: checks that completion and manual page contain every command and option of --help."""
 import pathlib
 import re

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """statements.py PROGRAM: runs `spec statements`, `spec check` and the audit from a shell on a small manual with statements, and checks the
 statements of the manuals of this repository. The marks are computed here by their definition in spec/README.md."""
 import hashlib

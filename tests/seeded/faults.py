@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads the seeded faults (tests/seeded/*.patch), applies them to a copy of the tree and removes them again."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The Debian kernel of the guest: downloaded once, unpacked, and put with its modules into an initial file system."""
 import gzip
 import lzma

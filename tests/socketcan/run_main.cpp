@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // canproof_run: only the command `run` of canproof. tests/socketcan uses it for the builds with sanitizers, which then
 // need only the files of that command.
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance slave with a changed dictionary, for data sheets that no device has but that are valid.
 #pragma once
 

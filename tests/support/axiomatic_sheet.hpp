@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common part of the object pages of the three Axiomatic manuals: shipped with node-ID 127, four PDOs per
 // direction, the error list, the heartbeat. The tests of each device contain its values.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bench that reads and writes objects by SDO.
 #pragma once
 

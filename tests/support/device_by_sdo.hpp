@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device of the catalogue that a test uses only by SDO, on a memory that the test may corrupt.
 #pragma once
 

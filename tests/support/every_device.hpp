@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The devices of the catalogue, for tests of all devices. A new device is tested without a change here.
 #pragma once
 

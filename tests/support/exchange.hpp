@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A conversation on the bus as a table of requests with all their answers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common base of all benches: a device, frames as in a candump log, a fake clock, and a memory that outlives the
 // device.
 #pragma once

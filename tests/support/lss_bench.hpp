@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance slave with a selectable LSS configuration and LSS behaviour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A dictionary compared with the pages of its manual: type, access, mapping, default and limits of each entry. The
 // tests read the tables directly; other tests cover the access over the bus.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A folder of one test, which is removed at the end of the test.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SDO data for tests: bytes, their CRC computed bit by bit as in CiA 301 (7.2.4.3.16), and the segments that contain
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The description of the conformance slave from which its devices are made.
 #pragma once
 

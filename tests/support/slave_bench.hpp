@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bench with the conformance slave.
 #pragma once
 

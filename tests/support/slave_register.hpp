@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slave with every service of CiA 301, described like any device. The conformance suite tests it. Its requirements
 // register is in tests/support/slave/spec and is compiled in; its node-ID is 5.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A client on the loopback: sends text of a test to a server over a real socket and collects the answers.
 #pragma once
 

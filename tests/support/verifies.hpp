@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links from tests to the requirements register, recorded with the verdict when the test runs.
 #pragma once
 

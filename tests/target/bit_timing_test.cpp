@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bit timing of the CAN controller for every bit rate that LSS or the switch of a device offers. The test computes it:
 // the clock of APB1 divided by prescaler × quanta.
 #include "target/stm32f405/bit_timing.hpp"

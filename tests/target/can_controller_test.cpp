@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CAN controller on and off the bus, with a model of its registers.
 #include "target/stm32f405/can_controller.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames from the two FIFOs of the CAN controller, with a model of its registers.
 #include <gmock/gmock.h>
 

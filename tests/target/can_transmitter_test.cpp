@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The three mailboxes below the transmit queue, with a model of their registers.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clock tree, time base, watchdog and image check, with models of their registers.
 #include "target/stm32f405/clock.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A complete device on the drivers: the CAN-CBX-AO412 with a model of bxCAN and parameters in a model of the flash.
 #include "target/stm32f405/device_loop.hpp"
 

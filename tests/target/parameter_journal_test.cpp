@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameter memory in two flash sectors, with a model of the flash controller: committed data survive a power cut at
 // any word and during any erase.
 #include "target/stm32f405/parameter_journal.hpp"

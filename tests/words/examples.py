@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Good and bad texts for tests/words_check: file, text, and a part of each fault in the order of the faults."""
 import textwrap
 

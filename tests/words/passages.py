@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Finds the texts of a file that a reader reads: comments, prose, sentences of TOML values, names of tests."""
 import ast
 import collections

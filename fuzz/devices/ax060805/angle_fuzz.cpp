@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the angle arithmetic, for any numbers of its domain, with the same formulae in long double (AX060805, 2.1.2
 // to 2.1.6). Input: records of fourteen bytes: the function, one unused byte, and three floats.
 #include <cmath>

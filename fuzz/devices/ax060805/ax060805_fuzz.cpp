@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes a whole AX060805: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"
 #include "fuzz/support/claims.hpp"

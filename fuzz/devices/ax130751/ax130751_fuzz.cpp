@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes a whole AX130751: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/claims.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes a whole AX188001: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/ax188001/ax188001_unit.hpp"
 #include "fuzz/support/claims.hpp"

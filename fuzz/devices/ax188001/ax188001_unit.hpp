@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the AX188001 for DeviceWorld.
 #pragma once
 

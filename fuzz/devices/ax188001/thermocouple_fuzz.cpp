@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the thermocouple arithmetic, for any bit pattern, with the reference functions in long double. Input:
 // records of ten bytes: the type, the function, and eight bytes of a double.
 #include <algorithm>

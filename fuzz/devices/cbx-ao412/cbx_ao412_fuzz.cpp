@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fuzzes a whole CAN-CBX-AO412: support/device_world.hpp has the events and the properties that are checked.
 #include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/claims.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the CAN-CBX-AO412 for DeviceWorld.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int one(const int value, const int other) {  // flagged
     return value;

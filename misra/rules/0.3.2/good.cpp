@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // No line needs a review: these functions accept every value.
 #include <cmath>
 #include <optional>

@@ -1,2 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int row[3];  // flagged

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged.
 struct Flags {
     unsigned first;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged.
 #define KNOWN_NAME 4
 #if KNOWN_NAME > 3

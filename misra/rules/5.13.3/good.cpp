@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged.
 int eight() { return 0 + 8 + 0x01; }
 double small() { return 1.5e-06; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contains the first definition; the other file has a different definition of the same name.
 namespace odr {
 struct Point {  // first definition

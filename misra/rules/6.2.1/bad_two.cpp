@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contains a different definition of a name that another file defines.
 namespace odr {
 struct Point {  // flagged

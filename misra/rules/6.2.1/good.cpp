@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged: each name is defined once, and names local to a file do not conflict.
 namespace odr {
 struct Place {

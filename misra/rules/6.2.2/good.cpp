@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged.
 namespace own {
 inline constexpr short shared_count{3};

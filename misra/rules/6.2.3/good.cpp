@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged: an overload, a declaration and its one definition.
 namespace places {
 inline int thrice(const int value) { return 3 * value; }

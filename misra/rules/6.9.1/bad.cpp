@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The marked definition names its type by another alias than its declaration.
 namespace aliases {
 using Index = int;

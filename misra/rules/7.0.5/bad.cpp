@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 bool less(const unsigned char one, const unsigned char other) {
     return one < other;  // flagged

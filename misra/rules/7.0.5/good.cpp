@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nothing here may be flagged.
 bool less(const unsigned one, const unsigned other) {
     return one < other;

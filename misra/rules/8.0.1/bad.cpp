@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int sum(const int one, const int two, const int three) {
     return one + two * three;  // flagged

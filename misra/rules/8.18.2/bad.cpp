@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int chain(int& one, int& other) {
     one = other = 3;  // flagged

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int factorial(const int value) {  // flagged
     return (value < 2) ? 1 : (value * factorial(value - 1));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be put to a person.
 constexpr unsigned few = 3U;
 unsigned below() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line must be flagged.
 int sum(int value) {
     for (; value < 3; ++value) {  // flagged

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that everything the AX060805 derives from its parameters follows them: one parameter is changed, and from then
 // on the device behaves like another device that had this value from the start.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX060805: for any writes and any inputs its values stay within their limits, and its frames
 // do not depend on when it is advanced.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all readable values.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

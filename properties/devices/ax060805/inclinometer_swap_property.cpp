@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Swaps everything that belongs to two channels of the AX060805 and checks that the results are swapped: pitch and
 // roll, the received values, the function blocks.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directions and angles as in sections 2.1 and 3.2 to 3.5 of the AX060805 manual, in double precision.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signals and binary functions as in 3.1 and 3.8 of the manual. A measured value is known within its tolerance only:
 // every number is a span from `low` to `high`, which is one point for exact numbers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive model of the whole AX060805 according to its manual and the decisions of the register: entries in a map, a
 // clock in milliseconds, every value computed from them each time.
 #pragma once

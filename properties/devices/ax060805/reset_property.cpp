@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a reset of the AX060805 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 

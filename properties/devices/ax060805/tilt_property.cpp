@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
 // attitude.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs an AX060805 and its naive model with the same inputs, frames and writes, and compares every frame and every
 // value.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that values which the AX130751 keeps from an earlier calculation never show: one key, a parameter or an input,
 // is changed and restored while everything else stays, and the device agrees with the naive model, which keeps nothing.
 #include <gtest/gtest.h>

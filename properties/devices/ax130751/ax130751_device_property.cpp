@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX130751 for any configuration and any inputs.
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

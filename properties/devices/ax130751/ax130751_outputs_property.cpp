@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
 #include <gtest/gtest.h>
 // rapidcheck's GoogleTest support needs gtest first

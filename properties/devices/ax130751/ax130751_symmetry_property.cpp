@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that all channels of the AX130751 are equal: with its outputs and blocks in another order, in parameters and
 // inputs, it behaves the same in that order.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs an AX130751 with a script of writes, frames, inputs and time, and records its frames and outputs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs an AX130751 and its naive model side by side: both get the same writes, frames, inputs and time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs of an AX130751 and its model: configurations in which no two channels are equal, and steps.
 #pragma once
 

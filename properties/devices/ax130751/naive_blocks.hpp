@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive logic and math blocks of the AX130751 according to its manual (1.6.1, 1.6.2, 1.7), written from its sentences
 // and not from tables. The blocks of the firmware are compared with them.
 #pragma once

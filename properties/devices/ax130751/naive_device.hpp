@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive model of the whole AX130751: slow, one cycle per millisecond, without any cache. It is written from chapters 1,
 // 3 and 4 of the manual and from the decisions of the register, and shares no code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Supply, temperature and errors of the AX130751: 1001h, 1003h and emergency messages (1.8, 3.2.2, 3.2.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive universal outputs of the AX130751 (1.2, 1.3), written from the sentences of the manual and not from tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every parameter of the AX130751 with its index, length and default, written from the pages of chapter 3 of its
 // manual. Shares no code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive relay of the AX130751 (1.4), written from the sentences of the manual and not from tables.
 #pragma once
 

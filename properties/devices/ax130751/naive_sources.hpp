@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values, limits and states of the control sources of the AX130751 (1.3, Tables 4A, 4B and 5), written from the
 // sentences of the manual and not from tables. Values are in their physical unit.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7), written from the sentences of the manual and
 // not from tables.
 #pragma once

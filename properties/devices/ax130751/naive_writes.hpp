@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules and effects of writes to parameters of the AX130751 (1.3, 1.5.1, 1.5.4, 1.8, 3.3.5, 3.3.9 to 3.3.14, 3.4.44),
 // written from the sentences of the manual and not from tables.
 #pragma once

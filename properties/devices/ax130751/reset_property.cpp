@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a reset of the AX130751 clears its state: properties/support/reset_law.hpp.
 #include <gtest/gtest.h>
 

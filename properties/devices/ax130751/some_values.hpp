@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values for the parameters of an AX130751: a few of each, so that limits, delays and equal numbers coincide.
 #pragma once
 

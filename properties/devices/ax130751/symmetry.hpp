@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs two AX130751s, of which one has its outputs, lookup tables, logic blocks, math blocks and extra values in
 // another order: in parameters, in inputs and in their results.
 #pragma once

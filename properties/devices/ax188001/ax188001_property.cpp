@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on when
 // it is advanced (1.1, 3.3.6, 3.4.13 to 3.4.16).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the AX188001 with a naive model of the whole device: after any writes, commands, wiring and heating it sends
 // and shows the same as the model, at every moment (manual, chapters 1 and 3).
 #include <gtest/gtest.h>

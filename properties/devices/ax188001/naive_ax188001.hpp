@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive model of the whole AX188001 at node-ID 127, written from the sentences of the manual, on a clock of
 // milliseconds: measurement, faults, emergency messages, states, self-start, TPDOs, storing. Guarding, heartbeats and
 // inhibit times have models of their own. Shares no code with the firmware.

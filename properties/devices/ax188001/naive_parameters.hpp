@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of the AX188001 by chapters 3.2 to 3.4 of the manual: the effect of each write and the refused writes.
 // Shares no code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes one thing at a time on a running AX188001 and compares it with a device that was switched on with this state.
 // Values computed before the change must not be used for another type, voltage or cold junction (1.1, 3.3, 3.4).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the channels of the AX188001 are equal and independent (1.1, appendix A): with the parameters and
 // terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates actions for an AX188001 from any numbers, and a configuration in which the two channels differ in every
 // parameter.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions on an AX188001 in a property: its parameters, its terminals and time, made of plain numbers that a generator
 // chooses; and the device that gets them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions on a CAN-CBX-AO412 in a property, made of plain numbers that a generator chooses.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the CAN-CBX-AO412 with a naive model of the whole device: after any writes, frames, switching and failures
 // it sends and shows the same as the model, at every moment (manual, chapters 3 and 7).
 #include <gtest/gtest.h>

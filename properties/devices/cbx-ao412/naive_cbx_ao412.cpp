@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "properties/devices/cbx-ao412/naive_cbx_ao412.hpp"
 
 #include <algorithm>

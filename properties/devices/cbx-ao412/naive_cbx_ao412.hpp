@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, on a clock of milliseconds:
 // outputs, errors and emergency messages, states, self-start, heartbeat and guarding, LEDs, switches, storing. Shares
 // no code with the firmware.

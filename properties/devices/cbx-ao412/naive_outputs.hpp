@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The four outputs of the CAN-CBX-AO412: voltage from 6411h, calibration and error mode (4.3.1, 7.10, 7.11). Shares no
 // code with the firmware.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11): with parameters, values and
 // factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the checksums with the definition of a cyclic redundancy check, one bit at a time, for every state and every
 // byte.
 #include "firmware/base/crc16.hpp"

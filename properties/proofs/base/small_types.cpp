@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results, time, sequence numbers, slots, rows of tables, commit markers: all functions, for all arguments.
 #include "firmware/base/commit_marker.hpp"
 #include "firmware/base/result.hpp"

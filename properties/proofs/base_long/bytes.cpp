@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Theorems on bytes that take longer: longer numbers, open counts, whole copies, CRC-16 of more than one byte.
 #include "firmware/base/bytes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NMT and COB-IDs for any frame, any node-ID and any value.
 #include "firmware/canopen/nmt.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors: the register 1001h, the list 1003h and what an emergency message holds, for any table of errors.
 #include "firmware/canopen/emcy.hpp"
 

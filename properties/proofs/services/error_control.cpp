@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heartbeat producer, guarding and life guarding: whatever frame and time come, in any state and with any settings.
 #include "firmware/canopen/error_control.hpp"
 

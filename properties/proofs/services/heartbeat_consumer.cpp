@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heartbeat consumer: whatever frame and time come, in any state and with any settings in 1016h.
 #include "firmware/canopen/heartbeat_consumer.hpp"
 

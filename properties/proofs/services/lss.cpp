@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS: any frame of a master, in any NMT state and any state of the slave, for a device with and without LSS.
 #include "firmware/canopen/lss.hpp"
 

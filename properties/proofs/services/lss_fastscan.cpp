@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fastscan: any request in any state of the scan, for any address.
 #include "firmware/canopen/lss_fastscan.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SDO server without block transfer: any frame of a client in any state, whatever the objects answer.
 #include "firmware/canopen/sdo_server.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SYNC: producer and consumer, whatever frame and time come, in any state and with any settings.
 #include "firmware/canopen/sync.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The transmit queue: from any consistent state each call leaves a consistent one, and no frame overtakes.
 #include "firmware/canopen/transmit_queue.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The LSS store when the power fails: it holds the old configuration or the new one, never a mixture.
 #include "firmware/canopen/lss_store.hpp"
 

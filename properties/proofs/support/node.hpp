@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surroundings of a service of a node: a dictionary with any values, a transmit queue, frames of a bus.
 #pragma once
 

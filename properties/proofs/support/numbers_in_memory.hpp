@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers in memory by their definition: byte by byte.
 #pragma once
 

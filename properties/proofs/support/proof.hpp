@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elements of a proof harness: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
 // for every open value, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
 // the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views of bytes that cannot overrun, and little-endian access (CiA 301 sends the least significant byte first).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commit marker: the byte of a bank of stored values that distinguishes a completely written bank from an
 // interrupted save. It lets the firmware recognise a damaged bank and not mistake it for an interrupted save.
 #pragma once

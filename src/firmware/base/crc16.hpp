@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CRC-16 of SDO block transfer (CiA 301, 7.2.4.3.16: polynomial 1021h, start 0, not reflected, no final XOR;
 // "123456789" gives 31C3h).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CRC-32 (ISO-HDLC: reflected polynomial EDB88320h, start and final XOR FFFFFFFFh; "123456789" gives CBF43926h).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface to an EEPROM or flash page: bytes that survive a power cut.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links from code to the requirements register: a wrong or retired requirement id does not compile.
 #pragma once
 

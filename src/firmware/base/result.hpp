@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value, or the reason why it is missing. The firmware throws nothing: every failure is a return value.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequence numbers of saves. They wrap after 2^32 saves.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A view of an array whose length is known at run time only. The owner of the memory chooses the length.
 #pragma once
 

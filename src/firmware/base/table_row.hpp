@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads a row of a decision table. The register's compiler proves that each table covers all its inputs. A missing row
 // therefore means corrupt memory; the caller passes the value that is safe in that case.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time in the firmware: a 64-bit count of microseconds that the caller passes in. Only the code in host/ and target/
 // reads a clock.
 #pragma once

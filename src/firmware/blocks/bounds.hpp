@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clamps numbers to bounds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // COB-ID entries: the identifier of a communication object and the flags beside it (CiA 301, 7.5.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the properties of a generated dictionary on which the services rely. The compiler evaluates them beside the
 // tables.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors: the error register 1001h, the error list 1003h and the emergency messages that report changes of both (CiA
 // 301, 7.2.7).
 #pragma once

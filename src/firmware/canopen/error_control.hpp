@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error control: boot-up, heartbeat producer, node guarding and life guarding (CiA 301, 7.2.8.2).
 #pragma once
 

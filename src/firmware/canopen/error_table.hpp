@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors of a node and how each is reported. The tables of a device define this (CiA 301, 7.2.7).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A classic CAN frame (ISO 11898-1: up to eight data bytes).
 #pragma once
 

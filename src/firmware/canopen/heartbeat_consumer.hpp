@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heartbeat consumer: watches other nodes (CiA 301, 7.2.8.2.2; object 1016h consumer heartbeat time, `00 | node-ID |
 // time in ms`).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes when an LED is lit (CAN-CBX-AO412, 3.2.1; after CiA 303-3).
 #pragma once
 

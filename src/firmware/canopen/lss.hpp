@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LSS slave: sets node-ID and bit rate over the bus (CiA 305; AX130751 3.1, AX188001 3.1, AX060805 4.1). The master's
 // frames have identifier 7E5h, the answers 7E4h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fastscan: an LSS master finds the address of one slave without node-ID, number by number and bit by bit (CiA 305,
 // 6.7).
 #pragma once

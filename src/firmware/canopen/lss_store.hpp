@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stores the node-ID and bit rate of LSS in the non-volatile memory (CiA 305, 6.4.5). Two slots alternate as the banks
 // of ParameterStore do: a power cut at any byte leaves the old settings or the new ones, and a damaged slot is
 // recognised.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NMT: the commands of the master, and which services work in which state (CiA 301, 7.2.8 and 7.3.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CANopen slave: the services, connected to one object dictionary. NodeProfile and Application hold what differs
 // between devices.
 #pragma once

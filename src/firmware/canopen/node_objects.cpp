@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the node checks accesses to its objects, and the effects of a write.
 
 #include "firmware/base/requirement.hpp"

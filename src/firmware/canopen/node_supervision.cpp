@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the bus and of the device: the node reports them and changes to the state that 1029h error behaviour
 // demands.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface through which SDO and PDO access the object dictionary: the node checks every access.
 #pragma once
 

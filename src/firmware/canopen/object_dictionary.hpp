@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The object dictionary for the services: a view of generated tables (on the host also run-time tables) and an image of
 // the values.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of an object dictionary, as the register's compiler writes them: constants in flash. object_dictionary.hpp
 // defines the view that the services use.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stored parameters: 1010h store parameters and 1011h restore defaults. A power cut at any byte leaves the old set or
 // the new one (CiA 301, 7.5.2.13).
 //

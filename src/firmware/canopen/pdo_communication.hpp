@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common part of receive and transmit PDOs: the communication parameters 14xxh and 18xxh, and the order in which a
 // PDO is re-mapped (CiA 301, 7.5.2.35 to 7.5.2.38).
 #pragma once

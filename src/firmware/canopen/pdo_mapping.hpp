@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mapping of a PDO: packs and unpacks its values by object 16xxh or 1Axxh (CiA 301, 7.5.2.36 and 7.5.2.38). A
 // mapping is resolved when it changes, so that a frame needs no search in the dictionary.
 #pragma once

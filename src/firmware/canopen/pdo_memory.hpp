@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The memory of a node's PDOs. The device owns it; its dictionary determines the size.
 #pragma once
 

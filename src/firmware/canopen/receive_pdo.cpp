@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "firmware/canopen/receive_pdo.hpp"
 
 #include "firmware/base/requirement.hpp"

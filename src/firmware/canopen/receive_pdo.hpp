@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Receive PDOs: reception, synchronous and immediate application, monitoring by the event timer (CiA 301, 7.2.2 and
 // 7.5.2.35).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state that the two directions of SDO block transfer keep between frames (CiA 301, 7.2.4.3.9 to 7.2.4.3.15). This
 // code handles the segments; SdoServer handles the object, the frames around the segments and time.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of SDO frames (CiA 301, 7.2.4.3): command specifiers and the fields beside them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SDO server: expedited, segmented and block transfer in both directions (CiA 301, 7.2.4). Each request gets at most
 // one answer; only a block upload sends further frames (its segments).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requests of SDO block transfer (CiA 301, 7.2.4.3.8 to 7.2.4.3.16).
 #include "firmware/canopen/sdo_protocol.hpp"
 #include "firmware/canopen/sdo_server.hpp"

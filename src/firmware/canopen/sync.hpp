@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SYNC: consumer and producer (CiA 301, 7.2.5; objects 1005h COB-ID SYNC, 1006h communication cycle period, 1019h
 // synchronous counter overflow value).
 #pragma once

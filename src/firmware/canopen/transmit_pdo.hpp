@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transmit PDOs: sent on events, by their timer, at a SYNC or on request (CiA 301, 7.2.2 and 7.5.2.37).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bounded queue of frames to send. The frame with the highest priority on the bus leaves first.
 #pragma once
 

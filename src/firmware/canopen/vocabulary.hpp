@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terms of the standard that the requirements register defines once for all services: NMT states and commands, SDO
 // abort codes (CiA 301, 7.2.4.3.17; `AbortCode::none` means success).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defines which files are firmware: src/firmware/**, src/devices/NAME/firmware/** and the drivers in
 // src/target/stm32f405. All assessments use this definition. They also judge the host's buses and replay.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Locks a file, so that one process at a time uses it.
 #pragma once
 

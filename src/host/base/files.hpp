@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opens and writes files of the commands. Each function throws InputError with the path and the remedy.
 #pragma once
 

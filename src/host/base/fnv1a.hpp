@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FNV-1a (32 bit) of text, for the fingerprints of layouts and of reviewed requirements.
 #pragma once
 

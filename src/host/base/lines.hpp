@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits texts and files into lines.
 #pragma once
 

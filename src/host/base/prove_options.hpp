@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The options of `canproof prove`, for the program that completes them and for canproof-prove, which it starts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads streams with limits: a read error is not mistaken for the end, and the length of a line is bounded.
 #pragma once
 

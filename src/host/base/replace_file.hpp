@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replaces files as a whole: at every moment, even if the program or the machine stops, a path has its complete old or
 // its complete new content.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A part of a list of work that several machines share: `2/3` is the second of three. Element k of the list, counted
 // from 0, belongs to part k mod 3 + 1, so that long and short work spreads evenly.
 #pragma once

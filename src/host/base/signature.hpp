@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signatures with keys in PEM files, compatible with `openssl`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Times as text in logs and stimuli: seconds with up to six decimals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removes blanks at both ends of a text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generated cells, and how `canproof mutate` alters each of them. Exists only in test programs that are built with
 // changeable cells (preset `mutation`).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The C++ spelling of the register's types, values and comments.
 #pragma once
 

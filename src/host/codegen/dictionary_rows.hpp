@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows of an object dictionary as values. The register's compiler prints them as C++, and the host runs a
 // dictionary on them that was read at run time.
 #pragma once

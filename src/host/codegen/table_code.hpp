@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A decision table as C++: the types of its columns, and its rows with expanded alternatives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lists every generated cell with its altered value, for `canproof mutate`.
 #include "host/codegen/write_alterations.hpp"
 

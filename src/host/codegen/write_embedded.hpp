@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The register's files as C++, embedded in the program.
 #pragma once
 

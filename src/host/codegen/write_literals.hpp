@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants, enumerations and signals as C++.
 #pragma once
 

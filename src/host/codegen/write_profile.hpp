@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates the firmware's NodeProfile from device.toml.
 #pragma once
 

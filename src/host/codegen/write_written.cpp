@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates an enumeration of the objects that a write can change, so that a compiler can check a switch for
 // completeness.
 #include "host/codegen/write_written.hpp"

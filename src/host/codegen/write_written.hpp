@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates C++ that identifies the object of a write.
 #pragma once
 

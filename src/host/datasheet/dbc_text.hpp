@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Model and text of a DBC file, the database of CAN messages for tools such as SavvyCAN, cantools and canmatrix. All
 // signals are little endian with factor 1 and offset 0.
 #pragma once

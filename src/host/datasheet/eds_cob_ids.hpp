@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Handles COB-IDs that a data sheet leaves at 0, which is the identifier of NMT commands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads one entry of an EDS: data type, access, default, limits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers in the spelling of CiA 306: decimal, 0x hexadecimal, octal with a leading zero, $NODEID terms, IEEE bits of
 // reals. The suffixes of C are accepted, because some tools write them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assigns the services of the protocol layer to objects by index, as CiA 301 does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of a dictionary in the spelling of an electronic data sheet (CiA 306, CiA 311).
 #pragma once
 

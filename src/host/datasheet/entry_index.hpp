@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An index of a dictionary's entries by index and sub-index.
 #pragma once
 

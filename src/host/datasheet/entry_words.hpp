@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes an entry of a dictionary in words: its limits and its range.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses the INI form of CiA 306: sections of `key=value` lines. Every line has its number; names are compared without
 // regard to case.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads an electronic data sheet or a device configuration file (CiA 306), or its XML form (CiA 311), as a device that
 // can run.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads a device description in XML (CiA 311, 1.0 and 1.1) as the corresponding sections and keys of CiA 306.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the frames of a device as a DBC file: NMT, SYNC, EMCY, PDOs with their default mapping, SDO, heartbeat.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dictionary of a device as JSON for tools and as Markdown for readers.
 #include "host/datasheet/write_dictionary.hpp"
 

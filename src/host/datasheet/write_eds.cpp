@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes an electronic data sheet (CiA 306). Tools read reals in two ways: python-canopen and CANopenEditor expect
 // decimal numbers; Lely's tools expect the bits of IEEE 754 and refuse a decimal limit. Therefore the usual sheet has
 // decimal defaults and no limits of reals, which all three accept. The other sheet contains everything, for Lely.

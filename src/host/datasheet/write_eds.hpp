@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes an electronic data sheet (CiA 306) from the requirements register.
 #pragma once
 

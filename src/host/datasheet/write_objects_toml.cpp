@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/datasheet/write_objects_toml.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the objects of a data sheet as a file of the requirements register.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the device description of CiA 311 as ISO 15745 profile containers.
 #include "host/datasheet/write_xdd.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes an XML device description (CiA 311) from the requirements register.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of an application process (CiA 311, 1.1), to which its objects refer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses one HTTP/1.1 request piece by piece in bounded memory. It discards everything that the panel does not use.
 #pragma once
 

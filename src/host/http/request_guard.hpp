@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides who may access the panel: its own page, and programs on this machine. A page of another site may not, even if
 // its name was made to resolve to this machine (DNS rebinding).
 #pragma once

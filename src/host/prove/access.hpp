@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes of the memory of the proven program. Each of them adds an obligation: the access must lie inside one
 // object.
 #pragma once

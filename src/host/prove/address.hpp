@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Addresses as terms. Each object of the program has its own base address, 2^40 bytes from that of the next.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arithmetic of LLVM's instructions on terms.
 #pragma once
 

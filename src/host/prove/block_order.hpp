@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order in which the basic blocks of a function are executed, so that paths can be merged again soon.
 #pragma once
 

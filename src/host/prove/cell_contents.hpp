@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contents of an object whose size is a known number: one cell for each byte.
 #pragma once
 

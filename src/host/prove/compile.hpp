@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiles the shipped sources and the harness of a proof to LLVM bitcode. The harness is the C++ file with the
 // theorems.
 #pragma once

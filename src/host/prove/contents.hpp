@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bytes of one object on one path of execution. Contents never change: each operation returns new ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults: small wrong changes of real functions, made on purpose. For each, one theorem must be refuted; this
 // shows that the prover finds faults.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The constants, global variables and functions of a program, as terms and objects.
 #pragma once
 

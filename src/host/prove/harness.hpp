@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions that a harness calls and the prover carries out itself; properties/proofs/support/proof.hpp declares
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Carries out LLVM's intrinsics, and the few functions of the C library that compilers insert calls of.
 #pragma once
 

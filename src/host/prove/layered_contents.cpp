@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/prove/layered_contents.hpp"
 
 namespace canproof::host::prove {

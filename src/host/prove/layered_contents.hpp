@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contents of memory whose size need not be known: unknown bytes at the bottom, and each operation puts a layer
 // above them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scalars (numbers, truth values and addresses) that a type consists of.
 #pragma once
 

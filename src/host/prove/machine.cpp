@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How execution moves on: calls, blocks, branches, and paths that meet again.
 #include "host/prove/machine.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Executes a function on terms instead of numbers, on all its paths at once: they part at branches and are merged again
 // where they meet.
 #pragma once

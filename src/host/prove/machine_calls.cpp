@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls: of functions that the prover carries out itself, of intrinsics, and of other functions by name or by address.
 #include <llvm/IR/InstrTypes.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Single instructions: what they compute, read and write.
 #include <llvm/ADT/MapVector.h>
 #include <llvm/IR/ConstantRange.h>

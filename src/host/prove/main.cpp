@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // canproof-prove, the program that `canproof prove` starts. It is separate, so that `canproof` itself does not load a
 // compiler library and a solver.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The objects of a program, and what they hold on one path.
 #pragma once
 

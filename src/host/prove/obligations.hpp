@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Obligations: what must hold on every path. Finds out whether each of them does.
 #pragma once
 

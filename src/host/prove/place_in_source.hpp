@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of functions and places of instructions in the source, for messages.
 #pragma once
 

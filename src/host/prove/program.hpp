@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The harness of a proof, linked with the firmware that it calls, as an LLVM module.
 #pragma once
 

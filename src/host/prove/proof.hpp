@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that belongs to the proof of one theorem.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides all theorems of the project, in several processes at the same time.
 #pragma once
 

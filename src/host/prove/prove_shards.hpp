@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Theorems on several machines: each decides a shard of them, and one merges the results.
 #pragma once
 

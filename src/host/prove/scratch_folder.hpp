@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A temporary folder that is deleted together with the object that owns it.
 #pragma once
 

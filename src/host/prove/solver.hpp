@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Asks z3 questions, and remembers some answers, which saves most of the questions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A statement of a harness as it stands in its source.
 #pragma once
 

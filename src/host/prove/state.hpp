@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of an execution: what is true on its path, and what memory holds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The terms of z3 (bit vectors and truth values), and a few helpers for them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/prove/theorem.hpp"
 
 #include <llvm/IR/Function.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One theorem: what it says, and its result.
 #pragma once
 

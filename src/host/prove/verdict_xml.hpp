@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts of theorems for the audit, in the form in which the test programs leave theirs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The altered value of a cell for `canproof mutate`: the nearest wrong value.
 #pragma once
 

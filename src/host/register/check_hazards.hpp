@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the hazards: the things that they name exist, and every output has a hazard.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the names of tables and objects in the generated C++, and the tables to which [services] refers.
 #include "host/register/check_names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks names in the generated C++, and the tables to which [services] refers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The register's files at build time, embedded in the program. Files with only statements, decisions, hazards or
 // reviews are left out.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fault in spec/ with its place and its remedy.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fingerprints of items. When a fingerprint changes, the item's tests are suspect until a new review.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The places of a device's values: in its image in RAM or in its constants in flash.
 #pragma once
 

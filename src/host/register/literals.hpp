@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares values of the register with CiA types.
 #pragma once
 

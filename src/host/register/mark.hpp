@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mark of a passage: it identifies words of a manual without containing them.
 #pragma once
 

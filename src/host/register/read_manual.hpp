@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the manuals and their statements in spec/manuals.
 #pragma once
 

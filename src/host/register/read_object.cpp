@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/register/read_object.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the reviews in reviews.toml.
 #pragma once
 

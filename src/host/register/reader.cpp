@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the register. A fault does not stop the reading, so that one run reports all faults.
 #include "host/register/reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of a manual's places: "1.3", "Table 7", "Figure 2", "2340h".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requirements register in memory: the content of spec/ with expanded families and arrays. Grammar: spec/README.md.
 #pragma once
 

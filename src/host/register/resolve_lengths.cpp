@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets the length of a string without `length` to that of its default.
 
 #include "host/register/resolve_lengths.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves `range = { table = … }`: copies the values of the table's first input column into the entry.
 #include "host/register/resolve_ranges.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines the values of ranges that name a table.
 #pragma once
 

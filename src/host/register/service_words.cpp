@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/register/service_words.hpp"
 
 namespace canproof::host {

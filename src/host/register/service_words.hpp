@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The services of a device that an entry can configure or show.
 #pragma once
 

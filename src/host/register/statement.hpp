@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A normative statement of a manual in our words.
 #pragma once
 

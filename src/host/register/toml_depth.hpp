@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines the nesting depth of a TOML text before it is parsed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads one TOML table. It remembers the requested keys and reports every fault with its line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads a TOML file of records that people write; the first fault is reported with file, line and remedy.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A line plot as SVG, with round numbers on the axes, a legend and marks. Any browser can display it.
 #pragma once
 

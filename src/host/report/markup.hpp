@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formats text and numbers for HTML and SVG.
 #pragma once
 

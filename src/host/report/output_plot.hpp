@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots a file of `--outputs`. Each signal keeps its value until the next line that names it.
 #pragma once
 

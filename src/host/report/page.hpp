@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common frame of all pages of the pack. One style serves phones, dark mode and paper; there are no external
 // assets.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device whose clock, bus, terminals and parameter memory are a program on another machine. It obeys one command at a
 // time, and says after each how it is then (host/sim/image/message.hpp).
 #pragma once

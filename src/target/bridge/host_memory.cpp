@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "target/bridge/host_memory.hpp"
 
 namespace canproof::target {

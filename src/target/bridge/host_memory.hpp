@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameter memory of an image whose board is a program: it keeps the bytes, and says what became of each access.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The channel of an image in QEMU: standard input and output of the process that emulates it.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Bytes of an image for the microcontroller by symbol: what the linker put into flash."""
 import struct
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The register as src/target/cells reads it: objects and decision tables of spec/, after spec/README.md. Nothing here comes from
 the compiler of the register."""
 import itertools

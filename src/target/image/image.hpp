@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface between src/devices/NAME/target/device.cpp and interrupts.cpp.
 #pragma once
 

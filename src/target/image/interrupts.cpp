@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of a device's image beside startup.cpp: the interrupts of the chip and the check of the flash. The linker
 // provides the addresses (stm32f405/device.ld).
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Analog pins of a board: inputs in turn through ADC1; outputs by the two channels of the DAC, and by timers whose
 // filtered pulses make a voltage (RM0090 chapters 13, 14 and 18).
 #pragma once

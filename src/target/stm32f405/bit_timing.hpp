@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bit timing of bxCAN: the number of time quanta of a bit, and the position of the sample point (RM0090 32.7.7).
 #pragma once
 

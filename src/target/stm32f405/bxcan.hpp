@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CAN controller of the STM32F405: the functions for the device's main loop and for its interrupt.
 #pragma once
 

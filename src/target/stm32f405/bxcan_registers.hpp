@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registers of bxCAN (RM0090 32.9; offsets in 32.9.5). The names spell out the manual's; the manual's own name
 // stands beside each.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // bxCAN on and off the bus: initialisation, bit rate, acceptance filters, error states, recovery from bus-off (RM0090
 // 32.4, 32.7.4, 32.7.6, 32.9.2). It never waits: advance() takes the next step when the hardware has acknowledged the
 // last one.

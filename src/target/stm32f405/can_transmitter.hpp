@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The three mailboxes of bxCAN, filled from a transmit queue (RM0090 32.7.1, 32.9.3). They hold the most urgent frames;
 // the hardware sends the lowest identifier first, and among equal identifiers the lowest mailbox.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drivers of one STM32F405 on its real registers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock tree: 8 MHz crystal or the chip's 16 MHz oscillator, PLL, dividers of the buses (RM0090 chapters 5 and 7,
 // 3.5.1).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device on the microcontroller: power-on, then one pass after the other. Its board reads physical inputs and drives
 // outputs: a class with the types Inputs and Outputs and the functions
 //   void start(); void read(Inputs&); void drive(const Outputs&);

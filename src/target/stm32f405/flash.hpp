@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller of the flash memory: erases a sector, programs a word (RM0090 3.5 to 3.9). Meanwhile the processor
 // stops at its next fetch from flash; no interrupt runs.
 #pragma once

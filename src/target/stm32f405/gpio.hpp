@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // General-purpose pins (RM0090 chapter 8).
 #pragma once
 

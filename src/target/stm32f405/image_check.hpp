@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the image in flash is the one that was built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Addresses of the peripherals of an STM32F405 (RM0090 2.3, Table 1; those of the core in ARMv7-M B3). Only images use
 // this file; tests pass models to the drivers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameter memory in two sectors of flash. Its bytes lie in RAM; commit() appends the changed lines to a journal in
 // one sector, and starts the other sector when the first is full. A power cut at any word leaves what the last commit()
 // left.

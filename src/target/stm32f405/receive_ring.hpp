@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frames between the interrupt and the main loop. One side pushes, the other pops; neither waits.
 #pragma once
 

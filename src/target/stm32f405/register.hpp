@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One 32-bit register of a peripheral. Only read() and write() access it. A test links other definitions of both, which
 // pass each access to a model of the peripheral.
 #pragma once

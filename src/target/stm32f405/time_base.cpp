@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "target/stm32f405/time_base.hpp"
 
 #include "firmware/base/requirement.hpp"

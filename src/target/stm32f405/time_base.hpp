@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A 64-bit count of microseconds from a 32-bit timer (TIM2, RM0090 chapter 18).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The independent watchdog: a counter with its own oscillator that resets the chip unless it is refreshed. Nothing
 // stops it (RM0090 chapter 21).
 #pragma once

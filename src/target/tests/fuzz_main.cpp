@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target's corpus: --list=FILE names its files, one per line; --work=FILE and --every-work=FILE record the
 // instructions of each frame. A violated invariant ends the image with a status other than 0.
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the instructions between two points with SysTick. Under `qemu -icount shift=4` each instruction takes 16 ns of
 // the virtual clock, and SysTick runs at 168 MHz. The result is a count, not a time: it excludes flash wait states and
 // the pipeline.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions that an image in QEMU needs from the machine around it.
 #pragma once
 

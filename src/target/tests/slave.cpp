@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance slave made from its generated tables: the microcontroller cannot read a requirements register.
 #include "tests/support/slave.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // slave_tables DIR writes the tables of the conformance slave, because the target cannot read its requirements
 // register.
 #include <iostream>

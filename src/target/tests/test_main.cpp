@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the tests of an image. Options: those of GoogleTest, --verdicts=FILE, --frame-log=FILE, --work=FILE and
 // --every-work=FILE; --shard=I/N runs every Nth test, starting with the Ith.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the instructions of every power-on, frame and tick, and records the worst of each kind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor: the minimum that any server must do for the transactions, written by hand for this purpose only. It has a
 // hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time; no
 // services, no states, no limits, no time. Counted in the same run with the same flags, it shows which part of a figure

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CRC of the floor: CRC-16 of CiA 301, two bytes at a time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults of a dictionary that differs from its data sheet.
 #include <algorithm>
 

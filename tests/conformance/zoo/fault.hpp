@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A deliberate fault of a slave: its description, its implementation, and an exchange that shows it.
 #pragma once
 

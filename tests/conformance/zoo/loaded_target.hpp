@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slave in virtual time on a bus with additional frames at random times.
 #pragma once
 

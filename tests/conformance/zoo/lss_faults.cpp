@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults of LSS states, selection and identification.
 #include "tests/conformance/zoo/faults.hpp"
 #include "tests/conformance/zoo/lss_frames.hpp"

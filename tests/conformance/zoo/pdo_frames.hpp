@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and builds PDOs according to the dictionary of a wrong slave.
 #pragma once
 

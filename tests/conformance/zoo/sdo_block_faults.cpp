@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults of SDO block transfer.
 #include "firmware/base/crc16.hpp"
 #include "tests/conformance/zoo/distortions.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and builds the fields of SDO frames for the faults.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Start of a run of conformance cases with a slave that is wrong from its first answer on: its faults are reported, and
 // the cases run. A slave that sends nothing ends the run.
 #include <gmock/gmock.h>

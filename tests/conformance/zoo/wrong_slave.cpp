@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/conformance/zoo/wrong_slave.hpp"
 
 #include "tests/conformance/zoo/sdo_frames.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance slave with one fault. Every fault of the zoo changes it here: at the received frames, at the sent
 // frames, and at its dictionary.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conformance cases notice the faults of the zoo, each by a case of its service, and no case fails on a correct
 // slave. CANPROOF_ZOO=all runs every case on every fault and a hundred whole runs under load, in some minutes. Without
 // it the cases of the service of a fault run until one fails, and each run under load uses a part of the cases.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Angles, initial angles, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read
 // in hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every entry of the AX060805 dictionary by chapter 4 of its manual and the decisions of the register: value of a level
 // unit after power-on, type (by length) and access. Node 127.
 #include "generated/ax060805/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of the AX060805 at their edges, on both sides and closer than one thousandth, by the behaviour of the
 // device.
 #include "generated/ax060805/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sampling, input filter, additional filters and latency of the AX060805 (3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10 to
 // 4.3.12, 4.3.34), node 127.
 #include "generated/ax060805/requirements.hpp"

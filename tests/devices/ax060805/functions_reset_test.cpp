@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reset node restarts the function blocks, also when they feed each other.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"

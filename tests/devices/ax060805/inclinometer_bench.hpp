@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An AX060805 on a bench: node 127 with default parameters, frames as in a candump log, positions in degrees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the AX060805 in a test, node 127: emergency messages on 0FFh.
 #pragma once
 

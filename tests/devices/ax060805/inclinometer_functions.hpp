@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The binary functions of an AX060805 on a bench (3.8).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shared by the network tests of the AX060805, node 127.
 #pragma once
 

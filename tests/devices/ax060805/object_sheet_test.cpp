@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every object of the AX060805 by chapter 4 of its manual and the decisions of the register: type, access, mapping,
 // default at node 127 and limits of each entry, taken by hand from the object page.
 #include "generated/ax060805/objects.hpp"

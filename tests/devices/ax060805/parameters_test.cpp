@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every parameter of the AX060805 at the ends of its range and beyond, stored and mapped (chapter 4), node 127.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decision tables of the AX060805 manual, cell by cell, and constants of its angles and its plant.
 #include "generated/ax060805/tables.hpp"
 

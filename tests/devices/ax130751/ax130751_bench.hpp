@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An AX130751 on a bench: node 127 with default parameters, 24 V, frames as in a candump log.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes and reads the objects of the blocks and the terminals of an AX130751.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each output of an AX130751 follows its own parameters, while the other output has different ones (1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Supply, temperature and errors of the AX130751 (1.8, 3.2.4, chapter 4).
 #include <limits>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
 // taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
 #include "generated/ax130751/objects.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of the AX130751 at their edges, on both sides and much closer than 1 % (1.2 to 1.8, chapter 4).
 #include <fmt/format.h>
 #include <gtest/gtest.h>

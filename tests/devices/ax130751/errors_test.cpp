@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the AX130751 on the bus: 1001h, 1003h, 1029h, emergency messages on 0FFh, heartbeat and guarding (manual
 // 3.2.2 to 3.2.13). Node 127.
 #include "generated/ax130751/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The examples of the AX130751 manual on the whole device: the joystick with a deadband (1.5.3, Figure 7), a joystick
 // trimmed by a potentiometer (1.7), 30 slopes from three tables (1.5, 1.6).
 #include "generated/ax130751/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions that stop an output of the AX130751 whatever its control: enable, override and unlatch as interlocks (1.2
 // to 1.4).
 #include "generated/ax130751/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables 16 to 19 of the AX130751 manual as their printed expressions; no two rows of a table match together.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The logic blocks of the AX130751 over SDO (1.6).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // X of point 1 of a lookup table of the AX130751 with a source whose minimum is below zero (1.5.1).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"

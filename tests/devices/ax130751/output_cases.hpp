@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets up an output of a type for the tests of the universal outputs (AX130751, 1.2, 1.3).
 #pragma once
 

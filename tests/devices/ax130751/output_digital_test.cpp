@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Universal outputs of a digital type over SDO (AX130751, 1.2).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"

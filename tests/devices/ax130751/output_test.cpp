@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The universal outputs of the AX130751 over SDO: scaling and types (1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PDOs of the AX130751 with default parameters and after changes (manual 3.2.14, 3.2.15). Node 127: RPDOs on 27Fh,
 // 37Fh, 47Fh and 57Fh, TPDOs on 1FFh, 2FFh, 3FFh and 4FFh.
 #include "generated/ax130751/requirements.hpp"

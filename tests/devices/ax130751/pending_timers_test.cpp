@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pending activities of an AX130751 - delays of the relay, blinking, ramps - and each event that can end, keep, force
 // or restart them (1.2, 1.3, 1.4). Cycles run every millisecond and use the values written before.
 #include <functional>

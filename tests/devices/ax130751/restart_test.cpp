@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State that an AX130751 clears at a reset, at a new type, and when a source is removed: hysteresis, faults, states of
 // blocks (1.2 to 1.8).
 #include <array>

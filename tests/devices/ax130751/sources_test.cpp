@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Control sources of the AX130751 (1.3, Tables 4A, 4B and 5), read through lookup table 1: the value of its X, and the
 // range of its points.
 #include "generated/ax130751/requirements.hpp"

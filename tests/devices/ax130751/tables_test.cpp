@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The decision tables of the AX130751 manual, cell by cell, and the constants of its blocks.
 #include "generated/ax130751/tables.hpp"
 

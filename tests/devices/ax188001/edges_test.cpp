@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of the AX188001 at their edges, on both sides and much closer than 1 % (1.1, 3.3, 3.4, appendix A).
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Emergency messages, 1001h, 1003h and 1029h (AX188001, 3.2.2, 3.2.4, 3.2.13).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ITS-90 thermocouple functions and points of the published tables, written for tests: the tables of the firmware
 // are compared with them. NIST Monograph 175; voltages in mV, reference junction at 0 degC.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An AX188001 whose driver is late: missed readings are performed with the times at which they were due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

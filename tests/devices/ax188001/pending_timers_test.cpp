@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fault of the AX188001 that is pending for its delay (4030h, 5051h), and each event that can end, keep or restart
 // the delay (1.1, 1.4, 3.4.16, 3.4.21). Readings are at multiples of 165 ms; the first one that shows the fault starts
 // the delay.

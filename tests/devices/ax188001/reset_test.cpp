@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Effects of a reset of the AX188001 on its converters, and faults that prevent its start.
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"

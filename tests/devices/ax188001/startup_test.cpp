@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Start and LSS (AX188001, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"

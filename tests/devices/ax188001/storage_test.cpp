@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Storing and restoring (AX188001, 3.2.7, 3.2.8).
 #include <map>
 

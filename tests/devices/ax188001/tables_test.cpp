@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decision tables of the AX188001 manual, cell by cell.
 #include "generated/ax188001/tables.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An AX188001 on a bench, with thermocouples by the ITS-90 functions of its90.hpp.
 #pragma once
 

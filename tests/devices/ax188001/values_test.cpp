@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3,
 // 3.4).
 #include "generated/ax188001/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CAN-CBX-AO412 in a test.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every object of the CAN-CBX-AO412 by chapter 7 of its manual: default, type (by length), access, limits. Node 3.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of the CAN-CBX-AO412 at their edges, on both sides and much closer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LEDs of the CAN-CBX-AO412 (3.2), node 3.
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"

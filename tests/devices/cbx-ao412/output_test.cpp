@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 

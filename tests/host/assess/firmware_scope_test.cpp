@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/firmware_scope.hpp"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that this one starts and waits for.
 #include "host/base/child_process.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole files: read to their end, in bounded memory, and refused where there is nothing to read.
 #include "host/base/read_file.hpp"
 

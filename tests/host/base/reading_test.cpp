@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files and lines: what is read, and errors that must not be taken as the end of the file.
 #include "host/base/reading.hpp"
 

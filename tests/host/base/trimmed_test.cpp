@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/base/trimmed.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The device `box` as described in a register: objects, behaviour and the enumerations of CANopen that it uses.
 #pragma once
 

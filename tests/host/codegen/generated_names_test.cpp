@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Indices, profile, names of tables and the notation of numbers: data of the register that are generated for the
 // firmware. Expected lines follow from spec/README.md.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code generated from a valid register. Every expected line is derived by hand from spec/README.md and
 // object_types.hpp.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conformance cases that stand in place of a test of their own: each runs on the conformance slave, and its verdict
 // counts for the requirements that it names.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The set of conformance cases: it covers the public transcript number by number, names requirements and risks, and
 // each case applies to some slave.
 #include <gtest/gtest.h>

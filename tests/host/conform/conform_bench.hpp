@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Slaves and targets for the tests of the conformance engine.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The case that checks the data sheet itself: public number 1.0.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The case language: expressions, frames, filters, and messages for a line that is no step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measured times of a conformance run, and what the frames of a bus add up to.
 #include "host/conform/link/measured.hpp"
 

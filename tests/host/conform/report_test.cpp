@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a conformance run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

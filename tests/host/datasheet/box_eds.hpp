@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hand-written data sheet of a small device, and helpers for it.
 #pragma once
 

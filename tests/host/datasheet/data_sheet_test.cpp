@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dictionary for tools: EDS (CiA 306), XDD (CiA 311), JSON and Markdown, written by hand for a box of five objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of CiA 306: bases, signs, bit patterns, reals, the node-ID as a term.
 #include "host/datasheet/eds_numbers.hpp"
 

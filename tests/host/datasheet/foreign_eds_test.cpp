@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data sheets of other authors: every fault is reported by line with the assumption that is used, and the device runs;
 // a text that is no data sheet is refused.
 #include <fmt/format.h>

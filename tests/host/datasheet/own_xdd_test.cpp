@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The XDD of each device has every object and entry, only attributes that CiA 311 allows, and elements in the order of
 // its schema. The schema itself must not be redistributed; its rules for these files are written here.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hand-written EDS as a running device.
 #include "host/datasheet/read_eds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Device descriptions of CiA 311 in XML as running devices: 1.0 with values in attributes, 1.1 with values in
 // parameters; and faults in descriptions of other authors.
 #include <fmt/format.h>

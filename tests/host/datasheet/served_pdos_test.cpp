@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PDOs of a data sheet beyond those that a node supports are refused by name.
 #include "host/sim/devices/served_pdos.hpp"
 

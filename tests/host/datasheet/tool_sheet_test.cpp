@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Details of data sheets on which foreign tools depend: object codes of CiA 301, the count of errors, REAL32.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frames of a device as DBC, read back by a small reader in this test.
 #include "host/datasheet/write_dbc.hpp"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The running program, and a model of the data that its device has stored."""
 import dataclasses
 import os

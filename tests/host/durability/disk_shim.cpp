@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A disk that fails on demand, loaded before the C library (LD_PRELOAD): the program under test is unchanged.
 //
 // Counts the calls that change files below DURABILITY_FOLDER. At call number DURABILITY_AT it performs DURABILITY_DO:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // HTTP requests in one piece or in several, valid or invalid, never beyond the bounds.
 #include "host/http/http_request.hpp"
 

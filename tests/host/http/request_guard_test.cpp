@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Requests that the panel accepts or refuses.
 #include "host/http/request_guard.hpp"
 

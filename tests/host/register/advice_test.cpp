@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about a valid register: open statements, coverage from other places, requirements with several demands.
 #include "host/register/advice.hpp"
 

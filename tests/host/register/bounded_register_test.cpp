@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Registers that are much too deep, too large or no files: reported as faults, in bounded time and memory.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each [[object]] that must be refused: with its line, message and fix.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One broken register and the fault that it must cause.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/host/register/broken_register.hpp"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Items that answer the same topic are compared: devices of one maker, and a device with the shared requirements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fingerprint changes with the content of an item, and with nothing else.
 #include "host/register/fingerprint.hpp"
 

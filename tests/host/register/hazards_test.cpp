@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hazards are read as written; the items that they name must exist, and every output must be named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

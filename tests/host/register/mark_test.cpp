@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks: the same words have the same mark, whatever their layout; an invalid mark is refused.
 #include "host/register/mark.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shared rules of canproof in a project that has no shared rules.
 #include <gtest/gtest.h>
 

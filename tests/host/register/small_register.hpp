@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A valid register of a few lines; each test breaks one thing in it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements of a manual: read from the folder of the manual, numbered, and checked against the register.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `zero = true` allows 0 in addition to a range that begins above it, from the register to the abort code and the data
 // sheet.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots as SVG.
 #include "host/report/line_plot.hpp"
 

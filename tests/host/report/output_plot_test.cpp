@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots of the outputs of a run: steps, not slopes.
 #include "host/report/output_plot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions of host headers that only tests call. They are emitted here, so that the program of mutants contains them
 // together with their mutants.
 #include <cstdint>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Neighbouring calls whose order makes no difference. No mutant swaps such calls.
 
 Two rules use the source of the calls and the types in it:

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Tests the rules of independence.py: pairs of calls, each with the known answer whether their order matters."""
 import sys
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Included before all other code of the program of mutants. schemata.py writes the operators and conditions of the
 // firmware as calls of these functions. Each does what the original code does unless its mutant is chosen. In a
 // constant expression, no mutant is ever chosen.

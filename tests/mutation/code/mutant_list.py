@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The files that get mutants, and the list of all mutants as C++."""
 import glob
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Rewrites the code so that it contains every mutant of its operators and conditions. A mutant is chosen at run time.
 
 A comparison becomes true, false, and the comparison with or without equality, opposite to the original. The last mutant is omitted where

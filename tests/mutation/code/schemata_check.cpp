@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mutants that schemata.py finds in example/, each compared with its result computed by hand.
 #include <cstdio>
 #include <cstring>

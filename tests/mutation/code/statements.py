@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Mutants of statements, variables, indices and literals: typical omissions and mix-ups of an author.
 
 A call or `break` that is a statement of its own is deleted, an assignment is dropped. Calls that follow each other are swapped where this

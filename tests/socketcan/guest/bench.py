@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Common parts of the checks: verdicts on the console, a listener on the bus, a run of the program."""
 import os
 import re

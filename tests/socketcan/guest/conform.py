@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs `canproof conform` on the four devices on interfaces of the kernel. The verdicts must be those in virtual time.
 
 Three devices have a virtual interface each. The fourth is on an emulated SJA1000 controller with 125 kbit/s, and its test is on another

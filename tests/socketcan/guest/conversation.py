@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The four devices on vcan0 in one process: cansend and python-can send requests, candump records, and the log is replayed."""
 import os
 import signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Effects of the interface on the devices: error frames, a full queue, filters, going down and coming back."""
 import re
 import subprocess

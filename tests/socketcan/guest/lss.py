@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The LSS session of the manuals on an interface with a bit rate: two emulated SJA1000 controllers on one bus.
 
 Frames 95 to 102 of the screen shot in AX188001 3.1.1.2 (node 80, 125 to 250 kbit/s), with a switch delay of 100 ms (6400) instead of 5 s

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs every check in order; `run` names the programs on the kernel command line. The builds with sanitizers run beside the program
 in a network of their own, where vcan0, can0 and can1 are other interfaces than here."""
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The panel on SocketCAN: frames sent by its page are on the bus, and frames of the bus are in its log."""
 import json
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A separate script of requests that python-can sends to the four devices."""
 import can
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Types the commands of the section "Use it on your bus" of src/host/app/README.md into a shell, one after the other."""
 import os
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs python-can scripts fast. Its import takes seconds in the guest, so one process imports it once and forks for every script."""
 import os
 import sys

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model of bxCAN for its driver (RM0090 chapter 32): registers with effects on reads and writes, and a bus that the
 // test controls.
 #pragma once

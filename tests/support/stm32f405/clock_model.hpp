@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models of reset and clock control, power and flash for the clock driver (RM0090 chapters 3, 5 and 7).
 #pragma once
 

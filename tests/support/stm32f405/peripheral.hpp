@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models of peripherals behind the registers of the drivers. Each access of a Register goes to the model that contains
 // it, so that side effects of reads and writes happen at once. An access without a model, or to a gap of one, is a
 // fault.

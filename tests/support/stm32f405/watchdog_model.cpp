@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/watchdog_model.hpp"
 
 namespace canproof::test {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model of the independent watchdog for its driver (RM0090 chapter 21). The test advances its time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Additional filters of one angle: moving average and repeating filter (AX060805, 3.3 Table 4, 4.3.10 to 4.3.12).
 //
 // Memory and time do not grow with the window. A window of up to 64 samples stores each of them. A longer window is

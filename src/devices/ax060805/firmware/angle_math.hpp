@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trigonometry in degrees, in single precision and without libm: the same bits on every target.
 //
 // Errors against double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The range of values of an angle (AX060805, 3.5, Table 8).
 #pragma once
 

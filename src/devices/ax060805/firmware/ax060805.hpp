@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axiomatic AX060805, AX060835, AX060840, AX060841: triaxial inclinometer (manual AX060805, chapters 2 to 4). The part
 // numbers differ in sensor and housing; the firmware is the same.
 #pragma once

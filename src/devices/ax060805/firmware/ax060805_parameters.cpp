@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The effects of a new value of a parameter.
 
 #include "devices/ax060805/firmware/ax060805.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Processes samples from the sensor to the angles and accelerations of the dictionary, in this order.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The signals of Table 1 and the ten binary functions that use them.
 
 #include <cmath>

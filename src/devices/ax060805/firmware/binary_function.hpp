@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One binary function block (AX060805, 3.8): A F(a1 f1(X1) + b1, a2 f2(X2) + b2) + B.
 //
 // Every operation is total: it returns a value or an undefined signal for every bit pattern of its operands.

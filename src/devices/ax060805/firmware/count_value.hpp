@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts measured values to the whole numbers sent on the bus (AX060805, 4.3.33, 4.3.36) and received numbers back.
 #pragma once
 

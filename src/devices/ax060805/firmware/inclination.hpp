@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts accelerometer samples to accelerations and angles in the machine's frame of reference (AX060805, 2.1, 3.2 to
 // 3.4, 3.7).
 #pragma once

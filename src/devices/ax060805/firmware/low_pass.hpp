@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First-order low-pass filter for the accelerations of three axes (AX060805, 3.2, 4.3.2, 4.3.3, 5.1.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax060805/firmware/signal.hpp"
 
 #include "firmware/base/requirement.hpp"

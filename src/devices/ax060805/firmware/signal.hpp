@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The signals between function blocks (AX060805, 3.1): undefined, a discrete value or a continuous value.
 #pragma once
 

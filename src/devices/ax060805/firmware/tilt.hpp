@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes pitch, roll and gravity angle from the direction of gravity (AX060805, 2.1.3 to 2.1.6).
 //
 // Every angle lies within 0.0001 degree of the same formula in double precision.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The angle configuration of an AX060805 (3.5, Table 8). No object sets it; it is a factory setting of the unit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots of the AX060805: a tumble through all orientations, the error of its arithmetic, its input filter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plant of the AX060805: a unit at rest in some attitude, the noise of its sensor, its supply.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX060805 in the catalogue: its simulation, figures and demo.
 #include "devices/ax060805/simulation/inclinometer_figures.hpp"
 #include "devices/ax060805/simulation/sensor_keys.hpp"

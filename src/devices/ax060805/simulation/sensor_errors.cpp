@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
 #include <fmt/format.h>

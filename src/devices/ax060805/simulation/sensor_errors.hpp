@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measuring errors of the sensor of one AX060805 (5.1.1, Table 62).
 #pragma once
 

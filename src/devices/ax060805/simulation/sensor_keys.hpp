@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Factory data of an AX060805 that no object shows: its angle range and its sensor's errors (3.5, 5.1.1).
 #pragma once
 

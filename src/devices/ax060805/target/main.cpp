@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX060805 as the image on which flash, RAM and stack of the STM32F405 are measured (src/target/board.hpp).
 #include "devices/ax060805/firmware/ax060805.hpp"
 #include "target/board.hpp"

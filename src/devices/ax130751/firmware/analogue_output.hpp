@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The analogue output block after its scaling (AX130751, 1.3): target, ramp and range. Values in the unit of the output
 // type.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axiomatic AX130751 and AX130771: two universal outputs and a relay on CANopen, with ten lookup tables, three logic
 // and four math blocks (manual AX130751, chapters 1, 3 and 4). The part numbers differ in isolation and housing; the
 // firmware is the same.

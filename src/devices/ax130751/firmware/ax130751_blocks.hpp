@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lookup tables (1.5), logic blocks (1.6) and math blocks (1.7) of the AX130751, each connected to its objects.
 #pragma once
 

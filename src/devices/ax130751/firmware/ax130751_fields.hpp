@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The object families of the AX130751, with the fields of each member: lookup tables 1 to 10, logic blocks 1 to 3, math
 // blocks 1 to 4.
 #pragma once

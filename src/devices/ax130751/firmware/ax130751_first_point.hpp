@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Point 1 of a lookup table of the AX130751 in data response: its X follows the minimum of the source while that is
 // below 0 (1.5.1).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One universal output of the AX130751: the analogue block (1.3) and the digital block (1.2) on the same terminal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks new values of parameters and applies their effects.
 
 #include "devices/ax130751/firmware/ax130751.hpp"

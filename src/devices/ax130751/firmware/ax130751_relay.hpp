@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The relay of the AX130751 (1.4), connected to its objects.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Control sources of the AX130751: the value that a source and a number select, with its limits and state (1.3, Tables
 // 4A, 4B and 5).
 #pragma once

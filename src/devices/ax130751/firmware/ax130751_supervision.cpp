@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/ax130751_supervision.hpp"
 
 #include "firmware/base/requirement.hpp"

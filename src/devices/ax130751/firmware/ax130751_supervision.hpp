@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Supply and temperature of the AX130751 (1.8, chapter 4): measures them, compares them with their limits and shuts
 // outputs off.
 #pragma once

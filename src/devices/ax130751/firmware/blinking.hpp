@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alternates between ON and OFF (AX130751, 1.2 and 1.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the current that an output with a limited voltage drives through a load (AX130751, chapter 4).
 #pragma once
 

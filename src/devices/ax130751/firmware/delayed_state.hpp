@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A state that follows the wanted state after separate delays for ON and OFF (AX130751, 22A1h on delay, 22A2h off
 // delay).
 #pragma once

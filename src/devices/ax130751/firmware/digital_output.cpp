@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/digital_output.hpp"
 
 #include "devices/ax130751/firmware/blinking.hpp"

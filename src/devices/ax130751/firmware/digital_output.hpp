@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The digital output block (AX130751, 1.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads any signal as ON or OFF (AX130751, 1.2, Figure 1).
 #pragma once
 

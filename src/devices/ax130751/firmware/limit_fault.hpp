@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fault with hysteresis: a measured value beyond its limit (AX130751, 1.8).
 #pragma once
 

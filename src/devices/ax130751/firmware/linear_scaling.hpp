@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A straight line between two points, constant outside of them (AX130751, 1.3, Figures 2 and 3).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/logic_block.hpp"
 
 #include "devices/ax130751/firmware/linear_scaling.hpp"

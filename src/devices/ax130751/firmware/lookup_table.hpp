@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lookup tables of eleven points, over a value or over time (AX130751, 1.5).
 #pragma once
 

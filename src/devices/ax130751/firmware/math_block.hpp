@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // operators of Table 21
 #pragma once
 

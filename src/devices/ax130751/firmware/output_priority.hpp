@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The priorities that decide what drives an output: AX130751, Figure 4, with sections 1.2 to 1.4 and 1.8.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value that moves towards its target with a limited slope (AX130751, 1.3, 2330h ramp up, 2331h ramp down).
 #pragma once
 

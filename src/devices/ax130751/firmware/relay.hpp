@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The relay block (AX130751, 1.4): polarity with latch and unlatch, enable, override, delays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reaction of a switched output to its logic state (AX130751, Tables 1 and 10).
 #pragma once
 

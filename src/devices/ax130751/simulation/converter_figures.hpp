@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots of the worked examples in the AX130751's manual, configured over SDO on the simulated device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX130751 in the catalogue: its simulation, figures and demo.
 #include "devices/ax130751/simulation/converter_figures.hpp"
 #include "devices/ax130751/simulation/simulation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/simulation/simulation.hpp"
 
 #include "devices/ax130751/firmware/ax130751.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX130751 as an image that is flashed onto an STM32F405.
 #include "devices/ax130751/target/wiring.hpp"
 #include "target/image/image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connects the AX130751's terminals to the pins of its STM32F405. The manual names the microcontroller but no pins;
 // this board is our own (src/target/stm32f405/README.md).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax188001/firmware/ax188001.hpp"
 
 #include "firmware/base/requirement.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Axiomatic AX188001: scanner of two thermocouples (manual AX188001, chapters 1 and 3).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Scanner's readings: from the terminals to voltages and temperatures.
 
 #include <cmath>

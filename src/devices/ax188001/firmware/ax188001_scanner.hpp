@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measuring part of the AX188001: from the terminals to field values, process values and faults (1.1 to 1.4). It
 // reads parameters from the dictionary and writes measured values into it; the Device reports faults on the bus.
 #pragma once

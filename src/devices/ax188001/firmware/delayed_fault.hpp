@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fault that is reported only after it has lasted for a delay (AX188001, 3.4.16 and 3.4.21), and cleared at once.
 #pragma once
 

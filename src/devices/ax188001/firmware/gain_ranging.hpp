@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A converter for small voltages that selects its own gain (AX188001, 1.1): the highest one that the voltage does not
 // overdrive, which gives the finest resolution. After each change its filter must settle.
 #pragma once

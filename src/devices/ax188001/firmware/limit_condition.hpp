@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits of a measured temperature or voltage, with one threshold that sets a fault and one that clears it.
 #pragma once
 

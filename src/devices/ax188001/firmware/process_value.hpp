@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts field values (physical units) to process values (sent on the bus) (AX188001, 1.1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thermocouples: converts temperature to voltage and back by the reference and inverse functions of the ITS-90
 // (AX188001, 1.1). It uses fixed point: single precision is too coarse for polynomials of degree 14, and double
 // precision is slow without an FPU for it. Slopes are in single precision, because they only steer the search. All

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The eight types of thermocouple of the AX188001 (1.1, Table 1), built from the tables of the requirements register.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reference functions of the AX188001's thermocouples in long double. The firmware's fixed point is compared with
 // them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX188001 in the catalogue: its simulation, figures and demo.
 #include "devices/ax188001/simulation/simulation.hpp"
 #include "devices/ax188001/simulation/thermocouple_figures.hpp"

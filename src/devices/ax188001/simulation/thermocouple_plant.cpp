@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/ax188001/simulation/thermocouple_plant.hpp"
 
 #include "devices/ax188001/firmware/thermocouple_curves.hpp"

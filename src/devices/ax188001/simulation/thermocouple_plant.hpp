@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plant of the AX188001: two thermocouples, each between its hot junction and the module's terminals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AX188001 as an image that is flashed onto an STM32F405.
 #include "devices/ax188001/target/wiring.hpp"
 #include "target/image/image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connects the AX188001's terminals to the pins of its STM32F405. The manual names the microcontroller and 16-bit
 // converters but no pins; this board with the chip's own 12-bit converter is our own (src/target/stm32f405/README.md).
 #pragma once

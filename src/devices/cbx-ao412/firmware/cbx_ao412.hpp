@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // esd CAN-CBX-AO412: four analog outputs of 12 bit and sign (manual CBX-AO412, chapters 3 and 7).
 #pragma once
 

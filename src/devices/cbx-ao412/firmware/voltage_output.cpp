@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/cbx-ao412/firmware/voltage_output.hpp"
 
 #include <cmath>

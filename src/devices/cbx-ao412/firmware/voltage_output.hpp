@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts a 16-bit value to the voltage of an output with 12 bits and sign (CAN-CBX-AO412, 4.3.1, 7.10.2.2, 7.11).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CBX-AO412 in the catalogue: its simulation, figures and demo.
 #include "devices/cbx-ao412/simulation/output_figures.hpp"
 #include "devices/cbx-ao412/simulation/simulation.hpp"

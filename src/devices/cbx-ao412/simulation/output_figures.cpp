@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/cbx-ao412/simulation/output_figures.hpp"
 
 #include <sstream>

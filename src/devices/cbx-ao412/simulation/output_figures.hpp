@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot of the CBX-AO412's outputs.
 #pragma once
 

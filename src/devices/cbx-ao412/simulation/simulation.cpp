@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/cbx-ao412/simulation/simulation.hpp"
 
 #include <fmt/format.h>

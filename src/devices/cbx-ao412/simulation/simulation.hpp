@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulated CAN-CBX-AO412.
 #pragma once
 

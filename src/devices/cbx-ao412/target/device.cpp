@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CAN-CBX-AO412 as an image that is flashed onto an STM32F405.
 #include "devices/cbx-ao412/target/wiring.hpp"
 #include "target/image/image.hpp"

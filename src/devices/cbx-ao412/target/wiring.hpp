@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connects the CAN-CBX-AO412's terminals to the pins of an STM32F405. The manual names another microcontroller and no
 // pins; this board is our own (src/target/stm32f405/README.md).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands that assess the project: fuzz, audit, coverage, misra, evidence, mutate, diff.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `audit` command: prints gaps and returns an exit status, or prints the whole story of one requirement.
 #include "host/app/cli/audit_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof audit`: the evidence for each item of the requirements register, and the gaps.
 #pragma once
 

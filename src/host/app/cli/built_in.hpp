@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requirements register that is embedded in the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands `devices`, `signals` and `eds`, which print data of the requirements register.
 #include "host/app/cli/catalogue_commands.hpp"
 

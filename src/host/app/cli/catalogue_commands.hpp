@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof devices`, `signals` and `eds`: data of the devices, printed without running them.
 #pragma once
 

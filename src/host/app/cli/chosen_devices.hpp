@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The devices that a command line names: of the catalogue, from an EDS, or from an image.
 #pragma once
 

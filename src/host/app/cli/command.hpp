@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types with which a command joins the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/app/cli/command_line.hpp"
 
 #include <fmt/format.h>

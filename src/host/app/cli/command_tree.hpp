@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line as data, from which the shell completion and the manual page are generated.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof conform`: the conformance test of a slave.
 #pragma once
 

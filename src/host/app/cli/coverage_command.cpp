@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `coverage` command: lists the places in the firmware, and in the host's buses and replay, that no test reaches,
 // and whether each has a recorded reason.
 #include "host/app/cli/coverage_command.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof coverage`: places in the firmware that no test reaches.
 #pragma once
 

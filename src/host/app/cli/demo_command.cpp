@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `demo` command: boots all four devices and prints their answers to the examples in their manuals.
 #include "host/app/cli/demo_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof demo`: the devices answer the worked examples of their manuals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `diff` command: prints the impact of the changes since a revision.
 #include "host/app/cli/diff_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof diff`: items, code, tests and verdicts that the changes since a revision affect.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof eds check`: checks a data sheet, and writes it with the safe fixes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `evidence` command: writes the evidence pack.
 #include "host/app/cli/evidence_command.hpp"
 

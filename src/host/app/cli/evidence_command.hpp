@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof evidence`: makes missing evidence, writes the evidence pack, and verifies a pack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/app/cli/factory_options.hpp"
 
 #include <fmt/ranges.h>

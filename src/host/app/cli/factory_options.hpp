@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `--factory KEY=VALUE`: values that a single unit gets in the factory. The keys are the entries that the requirements
 // register marks as factory data, with their types and ranges. The AX060805 has further keys that no object shows.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `figures` command: draws the behaviour of the devices.
 #include "host/app/cli/figures_command.hpp"
 

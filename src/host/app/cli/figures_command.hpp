@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof figures`: plots of the devices' behaviour.
 #pragma once
 

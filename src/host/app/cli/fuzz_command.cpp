@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `fuzz` command: runs a fuzzing campaign, which Ctrl-C stops in an orderly way.
 #include "host/app/cli/fuzz_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof fuzz`: a fuzzing campaign, which Ctrl-C stops in an orderly way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `misra` command: runs the checkers of misra/ on a built firmware.
 #include "host/app/cli/misra_command.hpp"
 

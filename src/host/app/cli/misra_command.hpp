@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof misra`: checks the firmware against MISRA C++:2023.
 #pragma once
 

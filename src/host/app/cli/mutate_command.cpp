@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: alters every generated cell, or every operator and condition of the firmware and of the host's
 // buses and replay, one at a time. It prints by item the survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof mutate`: whether a test notices each broken requirement.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof new`: writes a project with one device that builds and passes its tests.
 #pragma once
 

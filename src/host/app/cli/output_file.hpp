@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file that a command writes during its run. It is emptied after all checks have passed, and checked at the end.
 #pragma once
 

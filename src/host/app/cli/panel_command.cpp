@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `panel` command: devices in real time on a bus, and a local page that shows and stimulates them.
 #include "host/app/cli/panel_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof panel`: devices in real time, shown on a local page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `plot` command: draws a file of `--outputs` as SVG.
 #include "host/app/cli/plot_command.hpp"
 

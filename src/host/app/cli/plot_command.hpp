@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof plot`: draws a file of `--outputs` as SVG.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The devices, the bus and the files of a command line; common to `run` and `panel`.
 #pragma once
 

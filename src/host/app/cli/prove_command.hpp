@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `prove` command: proves theorems about the firmware with the program canproof-prove beside this one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `replay` command: reads a log and prints the frames that the device sends.
 #include "host/app/cli/replay_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof replay`: plays a log to one device in virtual time.
 #pragma once
 

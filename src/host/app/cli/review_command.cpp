@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `spec review` command: records that items were read in their present form, with their code and tests.
 #include "host/app/cli/review_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof spec review`: records that items were read with their code and tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arguments that are common to the commands with devices on a bus.
 #pragma once
 

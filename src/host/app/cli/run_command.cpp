@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The `run` command: devices in real time on a bus. On a terminal it shows a live table, otherwise every frame as a
 // candump line. It sends lines `ID#DATA` from standard input on the bus.
 #include "host/app/cli/run_command.hpp"

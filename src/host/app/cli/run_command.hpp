@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof run`: devices in real time on a bus.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shell completion and manual page, generated from the command line.
 #pragma once
 

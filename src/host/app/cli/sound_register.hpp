@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requirements register of a project's folder, for commands that need it without faults.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands `spec check` and `spec statements`: faults of the register, and the statements of a manual.
 #include "host/app/cli/spec_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `canproof spec check` and `canproof spec statements`.
 #pragma once
 

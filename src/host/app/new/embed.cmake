@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DFOLDER=… -DTOOLCHAIN=… -DOUT=… -P embed.cmake: writes a C++ source with the files of FOLDER, by their relative paths
 # without `.in`, and with the toolchain file of the microcontroller.
 include(${CMAKE_CURRENT_LIST_DIR}/../../embed.cmake)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/app/new/new_project.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates the files of a new project with one device, for `canproof new`.
 #pragma once
 

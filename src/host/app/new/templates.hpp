@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files of src/host/app/new/template/, embedded in the program.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DFOLDER=… -DDEVICES=… -DOUT=… -P embed.cmake: writes a C++ source with the files of FOLDER/page as `page/FILE`, and with
 # each DEVICES/NAME/simulation/panel.json as `views/NAME.json`.
 include(${CMAKE_CURRENT_LIST_DIR}/../../embed.cmake)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/app/panel/http_front.hpp"
 
 #include <arpa/inet.h>

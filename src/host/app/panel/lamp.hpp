@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes an LED in the words of CiA 303-3, from the times at which it went on and off.
 #pragma once
 

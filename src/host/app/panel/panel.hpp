@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A session that a page shows and stimulates. The run loop advances it; requests read it and queue stimuli and frames.
 #pragma once
 

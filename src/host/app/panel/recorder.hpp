@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The record of a session for the page: changes of outputs and LEDs with their times, measured values, decoded frames,
 // and each device's last emergency. The memory is bounded: a late reader gets the newest records.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The newest items of a sequence, with their numbers. A reader asks for the items after the last number it has read.
 #pragma once
 

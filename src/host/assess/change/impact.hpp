@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The impact of a change: items, their decisions, code and tests, and changed verdicts.
 #pragma once
 

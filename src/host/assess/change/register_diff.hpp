@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The differences between two requirements registers, item by item; an impact analysis starts from them.
 #pragma once
 

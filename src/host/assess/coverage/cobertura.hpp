@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coverage in the Cobertura format for build servers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structural coverage of the firmware, and of the host's buses and replay: the measurement of llvm-cov and the places
 // that no run reached.
 #pragma once

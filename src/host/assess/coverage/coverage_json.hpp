@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structural coverage as JSON. It includes MC/DC, which the Cobertura format does not support.
 #pragma once
 

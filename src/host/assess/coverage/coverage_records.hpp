@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The records of reports/coverage.toml: the known gaps and their reasons.
 #pragma once
 

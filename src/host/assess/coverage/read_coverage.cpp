@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the JSON export of llvm-cov (format version 2.0.1 of LLVM 19).
 #include "host/assess/coverage/read_coverage.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the measurement of llvm-cov from its export.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the records of coverage with the sources, without a measurement.
 #include "host/assess/coverage/stale_records.hpp"
 

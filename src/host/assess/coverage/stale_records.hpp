@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds records whose code has changed.
 #pragma once
 

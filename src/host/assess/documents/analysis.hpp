@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Analyses that people write in reports/analysis, beside the requirements register: the requirement that detects each
 // failure, the lamps, and the threats to each service. The generated documents use them and show `missing` for the
 // rest.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The documents of one device that are generated from the requirements register.
 #pragma once
 

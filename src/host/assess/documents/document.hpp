@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A generated document: plain text and tables, for output as HTML, Markdown or JSON.
 #pragma once
 

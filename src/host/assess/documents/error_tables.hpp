@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The errors of a device, from its tables of errors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hardware-software interface: the signals between the firmware and its drivers.
 #pragma once
 

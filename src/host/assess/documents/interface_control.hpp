@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface control document: the device's data on the bus, as shipped.
 #pragma once
 

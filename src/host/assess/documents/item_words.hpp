@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the data of an item in words: the facts of an object, the value of a constant, the rows of a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renders a document as HTML, Markdown and JSON.
 #pragma once
 

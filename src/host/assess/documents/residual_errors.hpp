@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimates the rate of wrong frames that pass the checks of CAN.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The safety manual for the integrator of the device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The threats to the services of a device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The argument of reports/argument.toml: claims, the techniques of the standards, and the tools with the detection of
 // their errors.
 #pragma once

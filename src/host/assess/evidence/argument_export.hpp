@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The argument as data and as a graph, in the terms of the Goal Structuring Notation: a claim is a goal, evidence is a
 // solution, limits are a context.
 #pragma once

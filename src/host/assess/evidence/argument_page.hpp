@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The argument as a page of the pack.
 #pragma once
 

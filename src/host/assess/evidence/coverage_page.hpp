@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coverage of the firmware, and of the host's buses and replay, as a page of the pack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One exhibit of a pack: its statement and its files.
 //
 // A tool with results for the pack writes a folder with `exhibit.json`:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generated page of an exhibit that has no page of its own.
 #pragma once
 

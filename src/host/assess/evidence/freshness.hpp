@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides whether a measurement is up to date with its sources: by their recorded contents, otherwise, as make does, by
 // the times of files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verdicts as JUnit XML, for tools that read it.
 #pragma once
 

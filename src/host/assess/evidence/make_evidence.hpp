@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Creates the evidence that a complete pack needs and that is missing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of one manual: its sections, coloured by their state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of altering generated cells as a page of the pack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exhibits of a pack by their key.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The evidence pack: claims, evidence and open points, for people and for other tools.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The input from which the evidence pack is made.
 #pragma once
 

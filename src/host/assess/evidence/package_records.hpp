@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The records of reports/packages.toml about the Debian packages: scope, licence, and assessed vulnerabilities.
 #pragma once
 

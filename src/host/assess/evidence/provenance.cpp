@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines the provenance of a build from git, dpkg and the compiler of this program.
 #include "host/assess/evidence/provenance.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pages of the pack about the register and the verdicts. Each function returns the body of a page as markup.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ReqIF 1.2 (OMG): the requirements register for requirements tools.
 #include "host/assess/evidence/reqif.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The register for tools that read ReqIF.
 #pragma once
 

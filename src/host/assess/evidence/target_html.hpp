@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Performance and memory on the microcontroller as a report.
 #pragma once
 

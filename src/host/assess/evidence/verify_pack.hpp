@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verifies a pack against its manifest and its signature.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fuzzing campaign. It fuzzes all targets for a given time on all cores, then sorts the findings, measures the
 // coverage, minimises the corpora, and runs the inputs again under valgrind. The corpus folder keeps everything between
 // campaigns:

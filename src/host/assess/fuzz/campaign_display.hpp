@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The progress of a campaign: on a terminal one live line per target, otherwise a line for each change of a target.
 #pragma once
 

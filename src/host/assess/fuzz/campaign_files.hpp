@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files and the context that all parts of a campaign use.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a complete or interrupted campaign, as a page and as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A campaign on several machines: each fuzzes a shard of the targets into a corpus folder of its own, and one of them
 // takes these folders over and does the rest of the campaign.
 #pragma once

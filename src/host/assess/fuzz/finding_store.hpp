@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stores findings: each in a folder below the corpus, and its input in the committed corpus.
 #pragma once
 

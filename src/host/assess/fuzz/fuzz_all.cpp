@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fuzzing phase. It runs each target in slices, so that every target has run even if the campaign is interrupted.
 #include "host/assess/fuzz/fuzz_all.hpp"
 

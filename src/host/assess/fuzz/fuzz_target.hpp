@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fuzz targets of a build with their seeds, dictionaries and options.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses the output of libFuzzer and the sanitizers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses llvm-cov's lcov export: the lines and functions of the firmware that a coverage run reached.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures which lines of the firmware the corpora reach, and when the campaign first reached them. The modification
 // time of an input shows when it was found.
 #include "host/assess/fuzz/measure_coverage.hpp"

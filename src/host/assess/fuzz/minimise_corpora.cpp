@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replaces each corpus by a smaller set of inputs that reaches the same code.
 #include "host/assess/fuzz/minimise_corpora.hpp"
 

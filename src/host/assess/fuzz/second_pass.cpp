@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the corpus again under valgrind's memcheck and without sanitizers. It detects uninitialised bytes, which ASan
 // and UBSan do not. (MSan needs an instrumented C++ library, which Debian does not have.)
 #include "host/assess/fuzz/second_pass.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The second pass over the inputs that a campaign kept.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns inputs that ended a run into findings: one per bug, minimised, with the files to replay it.
 #include "host/assess/fuzz/sort_findings.hpp"
 

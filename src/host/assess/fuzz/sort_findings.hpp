@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns inputs that ended a run into findings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a limited number of programs in parallel, each with its output in a file.
 #pragma once
 

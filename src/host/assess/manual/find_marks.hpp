@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the passages of a manual that marks identify.
 #pragma once
 

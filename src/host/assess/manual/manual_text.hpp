@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of a manual in the form that marks use: its ASCII letters and digits with their positions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assigns the lines of a manual's text to its sections.
 #pragma once
 

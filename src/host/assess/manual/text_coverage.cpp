@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/manual/text_coverage.hpp"
 
 #include <algorithm>

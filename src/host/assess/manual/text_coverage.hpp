@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The coverage of a manual's text by its statements.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exhibit of the evidence pack for the mutants of code: figures by file, and each survivor with its reason.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/mutation/code_mutation.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutation of the firmware's code. The program built by tests/mutation/code contains all mutants. It reports which
 // mutants would change a computation in which test.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mutants of code in the functions that implement an item.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines which tests notice a mutant of the items that they claim. Each test runs alone with mutants of its items,
 // until it has noticed one mutant of each item.
 #pragma once

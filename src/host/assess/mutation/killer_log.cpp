@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/mutation/killer_log.hpp"
 
 #include "host/base/reading.hpp"

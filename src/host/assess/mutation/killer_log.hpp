@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records which test noticed each mutant. The next run starts with this test and so avoids most others. No verdict
 // depends on the record.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutation of generated cells: each cell is altered, and the tests that claim its requirement must fail.
 #pragma once
 

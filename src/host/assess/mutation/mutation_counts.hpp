@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts by item how many alterations the tests notice.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of `canproof mutate` as JSON, for the audit and the pack.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutation on several machines: each judges a shard of the alterations, and one of them merges the outcomes. The merged
 // run leaves the same files, byte for byte, as a run on one machine that took the same tests in the same order.
 #pragma once

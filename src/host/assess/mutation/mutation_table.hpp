@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the mutants of code by layer and operator, and by the test suite that noticed them.
 #pragma once
 

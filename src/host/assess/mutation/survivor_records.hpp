@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The records of reports/mutation.toml: reasons why alterations may survive.
 #pragma once
 

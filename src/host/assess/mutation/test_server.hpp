@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A running test program with changeable cells. It alters a cell in a copy of its process and runs tests there. See
 // tests/mutation/main.cpp.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // C++ sources as text: comments, literals, words, blocks in braces.
 #pragma once
 

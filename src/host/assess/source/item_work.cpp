@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/source/item_work.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Short marks of the code and the tests of an item. A review records them, so that a later change shows.
 #pragma once
 

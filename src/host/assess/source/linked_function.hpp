@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the function to which a link of a requirement applies: the one directly below it.
 #pragma once
 

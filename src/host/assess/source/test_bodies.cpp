@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/source/test_bodies.hpp"
 
 #include "host/assess/source/cpp_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hashes of the bodies of tests in the sources of a project.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The story of one item, section, statement, file or test: everything that the audit links to it.
 #pragma once
 

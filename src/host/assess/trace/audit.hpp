@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit. It follows each manual section and statement to requirement, decision, table or object, code, test and
 // verdict, and reports missing links.
 #pragma once

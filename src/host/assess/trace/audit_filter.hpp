@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selects the items and statements that an audit lists.
 #pragma once
 

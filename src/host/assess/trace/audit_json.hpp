@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit as JSON for other programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the requirements of code without an implements<>: through generated names and through inclusion.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The evidence that a requirement holds: test verdicts of this build, and the places in code that name it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/trace/kill_audit.hpp"
 
 #include <fmt/format.h>

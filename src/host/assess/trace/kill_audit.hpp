@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit of reports/kills.csv. A test shows an item only when it notices a mutant of it.
 #pragma once
 

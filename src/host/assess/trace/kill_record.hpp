@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The record of which tests notice a mutant of the items that they claim: reports/kills.csv, which `canproof mutate
 // --kills` writes.
 #pragma once

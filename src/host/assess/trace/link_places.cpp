@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/trace/link_places.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the places of links from code to the register: directly above the implementing code, and few in one place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reviews: whether an item, its code and its tests still have the form in which someone reviewed them.
 #pragma once
 

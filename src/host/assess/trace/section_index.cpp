@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/assess/trace/section_index.hpp"
 
 #include "host/register/refs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The items that have a section, table, figure or object of a manual as their source.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit of a manual's statements: which items cover each statement, and whether they are shown.
 #pragma once
 

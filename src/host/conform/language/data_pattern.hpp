@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data bytes of a frame in a step: to send, or to expect and capture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of the case language: compiled once, evaluated each time the step runs.
 #pragma once
 

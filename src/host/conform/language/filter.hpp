@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A filter for entries of the data sheet in a step or a need: `writable, u16, upper limit`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The value of a variable in a case: a number, bytes, or a structure with fields.
 #pragma once
 

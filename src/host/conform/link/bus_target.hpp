@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A slave on a real bus, in real time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much of the bus the frames of a run take.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tester's end of the bus: sends frames, keeps received ones until a step takes them, repeats frames in the
 // background, and keeps a log.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/conform/link/node_control.hpp"
 
 namespace canproof::host::conform {

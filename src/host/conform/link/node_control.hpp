@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NMT commands, and the boot-up message after a restart.
 #pragma once
 

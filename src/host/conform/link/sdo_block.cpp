@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Block transfers of the SDO client.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The client of the default SDO server: performs whole transfers and checks each frame of the server.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The connection to the slave under test: a bus in virtual time, or a real one.
 #pragma once
 

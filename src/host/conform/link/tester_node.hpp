@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tester as a node of a bus. It receives frames through the bus's listener.
 #pragma once
 

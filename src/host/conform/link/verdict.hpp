@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exceptions that end a case early, and the notes of a case.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/conform/link/virtual_target.hpp"
 
 #include "host/sim/devices/advance_device.hpp"

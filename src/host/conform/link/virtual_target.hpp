@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated slave on its own bus in virtual time: the same steps give the same frames at the same times.
 #pragma once
 

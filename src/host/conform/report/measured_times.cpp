@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/conform/report/measured_times.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measurements of a run, in words and drawn: the load of the bus, and times with what the cases accept of them.
 #pragma once
 

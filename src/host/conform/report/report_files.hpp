@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a run as files: HTML, JUnit, JSON, text.
 #pragma once
 

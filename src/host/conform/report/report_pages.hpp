@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a run as HTML pages in the style of the evidence pack.
 #pragma once
 

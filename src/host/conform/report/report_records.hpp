@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a run for other programs: JSON and JUnit.
 #pragma once
 

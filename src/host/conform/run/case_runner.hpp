@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prepares a slave under test, runs a case, and restores what the case changed.
 #pragma once
 

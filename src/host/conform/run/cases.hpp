@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cases of spec/conformance/ after parsing.
 #pragma once
 

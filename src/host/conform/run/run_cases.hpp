@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs cases against a slave, each from a known state, and restores what they changed.
 #pragma once
 

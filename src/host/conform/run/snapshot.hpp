@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of the slave at the start of a run, and their restoration.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/conform/sheet/conform_sheet.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The electronic data sheet of the slave under test.
 #pragma once
 

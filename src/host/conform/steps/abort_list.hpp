@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Abort codes that a step accepts: `06010000|06010002`, or `any`.
 #pragma once
 

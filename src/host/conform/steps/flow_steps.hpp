@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs choose, each, for, repeat, while, if, check, skip, note, fail, do, return, next, let.
 #pragma once
 

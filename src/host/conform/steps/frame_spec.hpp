@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A frame in a step: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
 #pragma once
 

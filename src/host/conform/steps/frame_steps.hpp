@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs send, expect, await, sdo, answer, abort, clear, produce, traffic, wait.
 #pragma once
 

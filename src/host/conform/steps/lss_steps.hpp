@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs lss waiting, configuration, select, fastscan, inquire.
 #pragma once
 

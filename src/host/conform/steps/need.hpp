@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A condition that a slave must meet for a case to apply.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/conform/steps/parse_steps.hpp"
 
 #include <fmt/format.h>

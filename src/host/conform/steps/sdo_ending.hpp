@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The expected end of a transfer in a step, and the value that it writes.
 #pragma once
 

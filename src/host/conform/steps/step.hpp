@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A parsed step of a case, and the context in which it runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks an electronic data sheet against CiA 306 and CiA 301. Each finding names its rule, its line and its fix. XDD
 // files are not checked.
 #pragma once

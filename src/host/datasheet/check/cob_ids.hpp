@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bits of COB-ID entries (CiA 301).
 #pragma once
 

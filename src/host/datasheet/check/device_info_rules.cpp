@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the features in [DeviceInfo] against the objects of the device.
 #include "host/datasheet/check/device_info_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules for [DeviceInfo]; device_info_rules.cpp contains their table.
 #pragma once
 

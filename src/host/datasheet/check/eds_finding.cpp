@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/datasheet/check/eds_finding.hpp"
 
 namespace canproof::host {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A data sheet in the form that the checks use: its unchanged lines, its sections, and its objects with their entries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data types of CiA 301 by the number that DataType contains.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks DataType, AccessType and PDOMapping of each entry, and their combination.
 #include "host/datasheet/check/entry_rules.hpp"
 

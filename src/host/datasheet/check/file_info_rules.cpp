@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks versions, dates and times in [FileInfo].
 #include "host/datasheet/check/file_info_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/datasheet/check/fix_eds.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fixes the faults of a data sheet whose fix keeps its meaning.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/datasheet/check/known_names.hpp"
 
 #include <initializer_list>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sections and keys of CiA 306 in its spelling.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the three lists of objects.
 #include "host/datasheet/check/list_rules.hpp"
 

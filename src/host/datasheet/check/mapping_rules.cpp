@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the default mapping of each PDO: every entry exists, may be mapped, and has the right length.
 #include "host/datasheet/check/mapping_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks objects and their sub-objects: ObjectType, SubNumber, sub-index 0, CompactSubObj.
 #include "host/datasheet/check/object_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the PDO communication parameters: 1400h to 15FFh, 1800h to 19FFh.
 #include "host/datasheet/check/pdo_rules.hpp"
 

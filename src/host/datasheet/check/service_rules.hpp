@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules for objects of services; service_rules.cpp contains their table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks [DummyUsage], [Comments], and the keys of device configuration files.
 #include "host/datasheet/check/small_section_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Objects of the communication area in CiA 301.
 #pragma once
 

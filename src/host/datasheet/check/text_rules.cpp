@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the spelling of lines, sections and keys.
 #include "host/datasheet/check/text_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules for the text of a sheet; text_rules.cpp contains their table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks DefaultValue, LowLimit and HighLimit against the data type and each other.
 #include "host/datasheet/check/value_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Acceptance filters: the identifiers that the kernel filters of a node let through.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/sim/bus/arbitrated_bus.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,6 @@ constexpr std::uint64_t ns_per_us = 1000;
 constexpr std::uint64_t ns_per_s = 1000000000;
 constexpr std::size_t lines_held = 256;  // frames that put() stores while the bus is busy
 
-/// Returns the time in microseconds, rounded up.
 Instant instant_of(std::uint64_t ns) {
     return Instant{(ns + ns_per_us - 1) / ns_per_us};
 }

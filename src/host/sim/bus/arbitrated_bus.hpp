@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The in-process bus. It transmits one frame at a time, the lowest identifier first; each frame takes the time of its
 // bits. It is deterministic: the same frames at the same times and the same seed give the same traffic.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines the bit rate of a bus whose nodes have different bit rates.
 #pragma once
 

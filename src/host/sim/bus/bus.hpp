@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface of a bus for the run loop: nodes on one side, descriptors and deadlines on the other.
 #pragma once
 

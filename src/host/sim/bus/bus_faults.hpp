@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random faults of the in-process bus; the same seed gives the same faults.
 #pragma once
 

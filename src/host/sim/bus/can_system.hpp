@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface to the system calls of a raw CAN socket; a test can replace it.
 #pragma once
 

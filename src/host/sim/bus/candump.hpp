@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The log format of candump: `(seconds.micros) iface ID#DATA`, `ID#R` for a remote frame.
 #pragma once
 

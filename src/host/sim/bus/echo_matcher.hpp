@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recognises a node's own frames in a record: frames that it has sent and that have not come back yet.
 #pragma once
 

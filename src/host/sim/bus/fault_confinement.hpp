@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The error counters of a CAN controller and the states that follow from them (ISO 11898-1, fault confinement).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the receivers of a frame by its identifier, with an effort independent of the number of nodes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames in the text form of candump: `603#2B116401B33E0000`, `703#R` for a remote frame. The parser reads single
 // characters and allocates no memory, because a log can have millions of frames.
 #pragma once

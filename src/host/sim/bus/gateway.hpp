@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A gateway between a bus and the outside. It sends frames in order of arrival and stores a limited number of them.
 #pragma once
 

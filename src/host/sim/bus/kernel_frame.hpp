@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts frames, filters and error frames to and from the kernel's form (linux/can.h, linux/can/error.h).
 #pragma once
 

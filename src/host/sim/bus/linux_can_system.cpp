@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Raw CAN sockets of Linux; libsocketcan controls the interface.
 #include "host/sim/bus/linux_can_system.hpp"
 

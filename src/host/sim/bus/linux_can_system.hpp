@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The raw CAN sockets of the kernel.
 #pragma once
 

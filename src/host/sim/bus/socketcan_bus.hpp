@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bus on a SocketCAN interface. Each node has its own raw socket with kernel filters; one further socket receives
 // everything.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The statistics of SocketCanBus: frames, load, losses.
 
 #include <fmt/format.h>

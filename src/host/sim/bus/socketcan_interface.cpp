@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface of SocketCanBus: its sockets, its bit rate, and its loss and return.
 
 #include <fmt/format.h>

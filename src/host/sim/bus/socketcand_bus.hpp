@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The in-process bus with a socketcand server: machines and tools without SocketCAN can join over TCP.
 #pragma once
 

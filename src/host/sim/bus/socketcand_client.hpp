@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The client side of the socketcand protocol, without a socket.
 #pragma once
 

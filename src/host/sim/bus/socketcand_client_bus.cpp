@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/sim/bus/socketcand_client_bus.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bus on another program's socketcand server: the devices join it together as one client.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One client of the socketcand server, without a socket: text in, frames to the bus, text out.
 #pragma once
 

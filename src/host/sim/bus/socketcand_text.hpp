@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Common parsing and formatting of the socketcand protocol's server and client.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The senders that wait for the bus, in the order of arbitration.
 #pragma once
 

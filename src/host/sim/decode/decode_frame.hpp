@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decodes a frame: its CANopen service, its node and its content (CiA 301, 7.2 and 7.3.3; CiA 305).
 #pragma once
 

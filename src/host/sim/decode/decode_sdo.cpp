@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decodes SDO frames (CiA 301, 7.2.4.3). Each frame is decoded alone, so the object of a segment is not known.
 #include <fmt/format.h>
 

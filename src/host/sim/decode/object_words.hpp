@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes entries of an object dictionary in words: their names and values.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Advances a device, and reports a device whose deadline does not move: a session would call it endlessly.
 #pragma once
 

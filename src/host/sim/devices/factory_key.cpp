@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/sim/devices/factory_key.hpp"
 
 #include <fmt/ranges.h>

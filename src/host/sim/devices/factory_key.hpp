@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One key of `--factory KEY=VALUE`: name, type and range of a value that a unit gets in the factory.
 #pragma once
 

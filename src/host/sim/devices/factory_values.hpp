@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The factory values of one simulated unit by their names in `--factory`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The virtual time of a session, which never decreases: an overdue event happens at the present time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CANopen node from any description: the complete protocol layer with plain memory for its objects.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulation of a generic device: the protocol layer on a dictionary that was read at run time. LSS and the
 // parameters share one memory.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated EEPROM. It survives the device object and can lose power during a write.
 #pragma once
 

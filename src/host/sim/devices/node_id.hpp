@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The node-IDs that a user can give to a device; no other number reaches a device.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a simulated node supports the PDOs of a data sheet.
 #pragma once
 

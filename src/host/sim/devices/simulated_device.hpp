@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The host's interface to a simulated device: frames, named signals and virtual time.
 #pragma once
 

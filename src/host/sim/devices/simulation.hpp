@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common part of the simulations of all devices: signals by name, and the device itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "host/sim/devices/stored_memory_file.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The process that emulates a microcontroller, ended by whoever holds it last.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The calls of a device whose firmware runs as an image. During a call the image reads and writes its parameter memory,
 // which is here; after it the frames that wait to be sent are here.
 #pragma once

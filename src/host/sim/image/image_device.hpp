@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device of the catalogue whose firmware runs on the emulated microcontroller, one call after the other, in the time
 // that it is given. A twin, the same device of this program, makes its physical world and gets every call too: where
 // the two do not do the same, they are not of the same sources, or one of the compilers is wrong.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device's image on the microcontroller (src/target/bridge) as this program speaks to it.
 #pragma once
 

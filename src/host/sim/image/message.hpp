@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages between this program and a device's image on the microcontroller (src/target/bridge). A message is its
 // length in two bytes, its kind, and values in the order of the bus, the least significant byte first. A frame is its
 // identifier (u32), flags (u8: 1 extended, 2 remote), length (u8) and eight bytes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Starts a device's image on the emulated microcontroller.
 #pragma once
 

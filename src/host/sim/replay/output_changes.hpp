@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the outputs of a device as `seconds,signal,value`: first all outputs, then each change.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recognises the device's own frames in a log: frames that it has sent and that the log has not shown since.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays a recorded bus to one device in virtual time. The same frames as input always give the same bytes as output.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stimuli as CSV `seconds,signal,value`, with one change of a physical input per line.
 #pragma once
 

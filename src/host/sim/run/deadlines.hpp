@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The deadlines of many devices. The earliest is available at once; a change takes a number of steps that is
 // logarithmic in the number of devices.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the devices of a run by the names that a user gives.
 #pragma once
 

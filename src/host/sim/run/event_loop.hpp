@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Waits for descriptors, for a time, and for SIGINT, SIGTERM and SIGHUP. It uses epoll, timerfd and signalfd, and no
 // thread.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The file of `--log`: every frame of a bus, for other programs and for replay.
 #pragma once
 

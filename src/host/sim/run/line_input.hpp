@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads lines of a descriptor without waiting for incomplete ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table that `run` shows on a terminal: one line for the bus, then one line per node.
 #pragma once
 

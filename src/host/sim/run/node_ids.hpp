@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the node-IDs of the devices on one bus.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps a run in step with the clock. It advances the session for a limited time per turn, so that the run stays
 // responsive, and reports how late the simulation is.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Devices on a bus, from event to event in order of time. The owner of the clock decides how far it advances; nothing
 // here waits. The behaviour of a device depends only on the times of frames and stimuli, so a log of them replays to
 // the same frames.

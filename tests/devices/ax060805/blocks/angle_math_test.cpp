@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the single-precision trigonometry with the double-precision functions of the C library, within the errors
 // that angle_math.hpp states.
 #include "devices/ax060805/firmware/angle_math.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Angles from gravity by the formulae of the AX060805 manual (2.1.3 to 2.1.6, 3.4), calculated by hand.
 #include "devices/ax060805/firmware/tilt.hpp"
 

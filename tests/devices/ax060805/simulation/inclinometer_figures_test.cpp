@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the figures of the AX060805 show the properties of its manual (2.1.4, 2.1.5, 5.1.2).
 #include "devices/ax060805/simulation/inclinometer_figures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulated AX060805: effects of its signals attitude, noise and supply (3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 

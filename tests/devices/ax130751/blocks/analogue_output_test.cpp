@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The analogue output block of the AX130751, 1.3, and the priorities of Figure 4.
 #include "devices/ax130751/firmware/analogue_output.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The digital output block of the AX130751, 1.2; polarities as in Table 1.
 #include "devices/ax130751/firmware/digital_output.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faults with hysteresis of the AX130751, 1.8.
 #include "devices/ax130751/firmware/limit_fault.hpp"
 

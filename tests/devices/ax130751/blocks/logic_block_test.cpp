@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programmable logic of AX130751, 1.6: tables 16 to 19 cell by cell.
 #include "devices/ax130751/firmware/logic_block.hpp"
 

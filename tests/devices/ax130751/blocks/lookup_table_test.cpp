@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lookup tables of AX130751, 1.5.
 #include "devices/ax130751/firmware/lookup_table.hpp"
 

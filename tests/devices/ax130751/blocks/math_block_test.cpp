@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Math blocks of the AX130751, 1.7: the eighteen operators of Table 21 and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 

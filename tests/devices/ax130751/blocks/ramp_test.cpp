@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ramps of the AX130751, 2330h and 2331h.
 #include "devices/ax130751/firmware/ramp.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The relay block of the AX130751, 1.4; polarities as in Table 10.
 #include "devices/ax130751/firmware/relay.hpp"
 

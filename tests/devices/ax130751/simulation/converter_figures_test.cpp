@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the figures of the AX130751 show the examples of its manual.
 #include "devices/ax130751/simulation/converter_figures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The electronic data sheet of the AX130751: every object and entry of chapter 3, and lines written by hand from some
 // object pages.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays a recorded bus on the AX130751: the session of 3.1.3 and an RPDO after it.
 #include "host/sim/replay/replay.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fixed point of 64 bits: products and polynomials compared with values calculated by hand.
 #include "devices/ax188001/firmware/fixed_point.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The converter with its gains (AX188001, 1.1): 128, 64, 32 on 2.5 V, that is 19531.25, 39062.5 and 78125 uV full
 // scale.
 #include "devices/ax188001/firmware/gain_ranging.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Process values and averages (AX188001, 1.1, 1.2).
 #include "devices/ax188001/firmware/process_value.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays a ramp through all limits, with an open circuit, from stimuli: each emergency message at its due time.
 #include "host/sim/replay/replay.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that the figures of the AX188001 show the properties of its manual (1.1, appendix A).
 #include "devices/ax188001/simulation/thermocouple_figures.hpp"
 

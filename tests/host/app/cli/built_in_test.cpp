@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device is read without the rest of the register, and equals the same device in the whole register.
 #include "host/app/cli/built_in.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // --factory: factory data of one unit. Each key of the register sets its entry in the dictionary of the device.
 #include "host/app/cli/factory_options.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that `canproof new` writes, and options that it refuses.
 #include "host/app/new/new_project.hpp"
 

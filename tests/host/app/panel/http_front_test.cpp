@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The panel over a real loopback socket: clients that are served, slow or refused. Time is a number that the test
 // advances; data of a client have arrived when the front reports it.
 #include "host/app/panel/http_front.hpp"

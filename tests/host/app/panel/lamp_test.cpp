@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of LED states, derived from their edges. Patterns are taken by hand from CAN-CBX-AO412, Table 5, and CiA 303-3.
 #include "host/app/panel/lamp.hpp"
 

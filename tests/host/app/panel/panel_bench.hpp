@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A panel for devices of the catalogue on the in-process bus, in virtual time.
 #pragma once
 

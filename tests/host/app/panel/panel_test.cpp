@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model of the panel: what it shows of a session, and which actions of a page it accepts.
 #include "host/app/panel/panel.hpp"
 

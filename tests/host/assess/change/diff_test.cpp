@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Effects of a change: two registers compared, a revision read from a small git repository, impact and verdicts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exhibits of other tools: folders that the evidence pack reads.
 #include "host/assess/evidence/exhibit.hpp"
 

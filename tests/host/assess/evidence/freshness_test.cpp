@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Freshness of measurements, and the hand-written files of the pack.
 #include "host/assess/evidence/freshness.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of hazards: each failure with the requirement that prevents it, and whether that is shown in this build.
 #include "host/assess/evidence/hazards_page.hpp"
 

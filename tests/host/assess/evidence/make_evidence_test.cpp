@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evidence that `evidence --full` makes, its order, and its messages.
 #include "host/assess/evidence/make_evidence.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An evidence pack of a small register, with hand-made evidence.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The section of the report on the microcontroller, from invented figures.
 #include "host/assess/evidence/target_html.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A pack that was changed after it was written is rejected, and so is a signature by another key.
 #include "host/assess/evidence/verify_pack.hpp"
 

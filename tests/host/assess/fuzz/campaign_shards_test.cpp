@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A campaign on several machines, with a shell script in libFuzzer's place.
 #include "host/assess/fuzz/campaign_shards.hpp"
 

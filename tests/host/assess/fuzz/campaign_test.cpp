@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole campaigns with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 

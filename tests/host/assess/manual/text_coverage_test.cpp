@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks found in the text of a manual, sections found by their headings, and text that no statement covers. The text is
 // invented; no manual is quoted.
 #include "host/assess/manual/text_coverage.hpp"

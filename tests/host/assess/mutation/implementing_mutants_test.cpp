@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutants of code within the functions that implement an item.
 #include "host/assess/mutation/implementing_mutants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutation on several machines: the shards together leave what one machine leaves.
 #include "host/assess/mutation/mutation_shard.hpp"
 

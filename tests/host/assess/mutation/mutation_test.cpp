@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alterations of generated cells: those that the compiler lists, those that are drawn, and those that may survive.
 #include "host/assess/mutation/mutation.hpp"
 

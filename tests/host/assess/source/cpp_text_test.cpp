@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // C++ sources as text: code without comments, ends of blocks, the function of a link.
 #include "host/assess/source/cpp_text.hpp"
 

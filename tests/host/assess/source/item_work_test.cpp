@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marks of the code and tests of an item: they change with their content and with nothing else.
 #include "host/assess/source/item_work.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit detects what is missing: a small register with hand-made evidence.
 #include "host/assess/trace/audit.hpp"
 

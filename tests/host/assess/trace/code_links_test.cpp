@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of the firmware without a requirement, and places where code names what was generated from an item.
 #include "host/assess/trace/code_links.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // reports/kills.csv: the tests that notice a mutant of the items they claim, and the messages of the audit when a test
 // was removed or changed.
 #include "host/assess/trace/kill_audit.hpp"

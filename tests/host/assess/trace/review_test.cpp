@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records of reviews: written, read back, and renewed for named items only.
 #include "host/assess/trace/review.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The audit of statements: a small manual, items that are shown or not, and the report on each statement.
 #include "host/assess/trace/statement_audit.hpp"
 

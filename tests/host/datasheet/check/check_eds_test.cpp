@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every rule of `canproof eds check` with a bad and a good example, and the fixes.
 #include "host/datasheet/check/check_eds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bad and a good example of every rule, as patches of the good sheet (good_sheet.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Examples for the rules of the file itself.
 #include "tests/host/datasheet/check/examples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A data sheet without findings, and changes of it in a short notation.
 #pragma once
 

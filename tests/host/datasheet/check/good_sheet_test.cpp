@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The good data sheet, and the effect of patches on it.
 #include "tests/host/datasheet/check/good_sheet.hpp"
 

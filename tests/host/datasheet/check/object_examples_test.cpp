@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Examples for the rules of lists and objects.
 #include "tests/host/datasheet/check/examples.hpp"
 

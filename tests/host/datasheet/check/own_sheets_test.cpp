@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data sheets that the program writes, checked by its own rules.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Acceptance filters of a node, one test per kind of dictionary entry that names an identifier.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Filters of a node whose data sheet contains a 29-bit identifier. None of the four devices accepts such an identifier.
 #include "host/sim/bus/acceptance.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The in-process bus behaves as CAN does: arbitration, frame times, faults, recovery, bit rates, and repeatable runs.
 #include "host/sim/bus/arbitrated_bus.hpp"
 

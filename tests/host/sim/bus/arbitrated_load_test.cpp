@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The load that the in-process bus reports and its bit rate, compared with numbers of bits counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

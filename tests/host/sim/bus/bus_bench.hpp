@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes made of a list of frames, and a function that runs a bus from event to event.
 #pragma once
 

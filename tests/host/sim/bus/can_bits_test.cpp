@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames as bits: lengths counted by hand, the CRC compared with its catalogue value and a division, and stuff bits.
 #include "host/sim/bus/can_bits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text form of candump, part by part: accepted lines, refused lines, and the meaning of a line.
 #include <gtest/gtest.h>
 

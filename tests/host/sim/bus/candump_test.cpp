@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Candump logs, stimuli and replay: what is read, what is refused and what is written.
 #include "host/sim/bus/candump.hpp"
 

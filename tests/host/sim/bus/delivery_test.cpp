@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nodes of the in-process bus that receive a frame, and how a frame affects the nodes whose filters refuse it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gateways of the in-process bus: how long one is sending, and when a full one accepts a frame.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

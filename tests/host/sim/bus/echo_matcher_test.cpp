@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Attribution of an echoed frame to its sender by identifier, format, request, length and bytes; the oldest entry
 // first.
 #include "host/sim/bus/echo_matcher.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CAN system made of lists: the test sets the answers of the kernel, and the fake records the calls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error counters of a controller with each step and limit (ISO 11898-1), and the text that configures bus faults.
 #include "host/sim/bus/fault_confinement.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The readers that receive a frame, by exact identifier and by wider filters.
 #include "host/sim/bus/frame_readers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames, filters and error frames in the structures of the kernel (linux/can.h, linux/can/error.h).
 #include "host/sim/bus/kernel_frame.hpp"
 

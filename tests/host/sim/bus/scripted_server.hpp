@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A socketcand server on the loopback that sends the text given by a test.
 #pragma once
 

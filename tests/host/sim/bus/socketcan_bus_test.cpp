@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of the SocketCAN bus with a fake kernel: filters, order and time of frames, ENOBUFS and losses.
 #include "host/sim/bus/socketcan_bus.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A test fixture with two nodes on an interface of a fake kernel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SocketCAN bus with a fake kernel: controller states, an interface that disappears and returns, and bit rates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

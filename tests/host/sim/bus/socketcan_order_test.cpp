@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SocketCAN bus with a fake kernel: the order of events, and the independence of the nodes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An interface that disappears and returns leaves nothing of its earlier state in the bus.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

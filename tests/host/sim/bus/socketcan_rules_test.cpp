@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SocketCAN bus with a fake kernel: load, results of sending and reading, and restarts of a controller.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

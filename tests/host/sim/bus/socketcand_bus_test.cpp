@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The socketcand server over real TCP on the loopback, at a port chosen by the kernel. Data of a client have arrived
 // when poll() reports them, so no test waits for a clock. Virtual time passes only while the bus has work.
 #include "host/sim/bus/socketcand_bus.hpp"

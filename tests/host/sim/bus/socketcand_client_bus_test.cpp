@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Devices of this program join the bus of a server over real TCP on the loopback. The server is that of canproof and
 // runs in virtual time.
 #include "host/sim/bus/socketcand_client_bus.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Devices on the bus of a scripted server: joining, server errors, times, load and frames that wait.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

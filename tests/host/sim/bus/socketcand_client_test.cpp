@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text that a client sends to a socketcand server, and its reaction to the answers.
 #include "host/sim/bus/socketcand_client.hpp"
 

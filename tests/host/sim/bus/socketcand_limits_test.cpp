@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits on the commands of one socketcand client, and the text functions that server and client share.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One socketcand client as text: commands of python-can and other clients, and limits on broken, slow and flooding
 // clients.
 #include "host/sim/bus/socketcand_session.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A virtual CAN interface in this process: each frame reaches every other socket whose filters accept it.
 #pragma once
 

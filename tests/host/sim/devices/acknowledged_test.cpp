@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device acknowledges a save only after the data are stored: every simulated device, and one read from an EDS.
 #include <gtest/gtest.h>
 

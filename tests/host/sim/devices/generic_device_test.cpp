@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A node from a description read at run time: its dictionary answers as the description requires.
 #include <gtest/gtest.h>
 

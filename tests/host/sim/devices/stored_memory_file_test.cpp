@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stored memory of a device in a file: complete, locked, and every failure reported.
 #include "host/sim/devices/stored_memory_file.hpp"
 

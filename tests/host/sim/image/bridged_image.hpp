@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An image with the bridge of src/target/bridge: here it is a thread of this program, behind the same two pipes as one
 // in QEMU.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device whose firmware is reached through the bridge of its image does what the manual says, with its parameters and
 // its physical world in this program.
 #include "host/sim/image/image_device.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes of an image that are no message of the protocol are refused.
 #include "host/sim/image/image_link.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recognition of the frames of a log that the device has sent itself.
 #include "host/sim/replay/own_frames.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A device that records the time of each call, which shows a replay from the inside.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls of a device during a replay, and their times: start, end, silences, marks and equal times, one microsecond off.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

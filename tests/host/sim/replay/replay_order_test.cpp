@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of the same time are replayed in the order of a run: due work, then stimuli, then frames.
 #include <gtest/gtest.h>
 

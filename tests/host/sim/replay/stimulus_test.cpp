@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stimuli as text: fields, times, ranges and types at their limits.
 #include "host/sim/replay/stimulus.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The earliest of many deadlines, and the list of those that are due.
 #include "host/sim/run/deadlines.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names by which a user selects a device of a run.
 #include "host/sim/run/device_names.hpp"
 

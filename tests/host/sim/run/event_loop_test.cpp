@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The event loop: ready descriptors, time-outs and signals. The pauses are zero, or end because of an event that has
 // already happened.
 #include "host/sim/run/event_loop.hpp"

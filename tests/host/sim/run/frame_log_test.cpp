@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The content that --log writes, byte for byte.
 #include "host/sim/run/frame_log.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The node-IDs of a run in words, and devices that share one.
 #include "host/sim/run/node_ids.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Devices on the in-process bus in virtual time: the log of a run replays to the same frames; stimuli, outputs, table.
 #include "host/sim/run/run_session.hpp"
 

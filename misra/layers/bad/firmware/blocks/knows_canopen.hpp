@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each marked line is an include against the layers.
 #pragma once
 

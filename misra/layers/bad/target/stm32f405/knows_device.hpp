@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"  // flagged
 #include "firmware/canopen/frame.hpp"
 #include "host/base/file.hpp"  // flagged

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One device: its data, its values, and its controls.
 import { el, tell } from './dom.js';
 import { Dial, makeControl } from './controls.js';

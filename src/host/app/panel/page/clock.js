@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program's time, shown with a short delay. Changes have their own times and are shown at these, so that an LED
 // flashes as the device switches it, independent of the timing of the requests.
 const delay = 250000;

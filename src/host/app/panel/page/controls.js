@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Physical inputs as controls. They also show values that a stimulus file or another page sets.
 import { el, tell } from './dom.js';
 import { isWaiting, stimulate } from './server.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Creates elements from their parts. Text is always set as text, never as markup.
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawings of the unit: its connectors, its relay, its attitude.
 import { el, svg, tell } from './dom.js';
 import { stimulate } from './server.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The decoded frames of the bus, newest first.
 import { el } from './dom.js';
 import { message, sendFrame } from './server.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // LEDs, lit and dark as the outputs of the device. With reduced motion, the page shows the pattern in words instead.
 import { calm, el, tell } from './dom.js';
 import { shownTime } from './clock.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page: requests the description, builds a card for each device, then follows the program.
 import { tell } from './dom.js';
 import { Card, nmtButtons } from './card.js';

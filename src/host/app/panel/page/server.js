@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The requests of the page to the program.
 let report = () => {};
 export const onMessage = (listener) => { report = listener; };

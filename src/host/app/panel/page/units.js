@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formats numbers with their units.
 const signs = { degC: '°C', deg: '°', uV: 'µV', Ohm: 'Ω' };
 

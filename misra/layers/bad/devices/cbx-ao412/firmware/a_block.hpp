@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file in a device's folder without the device's name is a block.
 #pragma once
 

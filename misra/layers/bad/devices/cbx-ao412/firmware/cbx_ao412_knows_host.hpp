@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file that carries the device's name is the device.
 #pragma once
 

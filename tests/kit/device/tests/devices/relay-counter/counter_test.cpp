@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The counter (section 6).
 #include "generated/relay_counter/requirements.hpp"
 #include "tests/devices/relay-counter/relay_counter_bench.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares every object of the RC-22 with section 1 of its data sheet, at node 5.
 #include "tests/support/object_sheet.hpp"
 

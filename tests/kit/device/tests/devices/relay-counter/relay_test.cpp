@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The relays (section 5).
 #include "devices/relay-counter/firmware/relay.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code that schemata_check.cpp mutates, with one construct per function.
 #include <type_traits>
 

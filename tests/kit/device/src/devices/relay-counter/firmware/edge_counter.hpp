@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts the changes of an input from off to on (RC:6).
 #pragma once
 

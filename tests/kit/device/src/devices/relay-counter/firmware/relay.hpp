@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A relay of the RC-22.
 #pragma once
 

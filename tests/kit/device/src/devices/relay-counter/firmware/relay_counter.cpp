@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "devices/relay-counter/firmware/relay_counter.hpp"
 
 #include "devices/relay-counter/firmware/lamp.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The RC-22: two relays, a counter, its errors, LSS, and a lamp.
 #pragma once
 

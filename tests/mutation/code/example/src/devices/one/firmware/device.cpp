@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Firmware of one device, mutated like the shared firmware.
 namespace canproof {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulation code, of which schemata.py writes no mutant.
 namespace canproof {
 
