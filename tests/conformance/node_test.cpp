@@ -88,7 +88,7 @@ TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
     send("000#0105");
     pass(1000);
     EXPECT_EQ(state(), NmtState::operational);
-    send("205#11");  // an RPDO that is too short: another error, but no communication error
+    send("205#11");  // an RPDO that is too short: its error 8210h does not act by 1029h:1 (error behaviour)
     EXPECT_EQ(state(), NmtState::operational);
 }
 
