@@ -74,7 +74,7 @@ TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
     device->node().set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state(), NmtState::pre_operational);
     device->node().set_can_state(CanState::error_active, now);
-    EXPECT_EQ(device->communication_errors(), 1);  // one time of trouble, as node 10h has been silent all the time
+    EXPECT_EQ(device->communication_errors(), 1);  // still the first: node 10h has been silent all the time
     send("605#2F29100102000000");                  // stopped
     send("000#0105");
     send("711#05");
@@ -88,7 +88,7 @@ TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
     send("000#0105");
     pass(1000);
     EXPECT_EQ(state(), NmtState::operational);
-    send("205#11");  // too short: an error beside it, and none of communication
+    send("205#11");  // an RPDO that is too short: its error 8210h does not act by 1029h:1 (error behaviour)
     EXPECT_EQ(state(), NmtState::operational);
 }
 

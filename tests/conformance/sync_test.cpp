@@ -171,7 +171,8 @@ TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
     EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
     EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
     EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11
-    // CiA 301, 7.3.5: the ends of what is kept for NMT, SDO, error control and LSS, with and without producing
+    // CiA 301, 7.3.5: first and last identifiers that are reserved for NMT, SDO, error control and LSS; flags: none,
+    // bit 30 (produces SYNC), bit 31
     for (const char* id : {"7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {
         for (const char* flags : {"0000", "0040", "0080"}) {
             EXPECT_EQ(send(std::string{"603#23051000"} + id + flags), (Frames{"583#8005100030000906"})) << id << flags;

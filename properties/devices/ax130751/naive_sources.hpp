@@ -47,23 +47,23 @@ inline int to_integer(double value, int digits) {
 /// The results of the latest evaluation of the blocks.
 struct Shown {
     struct OfTable {
-        int output{0};  ///< 3yz8h
+        int output{0};  ///< 3yz8h (Output Y-Axis PV)
         State state{State::unused};
         double least{0.0};  ///< limits for other blocks
         double greatest{0.0};
     };
     struct OfLogic {
-        int selected{0};  ///< 3310h
-        int output{0};    ///< 3320h
+        int selected{0};  ///< 3310h (Logic Block Selected Table)
+        int output{0};    ///< 3320h (Logic Block Output PV)
         State state{State::unused};
     };
     std::array<OfTable, 10> tables;
     std::array<OfLogic, 3> logic;
-    std::array<int, 4> math{};      ///< 4030h
-    std::array<int, 2> target{};    ///< 7330h
-    std::array<int, 2> feedback{};  ///< 2370h
-    float supply{0.0F};             ///< 5020h
-    float temperature{0.0F};        ///< 5030h
+    std::array<int, 4> math{};      ///< 4030h (Math Output Process Value)
+    std::array<int, 2> target{};    ///< 7330h (AO Output Field Value)
+    std::array<int, 2> feedback{};  ///< 2370h (AO Feedback Field Value)
+    float supply{0.0F};             ///< 5020h (Power Supply Field Value)
+    float temperature{0.0F};        ///< 5030h (Processor Temperature Field Value)
 };
 
 /// Faults of reception.

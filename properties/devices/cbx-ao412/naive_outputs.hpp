@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four outputs of the CAN-CBX-AO412: voltage from 6411h, calibration and error mode (4.3.1, 7.10, 7.11). Shares no
-// code with the firmware.
+// The four outputs of the CAN-CBX-AO412: voltage from 6411h (Write Analogue Output 16-Bit), calibration and error mode
+// (4.3.1, 7.10, 7.11). Shares no code with the firmware.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 namespace canproof::naive_ao4 {
 
 struct OutputSettings {
-    int command{0};               ///< 6411h
-    unsigned error_mode{1};       ///< 6443h
-    std::int32_t error_value{0};  ///< 6444h
-    int offset{0};                ///< 2404h
-    int gain{0};                  ///< 2405h
+    int command{0};               ///< 6411h (Write Analogue Output 16-Bit)
+    unsigned error_mode{1};       ///< 6443h (Analogue Output Error Mode)
+    std::int32_t error_value{0};  ///< 6444h (Analogue Output Error Value)
+    int offset{0};                ///< 2404h (Calibration Offset Value)
+    int gain{0};                  ///< 2405h (Calibration Gain Value)
 };
 
-/// The steps of the converter that an output may show.
+/// The range of D/A converter steps that are correct for an output: `low` to `high`, both included.
 struct Steps {
     int low;
     int high;

@@ -133,7 +133,7 @@ void at_most_two_messages_of_an_error_wait() {
     const bool cured = any<bool>();
     assume((error < max_errors) && (node.emcy.pending_count_ <= 4U) && !node.emcy.enabled_);
     std::size_t before{0U};
-    bool alternates{true};  // of two that wait one says that the error begins, the other that it ends
+    bool alternates{true};  // of two waiting messages one reports the beginning, the other the end
     bool newest{false};
     for (std::size_t i = 0U; i < 4U; ++i) {
         const bool own = (i < node.emcy.pending_count_) && (node.emcy.pending_[i].error == error);

@@ -96,7 +96,7 @@ class Reader {
         return places;
     }
 
-    /// Both lists in one, in which each object stands at most once.
+    /// Returns both lists as one that contains each object at most once.
     static std::vector<Place> joined(const std::vector<Place>& first, const std::vector<Place>& second) {
         std::vector<Place> all;
         for (const auto* list : {&first, &second}) {

@@ -20,14 +20,14 @@ struct Place {
     Term offset;
 };
 
-/// The address of an object's first byte.
+/// Returns the address of an object's first byte.
 Term base_of(z3::context& context, ObjectId object);
 
-/// Every place that an address may mean, each object at most once. Understood are a base plus offsets and a choice
-/// between addresses; any other term is returned as a place without an object.
+/// Returns every place that an address may mean, each object at most once. The address may be a number, a base plus
+/// offsets, or a choice between addresses. Any other term is returned as a place without an object.
 std::vector<Place> places_of(const Term& address, std::size_t objects);
 
-/// The same address, built again from its places, so that it is a base plus one offset term, or a choice of such sums.
+/// Builds an address again from its places: the result is a base plus one offset term, or a choice of such sums.
 Term address_at(z3::context& context, const std::vector<Place>& places);
 
 }  // namespace canproof::host::prove

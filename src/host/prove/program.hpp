@@ -24,7 +24,8 @@ class Program {
     ~Program();
 
     const llvm::Module& module() const { return *module_; }
-    /// The names of the functions `void canproof::proofs::NAME()` of the first file, in their order there.
+    /// Returns the names of the theorems: the functions `void canproof::proofs::NAME()` of the first bitcode file, in
+    /// the order of that file.
     const std::vector<std::string>& theorems() const { return theorems_; }
     const llvm::Function& theorem(const std::string& name) const;
 

@@ -62,7 +62,7 @@ struct Manual {
 
 /// The answer of an item to a question that other items answer as well. Without a topic it is not compared.
 struct Answer {
-    std::string topic;      ///< the question: heartbeat.consumer-range
+    std::string topic;      ///< name of the question, for example heartbeat.consumer-range
     std::string choice;     ///< the answer, one word
     std::string differs;    ///< reason why another device of the same manufacturer answers differently
     std::string overrides;  ///< reason why a shared item answers differently

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device whose clock, bus, terminals and parameter memory are a program on another machine. It obeys one command at a
-// time, and says after each how it is then (host/sim/image/message.hpp).
+// A device whose clock, bus, terminals and parameter memory are simulated by a program on another machine. It executes
+// one command at a time, and reports its state after each (host/sim/image/message.hpp).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -16,7 +16,7 @@ class Bridge {
   public:
     Bridge(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Obeys until the program has ended, or sends what is no command.
+    /// Executes commands until the program has ended or sends a message that is no command.
     void serve() {
         bridge::Message message;
         bool goes_on{true};

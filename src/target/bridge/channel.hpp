@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way to the program that is the board of an image.
+// The connection of an image to the program that simulates its board.
 #pragma once
 
 #include "host/sim/image/message.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameter memory of an image whose board is a program: it keeps the bytes, and says what became of each access.
+// The parameter memory of an image whose board is a program: the program keeps the bytes and reports whether each
+// access was done.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -17,7 +18,7 @@ class HostMemory final : public NonVolatileMemory {
     bool commit() override;
 
   private:
-    /// Asks for an access, and returns whether it was done; `message` becomes its answer.
+    /// Requests an access and returns whether it was done; `message` becomes the program's answer.
     bool ask(bridge::Message& message) const;
 
     Channel& channel_;

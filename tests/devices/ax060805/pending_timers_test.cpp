@@ -85,7 +85,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
-    const Shown renewed{{28, 6000}};  // the restart took one at 23 already
+    const Shown renewed{{28, 6000}};  // the restart took a sample at 23 ms; the next is at 28 ms
     const std::vector<Case> cases{
         {"nothing happens", [] {}, kept},
         {"a new rate of the filters", [&] { write(0x2052, 0, 3, 2); }, kept},

@@ -23,12 +23,12 @@ TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
         settle();
         return status(1);
     };
-    EXPECT_EQ(status_at(124.988), 0);  // 4010h is 125.0
+    EXPECT_EQ(status_at(124.988), 0);  // 4010h (TC High Temperature Warning Threshold) is 125.0
     EXPECT_EQ(status_at(125.012), 0x02);
-    EXPECT_EQ(status_at(249.988), 0x02);  // 4020h is 250.0
+    EXPECT_EQ(status_at(249.988), 0x02);  // 4020h (TC High Temperature Shutdown Threshold) is 250.0
     EXPECT_EQ(status_at(250.012), 0x03);
     EXPECT_EQ(status_at(20.0), 0);
-    EXPECT_EQ(status_at(-19.988), 0);  // 4000h is -20.0
+    EXPECT_EQ(status_at(-19.988), 0);  // 4000h (TC Low Temperature Warning Threshold) is -20.0
     EXPECT_EQ(status_at(-20.012), 0x04);
 }
 
@@ -59,9 +59,9 @@ TEST_F(Limits, ResetNodeClearsLimitFaults) {
     read_once();
     heat(1, 124.5);
     read_once();
-    EXPECT_EQ(status(1), 0x02);  // not yet a degree inside
+    EXPECT_EQ(status(1), 0x02);  // the temperature is less than 1 degC below the limit
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
-    EXPECT_EQ(status(1), 0x00);  // after the reset it was never above 125.0
+    EXPECT_EQ(status(1), 0x00);  // the temperature was not above 125.0 since the reset
 }
 
 TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
@@ -78,7 +78,7 @@ TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
 TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     verifies<req::TCS_LIM_003>();
     heat(1, 130.0);
-    pass(3000);  // the reading at 165 showed it
+    pass(3000);  // the reading at 165 ms was the first above the limit
     heat(1, 124.9);
     pass(1000);
     heat(1, 130.0);  // at 4000; read at 4125

@@ -17,9 +17,9 @@ std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folders of the host's buses, runs and SocketCAN tests.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
-/// … and those of the theorems about it, with the prover.
+/// Returns firmware_sources(), the folders of the theorems about the firmware, and the prover.
 std::vector<std::string> proof_sources(const std::filesystem::path& root);
-/// … and that of the microcontroller.
+/// Returns firmware_sources() and the folder of the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
 /// Returns the first file by name below these folders of `root` that was written after `measured`. Returns an empty

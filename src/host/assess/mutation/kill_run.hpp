@@ -18,10 +18,10 @@ struct KillSetup {
     unsigned jobs{2};
 };
 
-/// Judges the tests whose present form is not in `known`, and removes tests that no longer exist. A mutant of an item
-/// is an altered cell of it, or a mutant of a function that implements it (implementing_mutants.hpp). `progress`
-/// receives the number of judged tests, the number of all tests to judge, and the record so far. Throws InputError when
-/// a test fails without any mutant.
+/// Returns `known` with the results of the tests whose present form it does not contain, and without tests that no
+/// longer exist. A mutant of an item is an altered generated cell of the item, or a mutant of a function that
+/// implements the item (implementing_mutants.hpp). `progress` receives the number of judged tests, the number of all
+/// tests to judge, and the record so far. Throws InputError when a test fails without any mutant.
 KillRecord record_kills(const KillSetup& setup, const Register& content, KillRecord known,
                         const std::function<void(std::size_t, std::size_t, const KillRecord&)>& progress);
 

@@ -65,7 +65,7 @@ void BusTarget::switch_by_hand(int descriptor, std::function<void(const std::str
 }
 
 void BusTarget::power(bool on) {
-    static_cast<void>(tcflush(hand_, TCIFLUSH));  // an Enter too many answers no later question
+    static_cast<void>(tcflush(hand_, TCIFLUSH));  // drops an Enter that was pressed before the question
     say_(on ? "Switch the slave on, then press Enter." : "Switch the slave off, then press Enter.");
     do {
         std::vector<Watch> watches = bus_->watches();
@@ -74,7 +74,7 @@ void BusTarget::power(bool on) {
     } while (!line_came());
 }
 
-/// Throws Interrupted when nobody can say a line any more.
+/// Returns whether the user has entered a line. Throws Interrupted when standard input has ended.
 bool BusTarget::line_came() {
     if (!loop_.is_ready(hand_)) {
         return false;

@@ -71,9 +71,9 @@ struct ConformReport {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
                                                       [&](const CaseResult& one) { return one.verdict == verdict; }));
     }
-    /// Measured: all frames of the run, per cent of its bit rate. Nothing where the bit rate is not known.
+    /// Returns the mean bus load of all frames of the run, in per cent of its bit rate; nothing when that is not known.
     std::optional<double> mean_load() const;
-    /// The same of the second that had most.
+    /// Returns the bus load of the second with the highest load, in the same unit.
     std::optional<double> highest_load() const;
     /// 0: all passed, 1: a case failed, 2: the run could not be finished.
     int exit_status() const;

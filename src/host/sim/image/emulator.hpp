@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The process that emulates a microcontroller, ended by whoever holds it last.
+// The process that emulates a microcontroller. It ends with the last object that owns it.
 #pragma once
 
 #include <sys/types.h>
@@ -13,12 +13,12 @@ namespace canproof::host {
 
 class Emulator {
   public:
-    /// None.
+    /// Owns no process.
     Emulator() = default;
     explicit Emulator(pid_t process) : process_{process} {}
     ~Emulator() {
         if (process_ > 0) {
-            kill(process_, SIGKILL);  // it keeps nothing that an orderly end would save
+            kill(process_, SIGKILL);  // the emulator has no data that an orderly end would save
             wait_for_process(process_);
         }
     }

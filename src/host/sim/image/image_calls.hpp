@@ -15,7 +15,7 @@
 
 namespace canproof::host {
 
-/// How a device is after a call.
+/// The state of a device after a call.
 struct DeviceState {
     Instant deadline{never};
     std::uint8_t node_id{0};
@@ -26,22 +26,23 @@ struct DeviceState {
 
 class ImageCalls {
   public:
-    /// Takes a link whose greeting is read. `queue` gets what the image wants to send; what is popped there goes out.
+    /// `link`: its greeting has been read. `queue` receives the frames that the image sends; a frame popped there goes
+    /// out.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
-    // All of them throw ImageFailed. `inputs` are in the register's order.
+    // These calls throw ImageFailed. `inputs` are in the order of the requirements register.
     void power_on(const std::vector<double>& inputs, Instant now);
     void set_inputs(const std::vector<double>& inputs, Instant now);
     void receive(const Frame& frame, Instant now);
     void advance(Instant now);
-    /// Tells only which frames went out.
+    /// Only reports to the image which frames went out.
     void look();
 
     /// Returns the state after the last call.
     const DeviceState& state() const { return state_; }
-    /// Counts the frames that went out since then.
+    /// Returns the number of frames that went out since the last call.
     std::size_t sent() const { return waiting_ - queue_.size(); }
-    /// Tells whether the image's last commit was done; true before the first.
+    /// Returns whether the memory carried out the image's last commit; true before the first commit.
     bool has_committed() const { return committed_; }
     const std::string& name() const { return link_->name(); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device of the catalogue whose firmware runs on the emulated microcontroller, one call after the other, in the time
-// that it is given. A twin, the same device of this program, makes its physical world and gets every call too: where
-// the two do not do the same, they are not of the same sources, or one of the compilers is wrong.
+// A device of the catalogue whose firmware runs on the emulated microcontroller. Each call contains its time, and ends
+// before the next one begins. A twin, the same device in this program, simulates the physical world and receives every
+// call too. When the two behave differently, their sources differ or one of the compilers is wrong.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@ namespace canproof::host {
 
 class ImageDevice final : public SimulatedDevice {
   public:
-    /// Takes a link whose greeting is read. Throws ImageFailed when the image has other signals than the twin.
+    /// `link`: its greeting has been read. Throws ImageFailed when the image has other signals than the twin.
     ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
 
     void set_node_id(NodeId node_id) override;
     bool set_coding_switches(std::uint8_t value) override { return twin_->set_coding_switches(value); }
-    // These five throw ImageFailed, also when image and twin do not do the same.
+    // These five throw ImageFailed when the link fails, and the first four also when image and twin differ.
     void power_on(Instant now) override;
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
@@ -36,13 +36,13 @@ class ImageDevice final : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
 
   private:
-    /// Takes from the twin's queue what went out of the image's.
+    /// Removes from the twin's queue as many frames as have left the image's queue.
     void follow_queue() const;
-    /// Tells the image what a call has changed in the twin's physical world.
+    /// Sends the image the twin's inputs when a call has changed them since `before`.
     void follow_inputs(const std::vector<double>& before, Instant now);
     /// Throws ImageFailed when image and twin are not in the same state.
     void compare(Instant now) const;
-    /// Says what differs; empty: nothing.
+    /// Returns a description of the first difference; empty when there is none.
     std::string difference() const;
 
     std::unique_ptr<SimulatedDevice> twin_;

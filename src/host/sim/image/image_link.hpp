@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device's image on the microcontroller (src/target/bridge) as this program speaks to it.
+// The connection of this program to a device's image on the microcontroller (src/target/bridge).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// The image has ended, does not answer, or says what no image of this program's sources says.
+/// The image has ended, does not answer, or behaves as no image built from this program's sources does.
 class ImageFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -20,8 +20,8 @@ class ImageFailed : public std::runtime_error {
 
 /// First message of an image.
 struct ImageGreeting {
-    std::string device;     ///< of the catalogue
-    std::size_t inputs{0};  ///< how many it has
+    std::string device;     ///< its name in the catalogue
+    std::size_t inputs{0};  ///< number of input signals
     std::size_t outputs{0};
 };
 

@@ -16,7 +16,7 @@
 
 namespace canproof::bridge {
 
-/// First value of an image's greeting: another one speaks another protocol.
+/// First value of an image's greeting. Another value means another protocol.
 constexpr std::uint32_t protocol = 0x31504243U;  // "CBP1"
 /// Bytes of stored parameters that one message carries at most.
 constexpr std::size_t most_memory_bytes = 512U;
@@ -106,12 +106,12 @@ class Message {
         return frame;
     }
 
-    /// Returns it as it is sent: the length, then what was put.
+    /// Returns the bytes to send: the length, then the values that were put.
     ByteView sent() {
         store_le<head>(bytes_.data(), end_ - head);
         return ByteView{bytes_.data(), end_};
     }
-    /// Returns where a message is read to: first `head` bytes, then as many as expected() says.
+    /// Returns the buffer into which a message is read: first `head` bytes, then the number that expected() returns.
     std::uint8_t* buffer() { return bytes_.data(); }
     /// Returns the number of bytes behind the head; 0 for a message that is none.
     std::size_t expected() const {
