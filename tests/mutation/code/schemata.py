@@ -237,6 +237,13 @@ class Rewriter(Statements):
                     self.visit(child)
             return
         expressions = [c for c in cursor.get_children() if c.kind.is_expression()]
+        declared = [c for c in cursor.get_children() if not c.kind.is_expression() and expressions and
+                    c.extent.start.offset <= expressions[0].extent.start.offset < c.extent.end.offset]
+        if declared:  # `if (int n = f())`: the condition is the name in the declaration, which must stay as it is
+            for child in cursor.get_children():
+                if child != expressions[0]:
+                    self.visit(child)
+            return
         self.split(cursor, lambda child: expressions and child == expressions[0])
 
     def loop(self, cursor):

@@ -23,6 +23,7 @@ unsigned in_order(unsigned a, unsigned b) noexcept;
 unsigned set(unsigned a) noexcept;
 unsigned apart(unsigned a, unsigned b) noexcept;
 unsigned element(unsigned a) noexcept;
+unsigned declared(unsigned a) noexcept;
 bool of_a_device(unsigned a, unsigned b) noexcept;
 }  // namespace canproof
 
@@ -125,6 +126,13 @@ const std::vector<Expected> expected{
     {"a -> variable b", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
     {"logs.kept.first -> variable logs.kept.second", apart, [](unsigned, unsigned) { return 0U; }},
     {"list[a] -> [0]", [](unsigned a, unsigned) { return element(a); }, [](unsigned, unsigned) { return 10U; }},
+    // A variable that a condition declares is no mutant; the rest of the statement is.
+    {"kept -> variable a", [](unsigned a, unsigned) { return declared(a); },
+     [](unsigned a, unsigned) { return a != 0U ? a : 9U; }},
+    {"9U -> +1", [](unsigned a, unsigned) { return declared(a); },
+     [](unsigned a, unsigned) { return a != 0U ? a : 10U; }},
+    {"9U -> -1", [](unsigned a, unsigned) { return declared(a); },
+     [](unsigned a, unsigned) { return a != 0U ? a : 8U; }},
     {"a != b -> true", of(of_a_device), [](unsigned, unsigned) { return 1U; }},
     {"a != b -> false", of(of_a_device), [](unsigned, unsigned) { return 0U; }},
     {"a -> variable b", of(of_a_device), [](unsigned, unsigned) { return 0U; }},

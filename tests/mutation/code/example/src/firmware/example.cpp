@@ -81,5 +81,11 @@ constexpr unsigned list[4] = {10U, 11U, 12U, 13U};
 unsigned element(const unsigned a) noexcept {
     return list[a];
 }
+unsigned declared(const unsigned a) noexcept {
+    if (const unsigned kept = a) {
+        return kept;
+    }
+    return 9U;
+}
 
 }  // namespace canproof
