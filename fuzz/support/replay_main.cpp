@@ -2,8 +2,10 @@
 // Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER…
 // --xml writes the verdict for the audit, --frames a candump log of the frames given to the device (see
 // candump_of_run.hpp).
-// A violated requirement aborts the process: reaching the end is the verdict.
+// A violated requirement aborts the process: reaching the end is the verdict. A file that cannot be read ends it
+// with 2.
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -30,6 +32,10 @@ void write_verdict(const std::filesystem::path& path, const std::string& target,
 std::size_t run_file(const std::filesystem::path& path) {
     std::ifstream in{path, std::ios::binary};
     const std::vector<char> text{std::istreambuf_iterator<char>{in}, {}};
+    if (!in.is_open() || in.bad()) {
+        std::cerr << path.string() << " cannot be read\n";
+        std::exit(2);
+    }
     const std::vector<std::uint8_t> bytes{text.begin(), text.end()};
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
     return 1;

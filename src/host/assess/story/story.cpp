@@ -93,10 +93,12 @@ std::string StoryTeller::sections_of(const AuditedItem& audited) const {
         if (manual != nullptr) {
             for (const auto& section : manual->sections) {
                 const std::string refs = " " + source.substr(colon + 1) + " ";
-                title += refs.find(" " + section.ref + " ") == std::string::npos ? "" : " " + section.title + ";";
+                if (refs.find(" " + section.ref + " ") != std::string::npos) {
+                    title += (title.empty() ? ": " : "; ") + section.title;
+                }
             }
         }
-        text += line("source", source + (title.empty() ? "" : ":" + title));
+        text += line("source", source + title);
     }
     if (!audited.item->derived.empty()) {
         text += line("derived", audited.item->derived);

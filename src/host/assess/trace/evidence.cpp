@@ -167,8 +167,8 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
                           const Register& content) {
     Evidence evidence = read_verdict_files(verdicts);
     if (evidence.tests == 0) {
-        throw InputError{fmt::format(
-            "no test results in {}; run ./run or ctest first, or name a folder with --verdicts", verdicts.string())};
+        throw InputError{fmt::format("no test results in {}; run ./test first, or name a folder with --verdicts",
+                                     verdicts.string())};
     }
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {
         scan_source(root, file, evidence);
