@@ -61,7 +61,7 @@ class Task {
         began_ = std::chrono::steady_clock::now();
         process_ = fork();
         if (process_ < 0) {
-            throw InputError{"no process to be had; close other programs"};
+            throw InputError{"no process can be started; close other programs"};
         }
         if (process_ == 0) {
             run(compiler, options);
