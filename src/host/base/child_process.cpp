@@ -28,6 +28,15 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
     return all;
 }
 
+/// Waits for the end of a process, also when signals interrupt the wait. Returns false with errno set when it cannot.
+bool waits_for_end(pid_t process, int& status) noexcept {
+    pid_t ended = -1;
+    do {
+        ended = waitpid(process, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    return ended >= 0;
+}
+
 }  // namespace
 
 pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
@@ -65,12 +74,15 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
 
 int wait_for_process(pid_t process) {
     int status = 0;
-    while (waitpid(process, &status, 0) < 0) {
-        if (errno != EINTR) {
-            throw InputError{fmt::format("cannot wait for process {}: {}", process, std::strerror(errno))};
-        }
+    if (!waits_for_end(process, status)) {
+        throw InputError{fmt::format("cannot wait for process {}: {}", process, std::strerror(errno))};
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void reap_process(pid_t process) noexcept {
+    int status = 0;
+    static_cast<void>(waits_for_end(process, status));
 }
 
 std::array<int, 2> make_pipe() {

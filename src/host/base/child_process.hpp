@@ -27,6 +27,8 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
 /// Waits for the end of a process, also when signals interrupt the wait. Returns its exit status; 128 plus the signal's
 /// number when a signal ended it. Throws InputError when `process` is no child of this program.
 int wait_for_process(pid_t process);
+/// Waits in the same way in a destructor: drops the exit status, and returns at once when `process` is no child.
+void reap_process(pid_t process) noexcept;
 
 /// Returns both ends of a pipe, which started programs do not inherit. Throws InputError.
 std::array<int, 2> make_pipe();

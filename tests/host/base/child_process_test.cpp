@@ -44,4 +44,11 @@ TEST(ChildProcess, WaitForAProcessThatIsNoChildIsRefused) {
     EXPECT_THROW(host::wait_for_process(1), host::InputError);
 }
 
+TEST(ChildProcess, ReapingAProcessThatIsNoChildReturnsInADestructor) {
+    host::reap_process(1);
+    const pid_t child = host::start_process({"true"}, {}, {});
+    host::reap_process(child);
+    EXPECT_THROW(host::wait_for_process(child), host::InputError) << "it has been waited for";
+}
+
 }  // namespace canproof::test

@@ -53,7 +53,7 @@ TestServer::TestServer(const std::filesystem::path& program) {
 TestServer::~TestServer() {
     std::fclose(to_);
     std::fclose(from_);
-    wait_for_process(process_);
+    reap_process(process_);
 }
 
 std::string TestServer::run(std::size_t number, const std::string& filter, unsigned seconds) {

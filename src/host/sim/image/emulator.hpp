@@ -19,7 +19,7 @@ class Emulator {
     ~Emulator() {
         if (process_ > 0) {
             kill(process_, SIGKILL);  // the emulator has no data that an orderly end would save
-            wait_for_process(process_);
+            reap_process(process_);
         }
     }
     Emulator(Emulator&& other) noexcept : process_{std::exchange(other.process_, -1)} {}
