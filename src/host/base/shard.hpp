@@ -3,8 +3,10 @@
 // from 0, belongs to part k mod 3 + 1, so that long and short work spreads evenly.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace canproof::host {
@@ -26,6 +28,26 @@ Shard parse_shard(const std::string& text);
 
 /// Throws InputError unless the shards are 1/n to n/n, each once. `names`: where each comes from, for the message.
 void require_all_shards(const std::vector<Shard>& shards, const std::vector<std::string>& names);
+
+/// Sorts what was read of shards by its members `shard` and `name`.
+template <typename Read>
+void sort_shards(std::vector<Read>& all) {
+    std::sort(all.begin(), all.end(), [](const Read& a, const Read& b) {
+        return std::tie(a.shard.number, a.name) < std::tie(b.shard.number, b.name);
+    });
+}
+
+/// Does the same as the other function for what was read of shards.
+template <typename Read>
+void require_all_shards(const std::vector<Read>& all) {
+    std::vector<Shard> shards;
+    std::vector<std::string> names;
+    for (const Read& one : all) {
+        shards.push_back(one.shard);
+        names.push_back(one.name);
+    }
+    require_all_shards(shards, names);
+}
 
 /// Returns the elements that belong to a shard, in their order.
 template <typename T>

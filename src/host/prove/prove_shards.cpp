@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
@@ -43,9 +41,7 @@ std::vector<ReadShard> read_shards(const std::filesystem::path& folder) {
             all.push_back(read_shard(entry.path()));
         }
     }
-    std::sort(all.begin(), all.end(), [](const ReadShard& a, const ReadShard& b) {
-        return std::tie(a.shard.number, a.name) < std::tie(b.shard.number, b.name);
-    });
+    sort_shards(all);
     return all;
 }
 
@@ -61,15 +57,11 @@ std::string shard_text(const Shard& shard, const std::vector<TheoremResult>& res
 
 std::vector<TheoremResult> merge_shards(const std::filesystem::path& folder) {
     const std::vector<ReadShard> read = read_shards(folder);
-    std::vector<Shard> shards;
-    std::vector<std::string> names;
+    require_all_shards(read);
     std::size_t all = 0;
     for (const ReadShard& one : read) {
-        shards.push_back(one.shard);
-        names.push_back(one.name);
         all += one.results.size();
     }
-    require_all_shards(shards, names);
     for (const ReadShard& one : read) {
         if (one.results.size() != size_of_share(all, one.shard)) {
             throw InputError{

@@ -6,17 +6,9 @@
 #include <vector>
 
 #include "host/base/lines.hpp"
+#include "host/base/trimmed.hpp"
 
 namespace canproof::host::prove {
-
-namespace {
-
-std::string trimmed(const std::string& line) {
-    const std::size_t first = line.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
 
 std::string statement_at(const std::string& place) {
     const std::size_t colon = place.rfind(':');

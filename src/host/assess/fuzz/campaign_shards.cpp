@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "host/base/input_error.hpp"
 #include "host/base/shard.hpp"
@@ -45,18 +44,12 @@ std::vector<ReadShard> read_shards(const fs::path& folder) {
             all.push_back(read_shard(entry.path()));
         }
     }
-    std::sort(all.begin(), all.end(), [](const ReadShard& a, const ReadShard& b) {
-        return std::tie(a.shard.number, a.name) < std::tie(b.shard.number, b.name);
-    });
+    sort_shards(all);
     return all;
 }
 
 void require_one_campaign(const std::vector<ReadShard>& all) {
-    std::vector<Shard> shards;
-    std::vector<std::string> names;
     for (const ReadShard& one : all) {
-        shards.push_back(one.shard);
-        names.push_back(one.name);
         const CampaignState& first = all.front().state;
         if (one.state.minutes != first.minutes || one.state.seed != first.seed) {
             throw InputError{
@@ -69,7 +62,7 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
                                          one.state.shard)};
         }
     }
-    require_all_shards(shards, names);
+    require_all_shards(all);
 }
 
 /// Copies the files of a folder with their times, which say when in the campaign an input was found.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -59,9 +58,7 @@ std::vector<ReadShard> read_shards(const std::filesystem::path& folder, bool cod
             all.push_back(read_shard(entry.path()));
         }
     }
-    std::sort(all.begin(), all.end(), [](const ReadShard& a, const ReadShard& b) {
-        return std::tie(a.shard.number, a.name) < std::tie(b.shard.number, b.name);
-    });
+    sort_shards(all);
     return all;
 }
 
@@ -93,13 +90,7 @@ std::string write_mutation_shard(const Shard& shard, const std::vector<MutationO
 std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,
                                                    const std::vector<AlteredCell>& cells) {
     const std::vector<ReadShard> read = read_shards(folder, code);
-    std::vector<Shard> shards;
-    std::vector<std::string> names;
-    for (const ReadShard& one : read) {
-        shards.push_back(one.shard);
-        names.push_back(one.name);
-    }
-    require_all_shards(shards, names);
+    require_all_shards(read);
     std::vector<MutationOutcome> outcomes;
     for (std::size_t place = 0; place < cells.size(); ++place) {
         const ReadShard& from = read[place % read.size()];
