@@ -14,7 +14,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device that lends memory for a DOMAIN but does not process it, and stores nothing.
+/// A device that provides memory for a DOMAIN but does not process it, and stores nothing.
 class PlainApplication final : public Application {
   public:
     AbortCode check_access(const EntryRef& entry) override {
