@@ -8,6 +8,7 @@
 #include "host/app/cli/diff_command.hpp"
 #include "host/app/cli/evidence_command.hpp"
 #include "host/app/cli/fuzz_command.hpp"
+#include "host/app/cli/inject_command.hpp"
 #include "host/app/cli/misra_command.hpp"
 #include "host/app/cli/mutate_command.hpp"
 #include "host/app/cli/prove_command.hpp"
@@ -215,6 +216,48 @@ class MutateCommand : Command {
     std::string shard_;
 };
 
+class InjectCommand : Command {
+  public:
+    InjectCommand(CLI::App& app, Chosen& chosen) {
+        auto* command =
+            app.add_subcommand("inject", "turn single bits of a running device's memory, and report what follows");
+        command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
+        auto* log = command->add_option("LOG", options_.log,
+                                        "candump log of frames to the device; default: tests/devices/DEVICE/workload");
+        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of its inputs")
+            ->needs(log);
+        command->add_option("--node", options_.node, "node-ID, or position of the coding switches");
+        command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
+        auto& campaign = options_.campaign;
+        command->add_option("--faults", campaign.faults, "number of faults")
+            ->capture_default_str()
+            ->check(CLI::Range(1, 10'000'000));
+        command->add_option("--seed", campaign.seed, "seed of time, place and bit")->capture_default_str();
+        command->add_option("--jobs", campaign.jobs, "processes at a time")
+            ->capture_default_str()
+            ->check(CLI::Range(1, 64));
+        command->add_flag("--json", options_.json, "counts and silent faults as JSON");
+        auto* shard =
+            command->add_option("--shard", shard_, "I/N: inject part I of N; other machines inject the other parts");
+        command->add_option("--out", options_.out, "folder of the shard's file")->capture_default_str()->needs(shard);
+        command->add_option("--merge", options_.merge, "folder of the shards' files: one campaign from all of them")
+            ->excludes(shard);
+        command->callback([this, shard, &chosen] {
+            chosen = [this, shard] {
+                options_.is_shard = shard->count() != 0;
+                if (options_.is_shard) {
+                    options_.campaign.shard = parse_shard(shard_);
+                }
+                return inject(options_);
+            };
+        });
+    }
+
+  private:
+    InjectOptions options_;
+    std::string shard_;
+};
+
 class DiffCommand : Command {
   public:
     DiffCommand(CLI::App& app, Chosen& chosen) {
@@ -283,6 +326,7 @@ struct AssessCommands {
     MisraCommand misra;
     EvidenceCommand evidence;
     MutateCommand mutate;
+    InjectCommand inject;
     DiffCommand diff;
     ProveCommand prove;
 };
@@ -292,6 +336,7 @@ struct AssessCommands {
 std::shared_ptr<void> add_assess_commands(CLI::App& app, Chosen& chosen) {
     // Each command is constructed at its final address, because its callbacks point to it.
     return std::shared_ptr<AssessCommands>{new AssessCommands{{app, chosen},
+                                                              {app, chosen},
                                                               {app, chosen},
                                                               {app, chosen},
                                                               {app, chosen},

@@ -18,6 +18,13 @@
 
 namespace canproof::host {
 
+/// A part of a device's memory.
+struct MemoryRegion {
+    const char* name;
+    std::uint8_t* data;
+    std::size_t size;  ///< bytes
+};
+
 class SimulatedDevice {
   public:
     virtual ~SimulatedDevice() = default;
@@ -47,6 +54,8 @@ class SimulatedDevice {
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns its present dictionary; nullptr when the device does not expose it.
     virtual const ObjectDictionary* objects() const { return nullptr; }
+    /// Returns the memory that holds the state of the firmware, for the injection of faults.
+    virtual std::vector<MemoryRegion> regions() { return {}; }
 
     TransmitQueue& queue() { return queue_; }
     Memory& memory() { return memory_; }

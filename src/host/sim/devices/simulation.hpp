@@ -60,6 +60,12 @@ class Simulation : public SimulatedDevice {
     NmtState state() const override { return device_.state(); }
     std::uint32_t bit_rate() const override { return device_.bit_rate(); }
     const ObjectDictionary* objects() const override { return &device_.objects(); }
+    std::vector<MemoryRegion> regions() override {
+        // The firmware has no heap: its whole state lies in these objects.
+        return {{"device", reinterpret_cast<std::uint8_t*>(&device_), sizeof(device_)},
+                {"queue", reinterpret_cast<std::uint8_t*>(&queue_), sizeof(queue_)},
+                {"store", memory_.bytes().data(), memory_.bytes().size()}};
+    }
 
   protected:
     Simulation(std::size_t memory_size, const FactoryData& factory)

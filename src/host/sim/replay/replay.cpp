@@ -113,6 +113,7 @@ class Player {
 
     void step(Instant now) {
         if (device_.next_deadline() <= now) {
+            announce_call();
             advance_device(device_, "the device", now);
             report();
         }
@@ -142,6 +143,7 @@ class Player {
         if (may_be_own && own_.match(frame_.frame, time_.now())) {
             write_held();
         } else {
+            announce_call();
             device_.receive(frame_.frame, time_.now());
         }
         take_next_frame();
@@ -150,6 +152,7 @@ class Player {
     void stimulate() {
         const Stimulus& one = stimulus();
         ++next_stimulus_;
+        announce_call();
         if (!device_.set_input(one.signal, one.value, time_.now())) {
             throw InputError{fmt::format("stimulus at {} s: there is no input `{}`; `canproof signals` lists them",
                                          format_seconds(one.time), one.signal)};
@@ -193,6 +196,11 @@ class Player {
     }
 
     void write(const LoggedFrame& frame) { frames_out_ << format_candump_line(frame) << '\n'; }
+    void announce_call() const {
+        if (input_.before_call) {
+            input_.before_call();
+        }
+    }
     void tell(const std::string& text) const {
         if (input_.notice) {
             input_.notice(text);

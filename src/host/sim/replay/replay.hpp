@@ -24,6 +24,7 @@ struct ReplayInput {
     std::optional<Instant> start{};                    ///< power-on; without it, see latest_zero
     FrameSource source{};                              ///< replaces `frames`: a log of any length
     std::function<void(const std::string&)> notice{};  ///< receives messages for the user
+    std::function<void()> before_call{};  ///< called before a frame, a stimulus or its deadline reaches the device
 };
 
 /// Latest first frame of a log whose times count from power-on. Times of a later first frame are those of a clock:

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/cli/inject_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "host/app/cli/chosen_devices.hpp"
+#include "host/assess/inject/injection_report.hpp"
+#include "host/base/files.hpp"
+#include "host/base/input_error.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+ChosenDevice made_device(const InjectOptions& options) {
+    ChosenDevice chosen = choose_device(options.device);
+    if (options.node) {
+        set_node(chosen, *options.node);
+    }
+    return chosen;
+}
+
+/// Returns the frames and stimuli that the user names, or those of tests/devices/NAME/workload.
+ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
+    const auto folder = std::filesystem::path{options.root} / "tests" / "devices" / options.device / "workload";
+    const bool own = options.log.empty();
+    if (own && !std::filesystem::exists(folder / "bus.log")) {
+        throw InputError{
+            fmt::format("there is no {}: name a log of frames to the device", (folder / "bus.log").string())};
+    }
+    const std::string log = own ? (folder / "bus.log").string() : options.log;
+    const std::string stimulus = own ? (folder / "inputs.csv").string() : options.stimulus;
+    ReplayInput input;
+    auto frames = open_input(log);
+    input.frames = read_candump_log(frames, log);
+    if (!stimulus.empty()) {
+        auto changes = open_input(stimulus);
+        input.stimuli = read_stimuli(changes, stimulus);
+        check_stimuli(input.stimuli, {chosen.part});
+    }
+    return input;
+}
+
+void show_progress(std::size_t done, std::size_t all) {
+    constexpr std::size_t step = 100;
+    if (isatty(STDERR_FILENO) != 0 && (done % step == 0 || done == all)) {
+        fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
+    }
+}
+
+}  // namespace
+
+int inject(const InjectOptions& options) {
+    InjectionOptions campaign_options = options.campaign;
+    InjectionCampaign campaign;
+    if (options.merge.empty()) {
+        const ReplayInput input = workload(options, made_device(options));
+        const std::size_t count = size_of_share(campaign_options.faults, campaign_options.shard);
+        campaign = run_faults([&options] { return std::move(made_device(options).device); }, input, campaign_options,
+                              [count](std::size_t done) { show_progress(done, count); });
+    } else {
+        campaign = merge_injection_shards(options.merge, options.device, campaign_options);
+    }
+    if (options.is_shard) {
+        const auto file =
+            std::filesystem::path{options.out} / injection_shard_name(options.device, campaign_options.shard);
+        write_file(file, write_injection_shard(options.device, campaign_options, campaign));
+        fmt::print("shard {}: {} of {} faults judged: {}\n", campaign_options.shard.text(), campaign.runs.size(),
+                   campaign_options.faults, file.string());
+        return 0;
+    }
+    fmt::print("{}", options.json ? injection_json(options.device, campaign_options, campaign)
+                                  : injection_table(options.device, campaign_options, campaign));
+    return 0;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/assess/inject/run_faults.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+#include "host/base/input_error.hpp"
+#include "host/sim/devices/advance_device.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+// Exit status of the process that runs a fault: an effect below `fault_effects`, or this.
+constexpr int not_judged = 100;
+
+struct Texts {
+    std::string frames;
+    std::string outputs;
+};
+
+Texts play(SimulatedDevice& device, const ReplayInput& input) {
+    std::ostringstream frames;
+    std::ostringstream outputs;
+    replay(device, input, frames, &outputs);
+    return {frames.str(), outputs.str()};
+}
+
+/// Limits the processor time of this process; the kernel then ends it with SIGXCPU.
+void limit_time(double seconds) {
+    const auto whole = static_cast<rlim_t>(seconds + 1.0);
+    const rlimit limit{whole, whole + 1};
+    if (setrlimit(RLIMIT_CPU, &limit) != 0) {
+        _exit(not_judged);
+    }
+    const rlimit no_core{0, 0};
+    if (setrlimit(RLIMIT_CORE, &no_core) != 0) {
+        _exit(not_judged);
+    }
+}
+
+/// Returns the effect that the end of the process shows.
+FaultEffect effect_of_status(int status) {
+    if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
+        return static_cast<FaultEffect>(WEXITSTATUS(status));
+    }
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        if (signal == SIGXCPU || signal == SIGKILL) {
+            return FaultEffect::watchdog;
+        }
+        return FaultEffect::processor_fault;
+    }
+    throw InputError{"a run with a fault could not be judged: the system refused a limit of its processor time"};
+}
+
+/// Plays the workload once; starts the process of a fault before its call.
+class Injector {
+  public:
+    Injector(SimulatedDevice& device, const std::vector<InjectedFault>& faults, const DeviceRun& faultless,
+             std::size_t calls, const InjectionOptions& options, const std::function<void(std::size_t)>& progress)
+        : device_{device},
+          faults_{faults},
+          faultless_{faultless},
+          calls_{calls},
+          options_{options},
+          progress_{progress} {
+        effects_.resize(faults.size());
+    }
+
+    std::vector<FaultEffect> run(ReplayInput input) {
+        input.before_call = [this] { inject(); };
+        try {
+            const Texts texts = play(device_, input);
+            if (is_child_) {
+                end(effect_of(faultless_, read_run(texts.frames, texts.outputs)));
+            }
+        } catch (const StuckDevice&) {
+            if (!is_child_) {
+                throw;
+            }
+            end(FaultEffect::watchdog);
+        } catch (const std::exception&) {
+            if (!is_child_) {
+                throw;
+            }
+            end(FaultEffect::processor_fault);  // a standard function of the simulation refused a damaged value
+        }
+        while (!running_.empty()) {
+            wait_for_one();
+        }
+        return effects_;
+    }
+
+  private:
+    std::size_t most_calls() const { return 4 * calls_ + 10'000; }
+    [[noreturn]] static void end(FaultEffect effect) { _exit(static_cast<int>(effect)); }
+
+    /// Starts the processes of the faults of this call. In such a process, counts the calls: a device that wakes far
+    /// too often feeds its watchdog too often as well.
+    void inject() {
+        if (is_child_) {
+            if (++call_ > most_calls()) {
+                end(FaultEffect::watchdog);
+            }
+            return;
+        }
+        for (; next_ < faults_.size() && faults_[next_].call == call_; ++next_) {
+            while (running_.size() >= options_.jobs) {
+                wait_for_one();
+            }
+            const pid_t process = fork();
+            if (process < 0) {
+                throw InputError{fmt::format("a process cannot be started: {}", std::strerror(errno))};
+            }
+            if (process == 0) {
+                is_child_ = true;
+                limit_time(options_.most_seconds);
+                turn(faults_[next_]);
+                return;
+            }
+            running_.emplace(process, next_);
+        }
+        ++call_;
+    }
+
+    void turn(const InjectedFault& fault) {
+        const MemoryRegion region = device_.regions().at(fault.region);
+        region.data[fault.byte] = static_cast<std::uint8_t>(region.data[fault.byte] ^ (1U << fault.bit));
+    }
+
+    void wait_for_one() {
+        int status = 0;
+        const pid_t process = waitpid(-1, &status, 0);
+        if (process < 0) {
+            if (errno == EINTR) {
+                return;
+            }
+            throw InputError{fmt::format("the end of a run cannot be waited for: {}", std::strerror(errno))};
+        }
+        const auto found = running_.find(process);
+        if (found != running_.end()) {
+            effects_[found->second] = effect_of_status(status);
+            running_.erase(found);
+            progress_(++ended_);
+        }
+    }
+
+    SimulatedDevice& device_;
+    const std::vector<InjectedFault>& faults_;
+    const DeviceRun& faultless_;
+    std::size_t calls_;  ///< of the run without a fault
+    const InjectionOptions& options_;
+    const std::function<void(std::size_t)>& progress_;
+    std::vector<FaultEffect> effects_;
+    std::map<pid_t, std::size_t> running_;  ///< process and place of its fault
+    std::size_t next_{0};                   ///< fault
+    std::size_t call_{0};
+    std::size_t ended_{0};
+    bool is_child_{false};
+};
+
+}  // namespace
+
+InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
+                             const std::function<void(std::size_t)>& progress) {
+    InjectionCampaign campaign;
+    auto device = make();
+    for (const MemoryRegion& region : device->regions()) {
+        campaign.regions.push_back({region.name, region.size});
+    }
+    if (campaign.regions.empty()) {
+        throw InputError{
+            "the memory of this device is not known: faults can be injected only into devices of the catalogue"};
+    }
+    ReplayInput counted = input;
+    counted.before_call = [&campaign] { ++campaign.calls; };
+    const Texts texts = play(*device, counted);
+    const DeviceRun faultless = read_run(texts.frames, texts.outputs);
+    const auto faults =
+        share_of(plan_faults(options.seed, options.faults, campaign.calls, campaign.regions), options.shard);
+    device = make();
+    const auto effects = Injector{*device, faults, faultless, campaign.calls, options, progress}.run(input);
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        campaign.runs.push_back({faults[i], effects[i]});
+    }
+    return campaign;
+}
+
+}  // namespace canproof::host

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a device with one injected fault at a time, each in a process of its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "host/assess/inject/fault_effect.hpp"
+#include "host/assess/inject/fault_plan.hpp"
+#include "host/base/shard.hpp"
+#include "host/sim/devices/simulated_device.hpp"
+#include "host/sim/replay/replay.hpp"
+
+namespace canproof::host {
+
+struct InjectedRun {
+    InjectedFault fault;
+    FaultEffect effect{FaultEffect::masked};
+};
+
+struct InjectionCampaign {
+    std::vector<RegionSize> regions;
+    std::size_t calls{0};  ///< of the device in the run without a fault
+    std::vector<InjectedRun> runs;
+};
+
+struct InjectionOptions {
+    std::uint64_t seed{1};
+    std::size_t faults{1000};
+    unsigned jobs{1};          ///< processes at once
+    double most_seconds{5.0};  ///< processor time after which the watchdog has ended a run
+    Shard shard{};             ///< only the faults of this part
+};
+
+/// Makes the device in the state before power-on. Each call returns an equal device.
+using MakeDevice = std::function<std::unique_ptr<SimulatedDevice>()>;
+
+/// Plays `input` (its `frames`, not its `source`) without a fault, then once per fault. The run without a fault stops
+/// before the call of each fault; a copy of the process turns the bit and goes on to the end. `progress` gets the
+/// number of ended runs. Throws InputError for a device without known memory, and when a process cannot be started.
+InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
+                             const std::function<void(std::size_t)>& progress);
+
+}  // namespace canproof::host
