@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """conform_report.py PROGRAM: where `canproof conform --report` writes. A relative name works, a second run leaves the same bytes, and a
 folder with files of others is refused before the run and stays as it is."""
+import json
 import pathlib
 import subprocess
 import sys
@@ -29,6 +30,17 @@ def check_relative_name(folder):
     assert contents(folder / "out") == first, "a second run leaves other bytes"
 
 
+def check_adapter_without_remote_frames():
+    def verdict(*words):
+        done = subprocess.run([PROGRAM, "conform", "ax188001", "--case", "sdo-remote-request", "--json", *words], capture_output=True,
+                              text=True)
+        assert done.returncode == 0, done.stderr
+        return [(one["verdict"], one["why"]) for one in json.loads(done.stdout)["cases"]]
+
+    assert verdict() == [("passed", "")], verdict()
+    assert verdict("--no-remote-frames") == [("skipped", "this bus carries no remote frames")], verdict("--no-remote-frames")
+
+
 def check_refusal(folder):
     for names in (["notes.txt"], ["page.html"], ["report.json", "notes.txt"]):
         place = folder / names[0].replace(".", "-")
@@ -44,6 +56,7 @@ def check_refusal(folder):
 
 
 def main():
+    check_adapter_without_remote_frames()
     with tempfile.TemporaryDirectory() as folder:
         check_relative_name(pathlib.Path(folder))
     with tempfile.TemporaryDirectory() as folder:

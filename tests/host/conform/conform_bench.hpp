@@ -68,6 +68,7 @@ class BusLikeTarget final : public Target {
   public:
     explicit BusLikeTarget(std::unique_ptr<SimulatedDevice> device) : inner_{std::move(device), 5} {
         inner_.listen([this](const FrameRecord& record) { tell(record); });
+        leave_out_remote_frames();
     }
     /// Simulates Ctrl-C at that time.
     void interrupt_at(Instant time) { interrupt_at_ = time; }
@@ -85,7 +86,6 @@ class BusLikeTarget final : public Target {
         inner_.advance(until + delay_);
     }
     void go_on() override { interrupt_at_ = never; }
-    bool has_remote_frames() const override { return false; }
     std::uint32_t bit_rate() const override { return inner_.bit_rate(); }
     const std::string& name() const override { return inner_.name(); }
     BusReport report() const override { return inner_.report(); }

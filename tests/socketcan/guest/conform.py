@@ -2,7 +2,8 @@
 """Runs `canproof conform` on the four devices on interfaces of the kernel. The verdicts must be those in virtual time.
 
 Three devices have a virtual interface each. The fourth is on an emulated SJA1000 controller with 125 kbit/s, and its test is on another
-controller on the same bus. All four are tested at the same time, because a run waits most of its time."""
+controller on the same bus. There remote frames are left out: after one with a length above 0 QEMU's SJA1000 loses its place in the
+receive buffer (it stores the length, and releases 3 bytes). All four are tested at the same time, because a run waits most of its time."""
 import json
 import subprocess
 
@@ -13,15 +14,21 @@ SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"),
           ("ax130751", 7, "can0", "can1")]
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # for one run on a slow machine
-NO_SWITCH = "nobody can switch the slave off and on here"  # the only expected difference
+# The only expected differences: what nobody can do there.
+ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switch the slave off to the millisecond here"}
+
+
+def frames_of(interface):
+    """Returns the options for what an interface carries."""
+    return ["--no-remote-frames"] if interface.startswith("can") else []
 
 
 def verdicts(report):
     return {case["id"]: (case["verdict"], case["why"], case["step"]) for case in json.loads(report)["cases"]}
 
 
-def in_virtual_time(program, device):
-    done = subprocess.run([program, "conform", device, "--json"], capture_output=True, text=True)
+def in_virtual_time(program, device, interface):
+    done = subprocess.run([program, "conform", device, "--json", *frames_of(interface)], capture_output=True, text=True)
     assert done.returncode == 0, f"{device} in virtual time: {done.stderr[-2000:]}"
     return verdicts(done.stdout)
 
@@ -40,19 +47,19 @@ def begin(program, device, node, interface):
         sheet.write(sh(program, "eds", device))
     with open(f"/tmp/{device}.json", "w") as report:
         return subprocess.Popen([program, "conform", "--eds", f"/tmp/{device}.eds", "--node", str(node), "--bus",
-                                 f"socketcan:{interface}", *ALLOWED, "--json"], stdout=report, stderr=subprocess.PIPE, text=True)
+                                 f"socketcan:{interface}", *ALLOWED, *frames_of(interface), "--json"], stdout=report, stderr=subprocess.PIPE, text=True)
 
 
-def compare(program, device, process):
+def compare(program, device, interface, process):
     _, said = process.communicate(timeout=SECONDS)
     with open(f"/tmp/{device}.json") as report:
         text = report.read()
     assert text, f"no report, status {process.returncode}: {said[-2000:]}"
-    bus, virtual = verdicts(text), in_virtual_time(program, device)
+    bus, virtual = verdicts(text), in_virtual_time(program, device, interface)
     count = {word: sum(verdict == word for verdict, _, _ in bus.values()) for word in ("passed", "skipped", "unstable")}
     print(f"{device}: {len(bus)} cases, {count}, {json.loads(text)['us'] / 1e6:.0f} s", flush=True)
     others = [f"{name}: {bus[name]}, in virtual time {virtual[name]}" for name in virtual
-              if bus[name][0] != virtual[name][0] and bus[name][1] != NO_SWITCH]
+              if bus[name][0] != virtual[name][0] and bus[name][1] not in ONLY_VIRTUAL]
     assert not others and process.returncode == 0, "\n  ".join([f"status {process.returncode}", said[-500:], *others])
 
 
@@ -70,7 +77,7 @@ def check_all(program):
         started += tests
         for (device, _, own, other), test in zip(SLAVES, tests):
             with check(f"{device} on {own}: the verdicts of `canproof conform` through {other} are those of virtual time"):
-                compare(program, device, test)
+                compare(program, device, other, test)
     finally:
         for one in started:
             one.kill()

@@ -245,6 +245,8 @@ class ConformCommand : Command {
         command->add_flag("--allow-store", options_.allow_store, "cases that store parameters");
         command->add_flag("--allow-lss", options_.allow_lss, "cases that change node-ID or bit rate");
         command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on when the program asks");
+        command->add_flag("--no-remote-frames", options_.no_remote_frames,
+                          "the adapter carries no remote frames: cases that need them are skipped");
         command->add_option("--traffic", options_.traffic, "background traffic, in per cent of the bus")
             ->check(CLI::Range(0.0, 95.0));
         command->callback([this, &chosen] { chosen = [this] { return run_conform(options_); }; });

@@ -116,7 +116,10 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     running.bus = options.bus;
     std::unique_ptr<Bus> bus = make_bus(running, static_cast<std::uint32_t>(sheet.part.info.bit_rate));
     bus->on_notice(tell);
-    auto target = std::make_unique<conform::BusTarget>(std::move(bus), options.bus, socketcan);
+    auto target = std::make_unique<conform::BusTarget>(std::move(bus), options.bus);
+    if (!socketcan) {
+        target->leave_out_remote_frames();
+    }
     if (options.by_hand) {
         target->switch_by_hand(STDIN_FILENO, tell);
     }
@@ -194,6 +197,9 @@ int run_conform(const ConformCommandOptions& options) {
     const std::unique_ptr<conform::Target> target =
         options.bus.empty() ? virtual_target(image ? std::move(*image) : choose(options), options, sheet)
                             : bus_target(options, sheet);
+    if (options.no_remote_frames) {
+        target->leave_out_remote_frames();
+    }
     conform::ConformReport report = conform::run_cases(book, sheet, *target, run_options(options));
     report.program = fmt::format("canproof {}", generated::canproof_version);
     if (options.json) {

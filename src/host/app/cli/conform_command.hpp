@@ -24,7 +24,8 @@ struct ConformCommandOptions {
     bool allow_outputs{false};
     bool allow_store{false};
     bool allow_lss{false};
-    bool by_hand{false};  ///< the user switches the slave off and on
+    bool by_hand{false};           ///< the user switches the slave off and on
+    bool no_remote_frames{false};  ///< the user's adapter does not carry them
     double traffic{0.0};  ///< per cent of the bus
 };
 

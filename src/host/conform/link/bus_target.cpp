@@ -15,11 +15,8 @@ constexpr Duration longest_wait = milliseconds(1000);
 
 }  // namespace
 
-BusTarget::BusTarget(std::unique_ptr<Bus> bus, std::string name, bool remote_frames)
-    : bus_{std::move(bus)},
-      name_{std::move(name)},
-      remote_frames_{remote_frames},
-      start_{std::chrono::steady_clock::now()} {
+BusTarget::BusTarget(std::unique_ptr<Bus> bus, std::string name)
+    : bus_{std::move(bus)}, name_{std::move(name)}, start_{std::chrono::steady_clock::now()} {
     bus_->listen([this](const BusFrame& frame) {
         frame_seen_ = true;
         tell({frame.time, frame.frame, frame.sender == &tester_});

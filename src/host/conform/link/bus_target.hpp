@@ -15,8 +15,8 @@ namespace canproof::host::conform {
 
 class BusTarget final : public Target {
   public:
-    /// `name`: for example `socketcan:can0`. `remote_frames`: the bus carries them.
-    BusTarget(std::unique_ptr<Bus> bus, std::string name, bool remote_frames);
+    /// `name`: for example `socketcan:can0`.
+    BusTarget(std::unique_ptr<Bus> bus, std::string name);
 
     Instant now() const override;
     void send(const Frame& frame) override;
@@ -27,7 +27,6 @@ class BusTarget final : public Target {
     void switch_by_hand(int descriptor, std::function<void(const std::string&)> say);
     PowerSwitch power_switch() const override { return say_ ? PowerSwitch::hand : PowerSwitch::nobody; }
     void power(bool on) override;
-    bool has_remote_frames() const override { return remote_frames_; }
     std::uint32_t bit_rate() const override { return report().bit_rate; }
     const std::string& name() const override { return name_; }
     BusReport report() const override { return bus_->report(now()); }
@@ -40,7 +39,6 @@ class BusTarget final : public Target {
     EventLoop loop_;
     std::unique_ptr<Bus> bus_;
     std::string name_;
-    bool remote_frames_;
     TesterNode tester_;
     std::chrono::steady_clock::time_point start_;
     bool frame_seen_{false};

@@ -52,7 +52,9 @@ class Target {
     /// Returns whether the bus follows the slave's bit rate.
     virtual bool follows_bit_rate() const { return false; }
     /// Returns whether the bus carries remote frames.
-    virtual bool has_remote_frames() const { return true; }
+    bool has_remote_frames() const { return remote_frames_; }
+    /// From now on cases with remote frames are skipped.
+    void leave_out_remote_frames() { remote_frames_ = false; }
     /// Returns the bit rate in bit/s; 0: unknown.
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns the name for the report: `virtual time`, `socketcan:can0`.
@@ -72,6 +74,7 @@ class Target {
     }
 
   private:
+    bool remote_frames_{true};
     std::function<void(const FrameRecord&)> listener_;
 };
 
