@@ -160,10 +160,16 @@ TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
     verifies<req::CO_SYNC_006>();
     write("603#2306100010270000");
     EXPECT_EQ(send("603#2F1910000A000000"), (Frames{"583#8019100022000008"}));
+    EXPECT_EQ(send("603#2F19100000000000"), (Frames{"583#8019100022000008"})) << "not even the value that it has";
     write("603#2305100080000040");
     EXPECT_EQ(send("603#2305100090000040"), (Frames{"583#8005100022000008"}));
+    write("603#2305100080000040");
     write("603#2306100000000000");
     write("603#2F1910000A000000");
+    EXPECT_EQ(send("603#2305100090000040"), (Frames{"583#8005100022000008"})) << "bit 30 counts, not the period";
+    EXPECT_EQ(send("603#2305100090000000"), (Frames{"583#8005100022000008"})) << "another identifier and no bit 30";
+    write("603#2305100080000000");
+    write("603#2305100090000040");
 }
 
 TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {

@@ -119,10 +119,15 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
         const std::string date = send("605#4020100100000000");
         EXPECT_EQ(date.substr(0, 12), "585#43201001") << name;
         EXPECT_NE(date.substr(12), "00000000") << name;
+        const std::string time = send("605#4020100200000000");
+        EXPECT_EQ(time.substr(0, 12), "585#43201002") << name;
         EXPECT_EQ(send("605#2B171000E8030000"), "585#6017100000000000") << name;  // heartbeat every second
         EXPECT_EQ(send("605#4020100100000000"), date) << name;
+        EXPECT_EQ(send("605#4020100200000000"), time) << name;
         EXPECT_EQ(send("605#2320100100000000"), "585#8020100102000106") << name;
+        EXPECT_EQ(send("605#2320100278560000"), "585#8020100202000106") << name;
         EXPECT_EQ(send("605#4020100100000000"), date) << name;
+        EXPECT_EQ(send("605#4020100200000000"), time) << name;
     }
 }
 

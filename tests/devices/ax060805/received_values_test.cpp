@@ -10,6 +10,27 @@ namespace {
 
 class ReceivedValues : public InclinometerFunctions {};
 
+/// RPDO1 brings received value 1, RPDO2 received value 3.
+class TwoSenders : public ReceivedValues {
+  protected:
+    void SetUp() override {
+        ReceivedValues::SetUp();
+        map_rpdo1(0x25000110);
+        write(0x1601, 1, 0x25000310, 4);
+        write(0x1601, 0, 1, 1);
+        write(0x1401, 1, 0x4000037F, 4);
+        write(0x1029, 1, 1, 1);  // stays operational
+        send("000#0100");
+    }
+    void map_rpdo1(std::uint32_t entry) {
+        write(0x1400, 1, 0xC000027F, 4);
+        write(0x1600, 0, 0, 1);
+        write(0x1600, 1, entry, 4);
+        write(0x1600, 0, 1, 1);
+        write(0x1400, 1, 0x4000027F, 4);
+    }
+};
+
 }  // namespace
 
 TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
@@ -135,6 +156,48 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
     pass(101);
     write(0x2500, 1, 4000, 2);
     EXPECT_EQ(taken_from(20, 1.0F), 4000);
+}
+
+// RPDO1 is late at 102 ms and comes at 103 ms, between the samples at 100 and 105 ms
+TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheOtherValues) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 100, 2);
+    send("37F#D007");
+    EXPECT_EQ(taken_from(22, 1.0F), 2000);
+    pass(2);
+    send("27F#E803");
+    pass(101);
+    send("27F#E803");
+    EXPECT_EQ(taken_from(22, 1.0F), undefined);
+    EXPECT_EQ(taken_from(20, 1.0F), 1000);
+}
+
+TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
+    verifies<req::INC_RPDO_002>();
+    map_rpdo1(0x00050008);  // it brings nothing
+    write(0x1400, 5, 2, 2);
+    send("27F#00");
+    pass(5);           // RPDO1 is late
+    send("37F#D007");  // RPDO2 brings 2000 while it is
+    EXPECT_EQ(taken_from(22, 1.0F), 2000);
+    pass(1);
+    send("27F#00");
+    pass(4);  // late again 3 ms after the sample
+    EXPECT_EQ(taken_from(22, 1.0F), undefined);
+}
+
+// The frame comes before the device was asked about the time at which it was due.
+TEST_F(TwoSenders, LateFrameThatTellsItsOwnLatenessInvalidatesTheOtherValues) {
+    verifies<req::INC_RPDO_002>();
+    write(0x1400, 5, 20, 2);
+    send("37F#D007");
+    EXPECT_EQ(taken_from(22, 1.0F), 2000);
+    pass(1);
+    send("27F#E803");
+    now = now + milliseconds(21);  // nothing was done at 20 ms
+    send("27F#E803");
+    EXPECT_EQ(taken_from(22, 1.0F), undefined);
+    EXPECT_EQ(taken_from(20, 1.0F), 1000);
 }
 
 }  // namespace canproof::test

@@ -48,6 +48,24 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(refusal(0x1015, 0), "06020000");
 }
 
+// 3.2.9: four producers, each with its own time
+TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
+    verifies<req::AOR_HB_001, req::AOR_OD_1016>();
+    for (int slot = 1; slot <= 4; ++slot) {
+        EXPECT_EQ(write(0x1016, slot, ((0x20 + slot) << 16) + (100 * slot), 4), "");
+    }
+    EXPECT_EQ(pass(500), Frames{}) << "none was heard";
+    send("724#05");
+    EXPECT_EQ(pass(399), Frames{}) << "the others were not heard";
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#3081012480000000"}));
+    EXPECT_EQ(send("724#05"), (Frames{"0FF#0000000000000000"}));
+    for (const char* heartbeat : {"723#05", "722#05", "721#05"}) {
+        EXPECT_EQ(send(heartbeat), Frames{});
+    }
+    EXPECT_EQ(pass(400), (Frames{"100:0FF#3081012180000000", "200:0FF#3081012280000000", "300:0FF#3081012380000000",
+                                 "400:0FF#3081012480000000"}));
+}
+
 TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
     verifies<req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_OD_1003, req::AOR_OD_1016>();
     lose(1, 0x21);

@@ -244,7 +244,10 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     EXPECT_TRUE(contact(0.0F));
     EXPECT_TRUE(contact(6.9F));
     EXPECT_FALSE(contact(7.0F)) << "an under-voltage fault: OFF";
+    EXPECT_FALSE(contact(39.0F));
     EXPECT_TRUE(contact(39.5F));
+    EXPECT_FALSE(contact(24.0F));
+    EXPECT_TRUE(contact(std::numeric_limits<float>::quiet_NaN()));
     EXPECT_FALSE(contact(24.0F));
     send("000#807F");
     EXPECT_FALSE(contact(24.0F));

@@ -126,12 +126,15 @@ TEST_F(Ax130751Output, PwmWithoutPulsesIsOff) {
 }
 
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
-    verifies<req::AOR_OUT_020, req::AOR_OUT_016, req::AOR_K_FREQUENCY_DUTY>();
+    verifies<req::AOR_OUT_020, req::AOR_OUT_016, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY>();
     make(500);
     command(1, 440);
     EXPECT_FLOAT_EQ(hertz(1), 440.0F);
     EXPECT_FLOAT_EQ(duty(1), 50.0F);
     EXPECT_FLOAT_EQ(level(1), 5.0F);
+    set8(0x2240, 1, 1);
+    pass(1);
+    EXPECT_FLOAT_EQ(level(1), 12.0F);
     set8(0x2342, 1, 1);
     command(1, 49);  // below scaling 1: OFF, no pulses
     EXPECT_FLOAT_EQ(hertz(1), 0.0F);
@@ -160,6 +163,32 @@ TEST_F(Ax130751Output, TypeNotUsedDrivesNothing) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     EXPECT_EQ(get16(0x7330, 1), 0);
     EXPECT_EQ(get16(0x2370, 1), 0);
+}
+
+TEST_F(Ax130751Output, TypeNotUsedDrivesNothingWhateverActsOnTheOutput) {
+    verifies<req::AOR_OUT_025>();
+    make(10);
+    set16(0x2300, 1, 3000);
+    set16(0x7341, 1, 3000);
+    set16(0x1400, 5, 20);
+    connect(0x2360, 2);
+    start();
+    const auto drives = [this] {
+        pass(1);
+        return volts(1) != 0.0F || milliamperes(1) != 0.0F || duty(1) != 0.0F || is_on(1) || get16(0x7330, 1) != 0 ||
+               get16(0x2370, 1) != 0;
+    };
+    for (const int type : {10, 0}) {
+        SCOPED_TRACE(type);
+        set16(0x6310, 1, type);
+        extra(2, 100);
+        EXPECT_EQ(drives(), type != 0) << "override";
+        extra(2, 0);
+        send("27F#0000000000");
+        EXPECT_FALSE(drives());
+        pass(20);
+        EXPECT_EQ(drives(), type != 0) << "fault";
+    }
 }
 
 TEST_F(Ax130751Output, OutputStaysInTheRangeOfItsType) {

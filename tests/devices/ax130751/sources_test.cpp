@@ -230,6 +230,48 @@ TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "0 of 7300h, not the fault value";
 }
 
+TEST_F(Ax130751Sources, NeverReceivedCommandAndExtraValueAreZero) {
+    verifies<req::AOR_SRC_006>();
+    set16(0x6310, 1, 1020);
+    set8(0x2241, 1, 1);  // inverse: ON without a command
+    set8(0x6250, 1, 1);
+    set8(0x6260, 1, 0);  // OFF in a fault
+    no_ramps(2);
+    set16(0x7341, 2, 3000);
+    extra_as_percent(4);
+    set8(0x2341, 2, 7);  // 2500h:4 of RPDO3
+    set8(0x6302, 2, 0);
+    set16(0x7322, 2, 100);
+    set16(0x7321, 2, 1000);
+    set32(0x1402, 1, 0x4000047F);
+    for (const std::uint16_t rpdo : std::array<std::uint16_t, 2>{0x1402, 0x1403}) {
+        set16(rpdo, 5, 20);
+    }
+    start();
+    pass(100);
+    EXPECT_TRUE(is_on(1)) << "0 of 6220h";
+    EXPECT_FLOAT_EQ(volts(2), 1.0F) << "0 of 2500h";
+    send("57F#0000");
+    send("47F#000000000000");
+    pass(19);
+    EXPECT_TRUE(is_on(1));
+    EXPECT_FLOAT_EQ(volts(2), 1.0F);
+    pass(3);
+    EXPECT_FALSE(is_on(1)) << "overdue";
+    EXPECT_FLOAT_EQ(volts(2), 3.0F) << "overdue";
+}
+
+TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
+    verifies<req::AOR_SRC_008>();
+    inputs.supply = 7.54F;
+    inputs.cpu_temperature = 99.04F;
+    set_inputs();
+    pass(20000);  // whatever delay the faults have
+    EXPECT_NE(read(0x1003, 0), 0U);
+    EXPECT_EQ(tenths(supply_source, 0), 75);
+    EXPECT_EQ(tenths(9, 0), 990);
+}
+
 TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();

@@ -365,12 +365,13 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     for (const std::size_t more : {0U, 1U, 19U}) {  // of the 20 bytes of node-ID and bit rate
         SCOPED_TRACE(more);
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
+        EXPECT_EQ(write(0x5032, 0, 91 + static_cast<int>(more), 1), "");
         memory.cut_power_after(of_a_save + more);
         EXPECT_EQ(write(0x1010, 1, 0x65766173, 4), "06060000");
         memory.restore_power();
         EXPECT_EQ(power_on(), (Frames{"77F#00"}));
         EXPECT_EQ(read(0x5B51, 0), 127U);
-        EXPECT_EQ(read(0x5032, 0), 90U);
+        EXPECT_EQ(read(0x5032, 0), 91U + more) << "stored before the memory failed";
     }
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(store(), (Frames{"5FF#6010100100000000"}));

@@ -67,8 +67,9 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
 }
 
 void Device::receive(const Frame& frame, const Instant now) noexcept {
-    measure_due(now);
+    advance(now);
     node_.receive(frame, now);
+    forget_overdue();
 }
 
 void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
@@ -80,6 +81,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 void Device::advance(const Instant now) noexcept {
     measure_due(now);
     node_.advance(now);
+    forget_overdue();
 }
 
 Instant Device::next_deadline() const noexcept {

@@ -39,7 +39,6 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
             drive_slew_rate();
             break;
         case Parameter::rpdo_received_message_process_value:
-            forget_overdue();
             received_[change.subindex - 1U] = true;  // the functions use it with the next sample
             break;
         case Parameter::auto_null_command:

@@ -26,7 +26,6 @@ constexpr std::size_t distance(const own::signal_source::Signal first,
 
 static_assert(implements<req::INC_BIN_008> && implements<req::INC_BIN_009>);
 void Device::run_functions() noexcept {
-    forget_overdue();
     for (std::size_t function = 0U; function < function_count; ++function) {
         FunctionBlock& block = functions_[function];
         for (std::size_t input = 0U; input < block.inputs.size(); ++input) {
