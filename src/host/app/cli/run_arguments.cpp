@@ -9,7 +9,8 @@ namespace canproof::host {
 
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
-    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
+    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description")
+        ->allow_extra_args(false);
     command
         .add_option("--arm", running.arm,
                     "build/target/bridged_NAME.elf, or FILE@NODE: the device's image on an STM32F405 in QEMU")
