@@ -82,6 +82,27 @@ def part_numbers():
         assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
 
 
+def one_word_each():
+    """An option takes one word: the next word is a device, a file or another argument of the command."""
+    with tempfile.TemporaryDirectory() as folder:
+        eds = os.path.join(folder, "box.eds")
+        with open(eds, "w") as out:
+            out.write(call("eds", "ax188001")[1])
+        status, _, err = call("run", "--eds", f"{eds}@7", "cbx-ao412@3", "--seconds", "0.05")
+        assert status == 0 and sorted(err.splitlines())[-2:] == ["box@7: node-ID 7", "cbx-ao412@3: node-ID 3"], err
+        listed = call("conform", "cbx-ao412", "--only=sync,emcy", "--skip=sync-producer-off", "--json")
+        assert listed[0] == 0 and listed == call("conform", "--skip", "sync-producer-off", "--only", "sync", "--only", "emcy", "cbx-ao412", "--json"), listed
+        status, out, err = call("conform", "--case", "nmt-power-on", "cbx-ao412")
+        assert status == 0 and "nmt-power-on" in out, out + err
+        outputs, drawing = os.path.join(folder, "out.csv"), os.path.join(folder, "out.svg")
+        with open(outputs, "w") as out:
+            out.write("seconds,signal,value\n0,aout1,0\n1,aout1,5\n")
+        status, out, err = call("plot", "--signals", "aout1", outputs, drawing)
+        assert status == 0 and os.path.exists(drawing), out + err
+        status, out, err = call("fuzz", "--targets", "eds", "no-such-word")
+        assert status == 2 and "no-such-word" in err, out + err
+
+
 def images():
     """ARM images: one that is not there, and one slave in one place."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
@@ -107,4 +128,5 @@ named()
 shared()
 switches()
 images()
-print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images")
+one_word_each()
+print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, one word an option")

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "host/datasheet/ini.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -80,7 +82,7 @@ std::string DbcNames::take(const std::string& text) {
         return word;
     };
     std::string unique = cut(name, longest_name);
-    for (unsigned number = 2; unique == "VERSION" || !taken_.insert(unique).second; ++number) {
+    for (unsigned number = 2; unique == "VERSION" || !taken_.insert(lower_case(unique)).second; ++number) {
         const std::string tail = fmt::format("_{}", number);
         unique = cut(name, longest_name - tail.size()) + tail;
     }

@@ -49,14 +49,15 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// Unique names of one scope: each is a valid identifier of at most 32 characters.
+/// Unique names of one scope: each is a valid identifier of at most 32 characters. Names differ in more than their
+/// case, because SavvyCAN looks them up without regard to it.
 class DbcNames {
   public:
     /// Returns the text as a unique name: other characters become underscores, and _2, _3 … make it unique.
     std::string take(const std::string& text);
 
   private:
-    std::set<std::string> taken_;
+    std::set<std::string> taken_;  ///< in lower case
 };
 
 /// Returns the file with LF line breaks and ASCII characters only.

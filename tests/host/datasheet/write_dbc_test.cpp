@@ -352,6 +352,13 @@ TEST(DbcNames, DbcNamesAreUniqueIdentifiersOfAtMost32Characters) {
     EXPECT_EQ(names.take(std::string(41, 'x')), std::string(30, 'x') + "_2");
 }
 
+TEST(DbcNames, DbcNamesDifferInMoreThanTheirCase) {
+    DbcNames names;  // SavvyCAN looks names up without regard to case
+    EXPECT_EQ(names.take("Speed"), "Speed");
+    EXPECT_EQ(names.take("SPEED"), "SPEED_2");
+    EXPECT_EQ(names.take("speed 2"), "speed_2_2");
+}
+
 TEST(DbcText, DbcStringsContainNoQuotationMark) {
     DbcFile file;
     file.nodes = {"Host"};

@@ -30,7 +30,9 @@ class FuzzCommand : Command {
                 ->check(CLI::Range(0.01, 100000.0))
                 ->capture_default_str();
         command->add_option("--hours", hours_, "hours of fuzzing")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
-        command->add_option("--targets", options_.targets, "a,b: only these targets")->delimiter(',');
+        command->add_option("--targets", options_.targets, "a,b: only these targets")
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history")
             ->capture_default_str();
         command->add_option("--out", options_.out, "folder of the report")->capture_default_str();

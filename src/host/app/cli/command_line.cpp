@@ -234,10 +234,13 @@ class ConformCommand : Command {
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
         command->add_flag("--list", options_.list, "all cases");
-        command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',');
-        command->add_option("--skip", options_.skip, "cases or services to leave out")->delimiter(',');
+        command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',')->allow_extra_args(false);
+        command->add_option("--skip", options_.skip, "cases or services to leave out")
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
-            ->delimiter(',');
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command->add_option("--cases", options_.folder, "folder with cases that replace the program's");
         command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
@@ -265,7 +268,8 @@ class DrawingCommands : Command {
         plot->add_option("CSV", plot_.csv)->required();
         plot->add_option("SVG", plot_.svg)->required();
         plot->add_option("--signals", plot_.signals, "aout1,aout2: signals to draw; default: all that change")
-            ->delimiter(',');
+            ->delimiter(',')
+            ->allow_extra_args(false);
         plot->callback([this, &chosen] { chosen = [this] { return plot_outputs(plot_); }; });
 
         auto* draw = app.add_subcommand("figures", "draw the behaviour of the devices: SVG files in a folder");

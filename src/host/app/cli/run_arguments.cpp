@@ -9,7 +9,8 @@ namespace canproof::host {
 
 void add_run_options(CLI::App& command, RunOptions& running) {
     command.add_option("DEVICE", running.devices, fmt::format("NAME or NAME@NODE; {}", node_help));
-    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description");
+    command.add_option("--eds", running.eds, "EDS, DCF or XDD file, or FILE@NODE: a device from any description")
+        ->allow_extra_args(false);
     command
         .add_option("--arm", running.arm,
                     "build/target/bridged_NAME.elf, or FILE@NODE: the device's image on an STM32F405 in QEMU")
@@ -24,7 +25,8 @@ void add_run_options(CLI::App& command, RunOptions& running) {
                        "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
     command.add_flag("--control-interface", running.control_interface,
                      "allow the run to set the interface's bit rate for LSS, and to restart it after bus-off");
-    command.add_option("--log", running.log, "all frames as `candump -L` writes them; FILE.pcapng for Wireshark");
+    command.add_option("--log", running.log,
+                       "all frames as `candump -L` writes them; FILE.pcapng for Wireshark, FILE.pcap for SavvyCAN");
     command.add_flag("--log-marks", running.log_marks,
                      "T after the devices' frames and R after the others, as with `candump -L -x`");
     command.add_option("--nvm", running.nvm, "folder that keeps the stored parameters of each device");

@@ -54,6 +54,7 @@ class Run {
         start_ = std::chrono::steady_clock::now();
         next_table_ = is_table_ ? Instant{} : never;
         prepared_.open_outputs();
+        session_.bus().use_clock([this] { return now(); });
         session_.power_on();
         name_devices();
         while (!loop_.is_interrupted() && !output_ended_ && session_.now() < end_) {

@@ -18,7 +18,7 @@ struct RunOptions {
     std::string bus_faults;            ///< faults of the in-process bus, see parse_bus_faults()
     bool control_interface{false};     ///< the run may set the bit rate of an interface and restart its controller
     bool plain{false};                 ///< no table, even on a terminal
-    std::string log;                   ///< log of all frames; pcapng when the name ends with .pcapng
+    std::string log;                   ///< log of all frames; its name's ending selects pcapng or pcap
     bool log_marks{false};             ///< T and R after the frames of a candump log
     std::string nvm;                   ///< folder with one memory image per device
     std::string stimulus;

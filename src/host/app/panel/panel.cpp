@@ -152,6 +152,7 @@ Panel::Panel(const Register& content, Clock clock)
 
 void Panel::take(RunSession& session, std::vector<const Part*> parts) {
     session_ = &session;
+    session.bus().use_clock(clock_);
     parts_ = std::move(parts);
     for (std::size_t i = 0; i < session.nodes().size(); ++i) {
         views_.push_back(view_of(parts_[i]));

@@ -21,6 +21,7 @@ BusTarget::BusTarget(std::unique_ptr<Bus> bus, std::string name)
         frame_seen_ = true;
         tell({frame.time, frame.frame, frame.sender == &tester_});
     });
+    bus_->use_clock([this] { return now(); });
     bus_->attach(tester_);
 }
 

@@ -9,6 +9,7 @@
 
 #include "firmware/canopen/node.hpp"
 #include "host/sim/bus/acceptance.hpp"
+#include "host/sim/bus/arrival_clock.hpp"
 
 namespace canproof::host {
 
@@ -95,6 +96,9 @@ class Bus {
     /// Returns the name of the interface for a log.
     virtual const std::string& interface() const = 0;
 
+    /// Sets the clock of the run, which a bus to the outside needs to know when data arrived. Without it, all data that
+    /// poll() reads have arrived at its `now`.
+    void use_clock(ArrivalClock::Clock clock) { arrival_clock_.use(std::move(clock)); }
     /// Sets the listener, which receives every frame once, in order of time.
     void listen(FrameListener listener) { listener_ = std::move(listener); }
     /// Sets the listener for messages to the user: "vcan0 is down; waiting for it".
@@ -112,9 +116,13 @@ class Bus {
         }
     }
 
+    ArrivalClock& arrival_clock() { return arrival_clock_; }
+    const ArrivalClock& arrival_clock() const { return arrival_clock_; }
+
   private:
     FrameListener listener_;
     NoticeListener notice_;
+    ArrivalClock arrival_clock_;
 };
 
 }  // namespace canproof::host

@@ -18,6 +18,8 @@
 #include <cstring>
 #include <ctime>
 
+#include "host/sim/bus/stamped_read.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -55,16 +57,9 @@ int bind_to(int descriptor, unsigned number) {
 }
 
 void read_control(msghdr& message, CanReception& got) {
+    got.stamp_ns = receive_stamp_ns(message);
     for (cmsghdr* one = CMSG_FIRSTHDR(&message); one != nullptr; one = CMSG_NXTHDR(&message, one)) {
-        if (one->cmsg_level != SOL_SOCKET) {
-            continue;
-        }
-        if (one->cmsg_type == SO_TIMESTAMPNS) {
-            timespec stamp{};
-            std::memcpy(&stamp, CMSG_DATA(one), sizeof stamp);
-            got.stamp_ns =
-                static_cast<std::uint64_t>(stamp.tv_sec) * 1000000000U + static_cast<std::uint64_t>(stamp.tv_nsec);
-        } else if (one->cmsg_type == SO_RXQ_OVFL) {
+        if (one->cmsg_level == SOL_SOCKET && one->cmsg_type == SO_RXQ_OVFL) {
             std::memcpy(&got.dropped, CMSG_DATA(one), sizeof got.dropped);
         }
     }
@@ -203,11 +198,7 @@ class LinuxCanSystem final : public CanSystem {
         return can_do_restart(interface.c_str()) == 0;
     }
 
-    std::uint64_t realtime_ns() override {
-        timespec now{};
-        clock_gettime(CLOCK_REALTIME, &now);
-        return static_cast<std::uint64_t>(now.tv_sec) * 1000000000U + static_cast<std::uint64_t>(now.tv_nsec);
-    }
+    std::uint64_t realtime_ns() override { return kernel_realtime_ns(); }
 };
 
 }  // namespace

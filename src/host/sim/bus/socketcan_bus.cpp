@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t reads_at_once = 4096;  // per socket and turn, so that one busy socket cannot block the others
 constexpr std::size_t lines_held = 256;
-constexpr Duration clock_tolerance = milliseconds(50);  // a larger difference means that the clock was set
 
 bool is_gone(int error) {
     return error == ENETDOWN || error == ENODEV || error == ENXIO || error == ENOENT;
@@ -73,11 +72,7 @@ std::vector<Watch> SocketCanBus::watches() const {
 }
 
 Instant SocketCanBus::poll(Instant now) {
-    const auto offset = static_cast<std::int64_t>(now.us) - static_cast<std::int64_t>(system_.realtime_ns() / 1000);
-    if (!clock_is_known_ || std::abs(offset - clock_offset_us_) > static_cast<std::int64_t>(clock_tolerance.us)) {
-        clock_offset_us_ = offset;
-        clock_is_known_ = true;
-    }
+    arrival_clock().compare(now, [this] { return system_.realtime_ns(); });
     if (arrived_.size() >= most_arrived && arrived_.front().time <= known_) {
         return known_;  // the run is late: further frames wait in the kernel, which counts those that it drops
     }
@@ -124,8 +119,7 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
 /// Returns the kernel's time stamp on the run's clock; `now` without a time stamp. A time before delivered frames
 /// becomes the present one.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
-    const std::int64_t us = static_cast<std::int64_t>(stamp_ns / 1000) + clock_offset_us_;
-    const Instant stamped = us < 0 ? now : Instant{static_cast<std::uint64_t>(us)};
+    const Instant stamped = arrival_clock().at(stamp_ns, now);
     return stamped < advanced_to_ ? advanced_to_ : stamped;
 }
 

@@ -102,8 +102,6 @@ class SocketCanBus final : public Bus {
     Instant look_at_{never};
     Instant restart_at_{never};
     Instant advanced_to_{};
-    bool clock_is_known_{false};
-    std::int64_t clock_offset_us_{0};  ///< run time minus real time
     std::deque<Arrival> arrived_;
     Instant known_{};  ///< all arrivals up to this time have been read
     std::uint64_t arrivals_{0};

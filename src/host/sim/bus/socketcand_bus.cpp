@@ -13,11 +13,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "host/base/input_error.hpp"
 #include "host/sim/bus/candump.hpp"
+#include "host/sim/bus/stamped_read.hpp"
 
 namespace canproof::host {
 
@@ -68,6 +70,7 @@ void set_options(int descriptor) {
     set(IPPROTO_TCP, TCP_NODELAY, 1);
     set(SOL_SOCKET, SO_SNDBUF, kernel_room);
     set(SOL_SOCKET, SO_KEEPALIVE, 1);
+    ask_for_stamps(descriptor);
     set(IPPROTO_TCP, TCP_KEEPIDLE, SocketcandBus::keepalive_idle);
     set(IPPROTO_TCP, TCP_KEEPINTVL, SocketcandBus::keepalive_interval);
     set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
@@ -129,9 +132,8 @@ std::vector<Watch> SocketcandBus::watches() const {
     std::vector<Watch> all{{listener_, true, false}};
     for (const Client& client : clients_) {
         const bool writes = !client.session->output().empty() && !client.deaf;
-        const bool reads = client.session->wants_input() && !client.ended;
-        if (reads || writes) {
-            all.push_back({client.descriptor, reads, writes});
+        if (client.reads() || writes) {
+            all.push_back({client.descriptor, client.reads(), writes});
         }
     }
     return all;
@@ -144,6 +146,7 @@ std::size_t SocketcandBus::clients() const {
 
 Instant SocketcandBus::poll(Instant now) {
     accept_clients(now);
+    arrival_clock().compare(now, kernel_realtime_ns);
     for (Client& client : clients_) {
         read_client(client, now);
         write_client(client);
@@ -225,16 +228,29 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     }
 }
 
-/// Reads one piece per client and turn, so that a client that sends continuously cannot block the others.
+/// Reads one piece per client and turn, so that a client that sends continuously cannot block the others. The piece is
+/// due at its time of arrival.
 void SocketcandBus::read_client(Client& client, Instant now) {
-    std::string_view got;
-    std::array<char, SocketcandSession::input_limit> piece{};
-    if (client.session->wants_input() && !client.ended) {
-        const ssize_t count = recv(client.descriptor, piece.data(), piece.size(), 0);
-        client.ended = count == 0 || (count < 0 && errno != EAGAIN);
-        got = count > 0 ? std::string_view{piece.data(), static_cast<std::size_t>(count)} : got;
+    if (!client.reads()) {
+        return;
     }
-    client.session->receive(got, now);
+    std::array<char, SocketcandSession::input_limit> piece{};
+    const StampedRead got = receive_stamped(client.descriptor, piece.data(), piece.size());
+    client.ended = got.count == 0 || (got.count < 0 && errno != EAGAIN);
+    if (got.count > 0) {
+        client.arrived.assign(piece.data(), static_cast<std::size_t>(got.count));
+        client.arrived_at = std::max(arrival_clock().of_read(got.stamp_ns, now), advanced_to_);
+    }
+}
+
+/// Gives the sessions what has arrived up to `now`.
+void SocketcandBus::take_arrivals(Instant now) {
+    for (Client& client : clients_) {
+        if (client.arrived_at <= now) {
+            client.arrived_at = never;
+            client.session->receive(std::exchange(client.arrived, {}), now);
+        }
+    }
 }
 
 void SocketcandBus::write_client(Client& client) {
@@ -254,7 +270,7 @@ void SocketcandBus::write_client(Client& client) {
         client.gone = true;
     }
     const Gateway& gateway = client.session->gateway();
-    const bool all_sent = gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
+    const bool all_sent = client.arrived.empty() && gateway.next_frame() == nullptr && !bus_.is_sending(gateway);
     client.gone = client.gone || (client.ended && all_sent);
 }
 
@@ -271,6 +287,8 @@ void SocketcandBus::drop_gone_clients() {
 }
 
 void SocketcandBus::advance(Instant now) {
+    advanced_to_ = now;
+    take_arrivals(now);
     bus_.advance(now);
     end_idle_clients(now);
     bool any = false;
@@ -290,7 +308,7 @@ void SocketcandBus::advance(Instant now) {
 Instant SocketcandBus::next_deadline() const {
     Instant next = bus_.next_deadline();
     for (const Client& client : clients_) {
-        next = earliest(next, client.session->next_deadline());
+        next = earliest(next, earliest(client.arrived_at, client.session->next_deadline()));
         next = earliest(next, client.is_idle() ? client.joined_at + open_limit : client.closes_at);
     }
     return next;

@@ -67,10 +67,13 @@ class SocketcandBus final : public Bus {
         std::unique_ptr<SocketcandSession> session;
         Instant joined_at{};
         Instant closes_at{never};  ///< time at which a dismissed client is closed
-        bool ended{false};         ///< sends no more; its buffered frames are still sent to the bus
-        bool deaf{false};          ///< receives no more
+        std::string arrived;       ///< text that has been read and is due at arrived_at
+        Instant arrived_at{never};
+        bool ended{false};  ///< sends no more; its buffered frames are still sent to the bus
+        bool deaf{false};   ///< receives no more
         bool gone{false};
 
+        bool reads() const { return session->wants_input() && arrived.empty() && !ended; }
         bool leaves() const { return closes_at != never; }
         bool is_idle() const { return !leaves() && !session->has_joined(); }
     };
@@ -81,6 +84,7 @@ class SocketcandBus final : public Bus {
     void send_away(Client& client, const std::string& why, Instant now) const;
     void end_idle_clients(Instant now);
     void read_client(Client& client, Instant now);
+    void take_arrivals(Instant now);
     void write_client(Client& client);
     void drop_gone_clients();
     void tell_remote_frame(const Frame& frame);
@@ -90,6 +94,7 @@ class SocketcandBus final : public Bus {
     int listener_{-1};
     std::uint16_t port_{0};
     std::vector<Client> clients_;
+    Instant advanced_to_{};
     bool refusal_told_{false};
     bool remote_frame_told_{false};
 };

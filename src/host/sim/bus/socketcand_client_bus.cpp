@@ -18,6 +18,7 @@
 #include "host/sim/bus/can_bits.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"
+#include "host/sim/bus/stamped_read.hpp"
 
 namespace canproof::host {
 
@@ -86,10 +87,11 @@ SocketcandClientBus::~SocketcandClientBus() {
 void SocketcandClientBus::connect_to_server(Instant now) {
     look_at_ = never;
     join_by_ = now + join_limit;
-    client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({polled_at_, frame}); });
+    client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({read_at_, frame}); });
     descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
     static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // best effort
+    ask_for_stamps(descriptor_);
     const bool sound =
         descriptor_ >= 0 &&
         (connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait());
@@ -166,11 +168,13 @@ void SocketcandClientBus::finish_connecting() {
 
 void SocketcandClientBus::read_server(Instant now) {
     std::array<char, piece_size> piece{};
+    arrival_clock().compare(now, kernel_realtime_ns);
     while (descriptor_ >= 0 && arrived_.size() < most_arrived) {
-        const ssize_t count = recv(descriptor_, piece.data(), piece.size(), 0);
-        if (count > 0) {
-            client_->take({piece.data(), static_cast<std::size_t>(count)});
-        } else if (count == 0) {
+        const StampedRead got = receive_stamped(descriptor_, piece.data(), piece.size());
+        if (got.count > 0) {
+            read_at_ = std::max(arrival_clock().of_read(got.stamp_ns, now), advanced_to_);
+            client_->take({piece.data(), static_cast<std::size_t>(got.count)});
+        } else if (got.count == 0) {
             lose_server(client_->complaint().empty() ? "it has closed the connection" : client_->complaint(), now);
         } else if (must_wait()) {
             return;
@@ -234,8 +238,9 @@ BusNode* SocketcandClientBus::next_sender() const {
 }
 
 void SocketcandClientBus::advance(Instant now) {
+    advanced_to_ = now;
     for (; !arrived_.empty() && arrived_.front().time <= now; arrived_.pop_front()) {
-        deliver(arrived_.front().frame, nullptr, now);
+        deliver(arrived_.front().frame, nullptr, arrived_.front().time);
     }
     if (client_ && client_->may_send() && may_send_from_ <= now && any_frame_waits()) {
         send_one(now);

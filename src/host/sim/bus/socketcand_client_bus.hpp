@@ -92,6 +92,8 @@ class SocketcandClientBus final : public Bus {
     Instant join_by_{never};
     Instant look_at_{never};  ///< next search for a lost server
     Instant polled_at_{};
+    Instant advanced_to_{};
+    Instant read_at_{};  ///< arrival of the text that the client takes
     std::vector<Node> nodes_;
     std::deque<Frame> outside_;
     std::deque<Arrival> arrived_;

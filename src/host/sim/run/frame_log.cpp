@@ -7,7 +7,8 @@ namespace canproof::host {
 
 namespace {
 
-// Constants of the pcapng format (IETF draft-ietf-opsawg-pcapng) and of the link type LINKTYPE_CAN_SOCKETCAN.
+// Constants of the pcapng and pcap formats (IETF draft-ietf-opsawg-pcapng and -pcap) and of the link type
+// LINKTYPE_CAN_SOCKETCAN.
 constexpr std::uint32_t section_header = 0x0A0D0D0A;
 constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
 constexpr std::uint32_t interface_description = 1;
@@ -19,10 +20,15 @@ constexpr std::uint32_t inbound = 1;
 constexpr std::uint32_t outbound = 2;
 constexpr std::uint32_t extended_flag = 0x80000000U;
 constexpr std::uint32_t remote_flag = 0x40000000U;
+constexpr std::uint32_t pcap_microseconds = 0xA1B2C3D4;
+constexpr std::uint32_t pcap_longest_packet = 0xFFFF;
 constexpr std::size_t whole_word = 4;
-const std::string ending = ".pcapng";
 
-/// A pcapng block: little-endian words between its type and its length.
+bool ends_with(const std::string& path, const std::string& ending) {
+    return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// Little-endian words: the content of a pcapng block, or a piece of a pcap file.
 class Block {
   public:
     void add32(std::uint32_t value) {
@@ -43,15 +49,17 @@ class Block {
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
         block.add(bytes_);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
-        out.write(block.bytes_.data(), static_cast<std::streamsize>(block.bytes_.size()));
+        block.write_bare(out);
     }
+    /// Writes the words without type and length, as pcap has them.
+    void write_bare(std::ostream& out) const { out.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size())); }
 
   private:
     std::string bytes_;
 };
 
-/// Returns the packet of a frame: identifier and flags in big-endian order, length, three bytes that are 0 in classic
-/// CAN, data.
+/// Returns the packet of a frame as libpcap captures it, 16 bytes: identifier and flags in big-endian order, length,
+/// three bytes that are 0 in classic CAN, eight bytes of data; those without data are 0.
 std::string packet_of(const Frame& frame) {
     const std::uint32_t id = frame.id | (frame.extended ? extended_flag : 0U) | (frame.remote ? remote_flag : 0U);
     std::string bytes;
@@ -60,13 +68,52 @@ std::string packet_of(const Frame& frame) {
     }
     bytes += static_cast<char>(frame.length);
     bytes.append(3, '\0');
-    for (std::size_t i = 0; i < frame.length && !frame.remote; ++i) {
-        bytes += static_cast<char>(frame.data[i]);
+    for (std::size_t i = 0; i < frame.data.size(); ++i) {
+        bytes += static_cast<char>(i < frame.length && !frame.remote ? frame.data[i] : 0U);
     }
     return bytes;
 }
 
-void write_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
+void write_pcap_header(std::ostream& out) {
+    Block header;
+    header.add32(pcap_microseconds);
+    header.add16(2, 4);  // version 2.4
+    header.add32(0);
+    header.add32(0);
+    header.add32(pcap_longest_packet);
+    header.add32(linktype_can_socketcan);
+    header.write_bare(out);
+}
+
+void write_pcap_packet(std::ostream& out, const LoggedFrame& frame) {
+    constexpr std::uint64_t second = 1000000;
+    const std::string packet = packet_of(frame.frame);
+    Block record;
+    record.add32(static_cast<std::uint32_t>(frame.time.us / second));
+    record.add32(static_cast<std::uint32_t>(frame.time.us % second));
+    record.add32(static_cast<std::uint32_t>(packet.size()));
+    record.add32(static_cast<std::uint32_t>(packet.size()));
+    record.add(packet);
+    record.write_bare(out);
+}
+
+void write_pcapng_header(std::ostream& out, const std::string& interface) {
+    Block section;
+    section.add32(byte_order_magic);
+    section.add16(1, 0);  // version 1.0
+    section.add32(UINT32_MAX);
+    section.add32(UINT32_MAX);  // unknown length of the section
+    section.write(out, section_header);
+    Block description;
+    description.add16(linktype_can_socketcan, 0);
+    description.add32(0);  // no limit of the frame length
+    description.add16(option_if_name, static_cast<std::uint32_t>(interface.size()));
+    description.add(interface);
+    description.add32(0);  // end of options; without options, times are in microseconds
+    description.write(out, interface_description);
+}
+
+void write_pcapng_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
     const std::string packet = packet_of(frame.frame);
     Block block;
     block.add32(0);  // number of the only interface
@@ -84,43 +131,41 @@ void write_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
 }  // namespace
 
 LogFormat log_format(const std::string& path, bool marks) {
-    const bool is_pcapng =
-        path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-    return is_pcapng ? LogFormat::pcapng : (marks ? LogFormat::marked : LogFormat::candump);
+    if (ends_with(path, ".pcapng")) {
+        return LogFormat::pcapng;
+    }
+    if (ends_with(path, ".pcap")) {
+        return LogFormat::pcap;
+    }
+    return marks ? LogFormat::marked : LogFormat::candump;
 }
 
 void FrameLog::begin(const std::string& interface) {
-    if (out_ == nullptr || format_ != LogFormat::pcapng) {
-        return;
+    if (out_ != nullptr && format_ == LogFormat::pcapng) {
+        write_pcapng_header(*out_, interface);
+    } else if (out_ != nullptr && format_ == LogFormat::pcap) {
+        write_pcap_header(*out_);
     }
-    Block section;
-    section.add32(byte_order_magic);
-    section.add16(1, 0);  // version 1.0
-    section.add32(UINT32_MAX);
-    section.add32(UINT32_MAX);  // unknown length of the section
-    section.write(*out_, section_header);
-    Block description;
-    description.add16(linktype_can_socketcan, 0);
-    description.add32(0);  // no limit of the frame length
-    description.add16(option_if_name, static_cast<std::uint32_t>(interface.size()));
-    description.add(interface);
-    description.add32(0);  // end of options; without options, times are in microseconds
-    description.write(*out_, interface_description);
 }
 
 void FrameLog::write(const LoggedFrame& frame, bool own) {
     if (out_ == nullptr) {
         return;
     }
-    if (format_ == LogFormat::pcapng) {
-        write_packet(*out_, frame, own);
-        return;
+    switch (format_) {
+        case LogFormat::pcapng:
+            write_pcapng_packet(*out_, frame, own);
+            return;
+        case LogFormat::pcap:
+            write_pcap_packet(*out_, frame);
+            return;
+        case LogFormat::marked:
+            *out_ << format_candump_line(frame) << (own ? " T\n" : " R\n");
+            return;
+        case LogFormat::candump:
+            *out_ << format_candump_line(frame) << '\n';
+            return;
     }
-    *out_ << format_candump_line(frame);
-    if (format_ == LogFormat::marked) {
-        *out_ << (own ? " T" : " R");
-    }
-    *out_ << '\n';
 }
 
 }  // namespace canproof::host

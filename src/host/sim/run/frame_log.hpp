@@ -13,7 +13,8 @@ namespace canproof::host {
 enum class LogFormat : std::uint8_t {
     candump,  ///< in the format of `candump -L`
     marked,   ///< in the format of `candump -L -x`: T after frames of these devices, R after those of others
-    pcapng,   ///< for Wireshark and SavvyCAN: link type 227 (SocketCAN), with the direction of each frame
+    pcap,     ///< for Wireshark and SavvyCAN: link type 227 (SocketCAN)
+    pcapng,   ///< for Wireshark: as pcap, and with the direction of each frame; SavvyCAN ignores its link type
 };
 
 /// Returns the format for a file's name and the option for marks.

@@ -46,7 +46,10 @@ TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("a.log", true), LogFormat::marked);
     EXPECT_EQ(log_format("a.pcapng", false), LogFormat::pcapng);
     EXPECT_EQ(log_format("a.pcapng", true), LogFormat::pcapng);
+    EXPECT_EQ(log_format("a.pcap", false), LogFormat::pcap);
+    EXPECT_EQ(log_format("a.pcap", true), LogFormat::pcap);
     EXPECT_EQ(log_format(".pcapng", false), LogFormat::candump);
+    EXPECT_EQ(log_format(".pcap", false), LogFormat::candump);
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
@@ -61,15 +64,24 @@ TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
     const std::string section = "0A0D0D0A 1C000000 4D3C2B1A 0100 0000 FFFFFFFFFFFFFFFF 1C000000";
     // link type 227 (E3h), no limit of length; option 2 (name) with five bytes; end of options
     const std::string interface = "01000000 24000000 E300 0000 00000000 0200 0500 7663616E30 000000 00000000 24000000";
-    // 1,000,001 us = F4241h; 16 bytes: the identifier with its most significant byte first, length, three zeros, data.
-    // Option 2 (flags) has four bytes: 1 inbound, 2 outbound.
+    // 1,000,001 us = F4241h; 16 bytes: the identifier with its most significant byte first, length, three zeros, eight
+    // bytes. Option 2 (flags) has four bytes: 1 inbound, 2 outbound.
     const std::string heard =
         "06000000 3C000000 00000000 00000000 41420F00 10000000 10000000 00000603 08 000000 4000100000000000"
         "0200 0400 01000000 00000000 3C000000";
     const std::string own =
-        "06000000 38000000 00000000 00000000 42420F00 09000000 09000000 00000703 01 000000 00 000000"
-        "0200 0400 02000000 00000000 38000000";
+        "06000000 3C000000 00000000 00000000 42420F00 10000000 10000000 00000703 01 000000 0000000000000000"
+        "0200 0400 02000000 00000000 3C000000";
     EXPECT_EQ(written(LogFormat::pcapng), bytes(section + " " + interface + " " + heard + " " + own));
+}
+
+TEST(FrameLog, PcapHasAHeaderAndPackets) {
+    // version 2.4, no time zone, no accuracy, at most 65,535 bytes (FFFFh), link type 227 (E3h)
+    const std::string header = "D4C3B2A1 0200 0400 00000000 00000000 FFFF0000 E3000000";
+    // 1 s and 1 us; 16 bytes captured of 16, as in a pcapng packet
+    const std::string heard = "01000000 01000000 10000000 10000000 00000603 08 000000 4000100000000000";
+    const std::string own = "01000000 02000000 10000000 10000000 00000703 01 000000 0000000000000000";
+    EXPECT_EQ(written(LogFormat::pcap), bytes(header + " " + heard + " " + own));
 }
 
 TEST(FrameLog, PcapngFlagsExtendedAndRemoteFrames) {
@@ -78,7 +90,7 @@ TEST(FrameLog, PcapngFlagsExtendedAndRemoteFrames) {
     log.write({Instant{}, "can0", parse_frame("1FFFFFFF#", "test")}, false);
     log.write({Instant{}, "can0", parse_frame("703#R8", "test")}, false);
     EXPECT_EQ(out.str().substr(28, 8), bytes("9FFFFFFF 00 000000"));
-    EXPECT_EQ(out.str().substr(52 + 28, 8), bytes("40000703 08 000000"));
+    EXPECT_EQ(out.str().substr(60 + 28, 16), bytes("40000703 08 000000 0000000000000000"));
 }
 
 }  // namespace canproof::host

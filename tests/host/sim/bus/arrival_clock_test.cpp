@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel's time stamps on the clock of a run, also when the process loses the processor between two clocks.
+#include "host/sim/bus/arrival_clock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+namespace canproof::host::test {
+
+namespace {
+
+constexpr std::uint64_t ns = 1000;  // per microsecond
+
+/// A clock that first returns the times given, and then the last of them.
+ArrivalClock::Clock clock_of(std::deque<std::uint64_t> times_us) {
+    return [times = std::move(times_us)]() mutable {
+        const Instant now{times.front()};
+        if (times.size() > 1) {
+            times.pop_front();
+        }
+        return now;
+    };
+}
+
+ArrivalClock compared(std::deque<std::uint64_t> times_us, std::uint64_t real_us) {
+    ArrivalClock clock;
+    clock.use(clock_of(std::move(times_us)));
+    clock.compare(Instant{}, [real_us] { return real_us * ns; });
+    return clock;
+}
+
+}  // namespace
+
+TEST(ArrivalClock, StampIsConvertedToTheRun) {
+    const ArrivalClock clock = compared({1000}, 5000000);
+    EXPECT_EQ(clock.at(5000250 * ns, Instant{7}), Instant{1250});
+    EXPECT_EQ(clock.at(4999500 * ns, Instant{7}), Instant{500});
+}
+
+TEST(ArrivalClock, MissingStampAndStampBeforeTheRunHaveTheOtherTime) {
+    const ArrivalClock clock = compared({1000}, 5000000);
+    EXPECT_EQ(clock.at(0, Instant{7}), Instant{7});
+    EXPECT_EQ(clock.at(4998999 * ns, Instant{7}), Instant{7});
+}
+
+TEST(ArrivalClock, ComparisonWithALongGapIsRepeated) {
+    // The process loses the processor for 114 ms between its clock and the real time, then compares again.
+    const ArrivalClock clock = compared({1000, 115000, 115000, 115000}, 5114000);
+    EXPECT_EQ(clock.at(5100000 * ns, Instant{}), Instant{101000});
+}
+
+TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
+    // Each comparison of the first call takes 20 ms: the offset is known within 10 ms.
+    ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
+    EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
+    clock.use(clock_of({200000}));
+    clock.compare(Instant{}, [] { return 5195000 * ns; });
+    EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
+}
+
+TEST(ArrivalClock, RealTimeThatWasSetIsFollowed) {
+    ArrivalClock clock = compared({1000}, 5000000);
+    clock.use(clock_of({2000}));
+    clock.compare(Instant{}, [] { return 5051000 * ns; });  // 50 ms more than 1 ms later: within the tolerance
+    EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{1000});
+    clock.compare(Instant{}, [] { return 5051001 * ns; });
+    EXPECT_EQ(clock.at(5051001 * ns, Instant{}), Instant{2000});
+}
+
+TEST(ArrivalClock, WithoutAClockOfTheRunDataArriveWhenTheyAreRead) {
+    ArrivalClock clock;
+    clock.compare(Instant{1000}, [] { return 5000000 * ns; });
+    EXPECT_EQ(clock.of_read(4999900 * ns, Instant{1000}), Instant{1000});
+    clock.use(clock_of({3000}));
+    EXPECT_EQ(clock.of_read(4999900 * ns, Instant{1000}), Instant{900});
+    EXPECT_EQ(clock.of_read(0, Instant{1000}), Instant{3000});
+}
+
+}  // namespace canproof::host::test
