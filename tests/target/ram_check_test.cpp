@@ -17,7 +17,7 @@ using namespace stm32f405;
 using Fault = RamModel::Fault;
 using Defect = RamModel::Defect;
 
-constexpr std::size_t word_count = 30;  // four slices of eight words that share one, and a short one
+constexpr std::size_t word_count = 30;  // nine slices of four words that share one, and a short one
 
 /// Returns whether the given number of passes finds a defect.
 bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count) {
@@ -123,16 +123,16 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
     RamModel ram{word_count};
     RamCheck check{{ram.words(), 0, 0}};
     std::size_t before = 0;
-    for (std::uint32_t slice = 0; slice < 4; ++slice) {  // words 0 to 7, 7 to 14, 14 to 21, 21 to 28
+    for (std::uint32_t slice = 0; slice < 9; ++slice) {  // words 0 to 3, 3 to 6 … 24 to 27
         EXPECT_TRUE(check.step());
-        // A save, ten accesses of March C-, the contents written back and read: 13 for each of eight words.
-        EXPECT_EQ(ram.accesses() - before, 13U * 8U);
+        // A save, ten accesses of March C-, the contents written back and read: 13 for each of four words.
+        EXPECT_EQ(ram.accesses() - before, 13U * 4U);
         before = ram.accesses();
         EXPECT_FALSE(core_model().masked);
         EXPECT_EQ(check.passes(), 0U);
     }
-    EXPECT_TRUE(check.step());  // words 28 and 29
-    EXPECT_EQ(ram.accesses() - before, 13U * 2U);
+    EXPECT_TRUE(check.step());  // words 27 to 29
+    EXPECT_EQ(ram.accesses() - before, 13U * 3U);
     EXPECT_EQ(check.passes(), 1U);
     EXPECT_EQ(ram.unmasked(), 0U);
     core_model().masked = true;  // a caller that has masked them finds them masked
@@ -146,7 +146,8 @@ TEST(RamCheck, MarchRunsOnAStackOutsideOfItsSlice) {
     RamModel ram{word_count};
     core_model() = CoreModel{};
     RamCheck check{{ram.words(), 10, 16}};
-    for (const std::uint32_t marches : {1U, 1U, 1U, 2U, 3U}) {  // the second and third slices have words of the stack
+    // Words 0 to 3, 3 to 6, 6 to 9; with words of the stack: 9 to 12, 12 to 15, 15 to 18; 18 to 21.
+    for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 3U, 4U}) {
         EXPECT_TRUE(check.step());
         EXPECT_EQ(core_model().marches, marches);
     }

@@ -76,12 +76,12 @@ TEST(FlashCheck, PassFindsEachTurnedBit) {
     EXPECT_TRUE(pass_over(check));
 }
 
-TEST(FlashCheck, PassTakesOneStepForEach32Bytes) {
+TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
-    // 72 bytes of vectors: 32, 32, 8; 104 bytes with the seal: 32, 32, 32, 8.
-    for (int step = 0; step < 7; ++step) {
+    // 72 bytes of vectors: four times 16, and 8; 104 bytes with the seal: six times 16, and 8.
+    for (int step = 0; step < 12; ++step) {
         EXPECT_EQ(check.passes(), 0U);
         EXPECT_TRUE(check.step());
     }

@@ -21,7 +21,7 @@ namespace {
 
 using stm32f405::Register;
 
-constexpr std::size_t guard_words = 8;
+constexpr std::size_t guard_words = 4;
 
 /// The CRC of the image; src/target/image/seal writes it here.
 [[gnu::section(".seal"), gnu::used]] const volatile std::uint32_t seal = 0xFFFFFFFFU;

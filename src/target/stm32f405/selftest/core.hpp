@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a self-test needs from the core beyond C++: src/target/image/core.cpp has it for the processor. A test links
-// other definitions (tests/support/stm32f405).
+// Functions of the core that C++ cannot express, for self-tests: src/target/image/core.cpp has them for the processor.
+// A test links other definitions (tests/support/stm32f405).
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace canproof::stm32f405 {
 class FlashCheck {
   public:
     /// Bytes of a slice.
-    static constexpr std::size_t slice = 32U;
+    static constexpr std::size_t slice = 16U;
 
     /// The last four bytes of `image` are the seal; see is_sound_image().
     FlashCheck(const ByteView vectors, const ByteView image) noexcept : vectors_{vectors}, image_{image} {}

@@ -18,8 +18,8 @@ class OutputCopy {
 
     void keep(const Outputs& outputs) noexcept {
         const Bytes bytes = bit_cast<Bytes>(outputs);
-        for (std::size_t i = 0U; i < bytes.size(); ++i) {
-            complement_[i] = invert(bytes[i]);
+        for (std::size_t i = 0U; i < complement_.size(); ++i) {
+            complement_[i] = ~read_u32(ByteView{bytes}, i * sizeof(std::uint32_t));
         }
     }
     /// Returns whether the outputs are those that were kept.
@@ -27,20 +27,17 @@ class OutputCopy {
         static_assert(implements<req::CO_SELF_007>);
         const Bytes bytes = bit_cast<Bytes>(outputs);
         bool same{true};
-        for (std::size_t i = 0U; i < bytes.size(); ++i) {
-            same = (complement_[i] == invert(bytes[i])) && same;
+        for (std::size_t i = 0U; i < complement_.size(); ++i) {
+            same = (complement_[i] == ~read_u32(ByteView{bytes}, i * sizeof(std::uint32_t))) && same;
         }
         return same;
     }
 
   private:
     using Bytes = std::array<std::uint8_t, sizeof(Outputs)>;
+    static constexpr std::size_t word_count = (sizeof(Outputs) + (sizeof(std::uint32_t) - 1U)) / sizeof(std::uint32_t);
 
-    static constexpr std::uint8_t invert(const std::uint8_t byte) noexcept {
-        return static_cast<std::uint8_t>(byte ^ 0xFFU);
-    }
-
-    Bytes complement_{};
+    std::array<std::uint32_t, word_count> complement_{};
 };
 
 }  // namespace canproof::stm32f405

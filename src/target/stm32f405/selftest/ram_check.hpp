@@ -9,7 +9,7 @@
 namespace canproof::stm32f405 {
 
 /// Words of a slice. Interrupts are masked while one is tested.
-constexpr std::uint32_t ram_slice = 8U;
+constexpr std::uint32_t ram_slice = 4U;
 
 /// RAM that is tested. `stack` is the part of `words` that holds no variable: the march over the other words runs on
 /// it, so that it can alter the words of the stack that calls it.

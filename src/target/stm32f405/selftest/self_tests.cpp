@@ -18,19 +18,33 @@ SelfTest SelfTests::start(const Instant now) noexcept {
 }
 
 SelfTest SelfTests::step(const Instant now) noexcept {
-    if (!core_registers_hold()) {
-        return SelfTest::core;
-    }
     if (!guard_.is_intact()) {
         return SelfTest::stack;
     }
     if (!clock_.step(now)) {
         return SelfTest::clock;
     }
-    if (!ram_.step()) {
-        return SelfTest::ram;
+    return take_turn();
+}
+
+SelfTest SelfTests::take_turn() noexcept {
+    SelfTest failed{SelfTest::none};
+    switch (turn_) {
+        case Turn::core:
+            failed = core_registers_hold() ? SelfTest::none : SelfTest::core;
+            turn_ = Turn::ram;
+            break;
+        case Turn::ram:
+            failed = ram_.step() ? SelfTest::none : SelfTest::ram;
+            turn_ = Turn::flash;
+            break;
+        case Turn::flash:
+        default:
+            failed = flash_.step() ? SelfTest::none : SelfTest::flash;
+            turn_ = Turn::core;
+            break;
     }
-    return flash_.step() ? SelfTest::none : SelfTest::flash;
+    return failed;
 }
 
 }  // namespace canproof::stm32f405
