@@ -53,22 +53,26 @@ class FailedSelfTest : public testing::Test {
     Unit unit_{chips_};
 };
 
-/// A device of whose outputs a bit changes after it has computed: the third time that a pass looks at them.
+/// A device of whose outputs a bit changes between its computation and the pins. Each pass of the loop asks for the bit
+/// rate, compares the outputs, keeps them after the computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
     mutable int looks{0};
-    mutable bool changes{false};
+    bool changes{false};
 
     void power_on(const cbx_ao412::Inputs&, Instant) {}
-    void set_inputs(const cbx_ao412::Inputs&, Instant) { looks = 0; }
+    void set_inputs(const cbx_ao412::Inputs&, Instant) {}
     void receive(const Frame&, Instant) {}
     void advance(Instant) {}
     Instant next_deadline() const { return Instant{UINT64_MAX}; }
-    std::uint32_t bit_rate() const { return 1000000; }
+    std::uint32_t bit_rate() const {
+        looks = 0;
+        return 1000000;
+    }
     const cbx_ao412::Outputs& outputs() const {
         static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
         ++looks;
-        return changes && looks > 1 ? changed : values;  // the first look after set_inputs() keeps the copy
+        return changes && looks > 2 ? changed : values;
     }
 };
 
@@ -116,10 +120,11 @@ TEST_F(FailedSelfTest, OutputThatChangesBetweenPassesIsNotDriven) {
 TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Frame request = data_frame(0x603, 8);
-    request.data = {0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0};
+    request.data = {0x2B, 0x11, 0x64, 0x02, 0xB3, 0x3E, 0x00, 0x00};  // 5.0 V at output 2
     chips_.can.receive(request);
     outputs().aout[2] = 8.0F;
     EXPECT_THAT(unit_.run(20), IsEmpty());
+    EXPECT_EQ(unit_.device.outputs().aout[1], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
 }
 

@@ -2,6 +2,15 @@
 // The functions of stm32f405/selftest/core.hpp that C++ cannot express, for a Cortex-M4 with its floating-point unit.
 #include "target/stm32f405/selftest/core.hpp"
 
+extern "C" {
+/// Calls ram_march() under a name for the assembler.
+bool march_here(canproof::stm32f405::Register* first, std::uint32_t count, std::uint32_t background) {
+    return canproof::stm32f405::ram_march(first, count, background);
+}
+}
+
+namespace canproof::stm32f405 {
+
 std::uint32_t core_mask_interrupts() noexcept {
     std::uint32_t mask;
     asm volatile("mrs %0, primask\n cpsid i" : "=r"(mask)::"memory");
@@ -12,14 +21,13 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     asm volatile("msr primask, %0" ::"r"(mask) : "memory");
 }
 
-/// Keeps the stack pointer of the caller in r4, which ram_march() preserves.
-[[gnu::naked]] bool core_march_on(canproof::stm32f405::Register*, std::uint32_t, std::uint32_t,
-                                  canproof::stm32f405::Register*) noexcept {
+/// Keeps the stack pointer of the caller in r4, which march_here() preserves.
+[[gnu::naked]] bool core_march_on(Register*, std::uint32_t, std::uint32_t, Register*) noexcept {
     asm volatile(R"(
         push {r4, lr}
         mov r4, sp
         mov sp, r3
-        bl ram_march
+        bl march_here
         mov sp, r4
         pop {r4, pc}
     )");
@@ -96,3 +104,5 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
         pop {r4-r11, pc}
     )");
 }
+
+}  // namespace canproof::stm32f405

@@ -12,7 +12,9 @@ CoreModel& core_model() {
 
 }  // namespace canproof::test
 
-using canproof::test::core_model;
+namespace canproof::stm32f405 {
+
+using test::core_model;
 
 std::uint32_t core_mask_interrupts() noexcept {
     const std::uint32_t before = core_model().masked ? 1 : 0;
@@ -28,9 +30,10 @@ bool core_registers_hold() noexcept {
     return core_model().registers_hold;
 }
 
-bool core_march_on(canproof::stm32f405::Register* first, std::uint32_t count, std::uint32_t background,
-                   canproof::stm32f405::Register* stack_end) noexcept {
+bool core_march_on(Register* first, std::uint32_t count, std::uint32_t background, Register* stack_end) noexcept {
     ++core_model().marches;
     core_model().stack_end = stack_end;
     return ram_march(first, count, background);
 }
+
+}  // namespace canproof::stm32f405

@@ -7,7 +7,7 @@
 
 #include "target/stm32f405/register.hpp"
 
-extern "C" {
+namespace canproof::stm32f405 {
 
 /// Masks the interrupts. Returns the mask before, for core_restore_interrupts().
 std::uint32_t core_mask_interrupts() noexcept;
@@ -17,9 +17,9 @@ void core_restore_interrupts(std::uint32_t mask) noexcept;
 bool core_registers_hold() noexcept;
 
 /// Calls ram_march(first, count, background) on another stack, which ends at `stack_end`, and returns its result.
-bool core_march_on(canproof::stm32f405::Register* first, std::uint32_t count, std::uint32_t background,
-                   canproof::stm32f405::Register* stack_end) noexcept;
+bool core_march_on(Register* first, std::uint32_t count, std::uint32_t background, Register* stack_end) noexcept;
 
 /// Tests at most ram_slice words of RAM from `first` on by March C-; see ram_check.hpp.
-bool ram_march(canproof::stm32f405::Register* first, std::uint32_t count, std::uint32_t background) noexcept;
-}
+bool ram_march(Register* first, std::uint32_t count, std::uint32_t background) noexcept;
+
+}  // namespace canproof::stm32f405

@@ -35,9 +35,12 @@ class OutputCopy {
 
   private:
     using Bytes = std::array<std::uint8_t, sizeof(Outputs)>;
-    static constexpr std::size_t word_count = (sizeof(Outputs) + (sizeof(std::uint32_t) - 1U)) / sizeof(std::uint32_t);
 
-    std::array<std::uint32_t, word_count> complement_{};
+    static constexpr std::size_t words_of(const std::size_t bytes) noexcept {
+        return (bytes + 3U) / sizeof(std::uint32_t);
+    }
+
+    std::array<std::uint32_t, words_of(sizeof(Outputs))> complement_{};
 };
 
 }  // namespace canproof::stm32f405

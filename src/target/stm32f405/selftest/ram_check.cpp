@@ -48,16 +48,17 @@ bool march(const Slots<Register>& words, const std::uint32_t background) noexcep
 static_assert(implements<req::CO_SELF_001>);
 bool RamCheck::step() noexcept {
     const std::size_t left = ram_.words.size() - next_;
-    const std::size_t count = (left < ram_slice) ? left : ram_slice;
+    const bool is_last = left <= ram_slice;
+    const std::size_t count = is_last ? left : ram_slice;
     Register* const first = &ram_.words[next_];
     const auto length = static_cast<std::uint32_t>(count);
     const std::uint32_t background = backgrounds[passes_ % background_count];
     const bool meets_stack = (next_ < ram_.stack_end) && ((next_ + count) > ram_.stack_begin);
     const std::uint32_t mask = core_mask_interrupts();
     const bool holds = meets_stack ? ram_march(first, length, background)
-                                   : core_march_on(first, length, background, ram_.words.begin() + ram_.stack_end);
+                                   : core_march_on(first, length, background, &ram_.words[ram_.stack_end]);
     core_restore_interrupts(mask);
-    if (count == left) {
+    if (is_last) {
         next_ = 0U;
         ++passes_;
     } else {
@@ -75,12 +76,7 @@ bool RamCheck::pass() noexcept {
     return holds;
 }
 
-}  // namespace canproof::stm32f405
-
-bool ram_march(canproof::stm32f405::Register* const first, const std::uint32_t count,
-               const std::uint32_t background) noexcept {
-    using namespace canproof;
-    using namespace canproof::stm32f405;
+bool ram_march(Register* first, const std::uint32_t count, const std::uint32_t background) noexcept {
     const Slots<Register> words{first, count};
     std::array<std::uint32_t, ram_slice> saved{};
     for (std::size_t i = 0U; i < count; ++i) {
@@ -95,3 +91,5 @@ bool ram_march(canproof::stm32f405::Register* const first, const std::uint32_t c
     }
     return holds;
 }
+
+}  // namespace canproof::stm32f405
