@@ -4,79 +4,14 @@
 
 #include <gmock/gmock.h>
 
-#include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
-#include "target/stm32f405/parameter_journal.hpp"
-#include "tests/support/stm32f405/bxcan_model.hpp"
-#include "tests/support/stm32f405/clock_model.hpp"
-#include "tests/support/stm32f405/flash_model.hpp"
-#include "tests/support/stm32f405/watchdog_model.hpp"
+#include "tests/support/stm32f405/device_on_models.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
 namespace {
 
-using namespace stm32f405;
 using testing::IsEmpty;
-
-/// Node 3 at 1 Mbit/s, selected by its switches.
-struct TestBoard {
-    using Inputs = cbx_ao412::Inputs;
-    using Outputs = cbx_ao412::Outputs;
-    void read(Inputs& inputs) const {
-        inputs.switch_low = 3;
-        inputs.switch_baud = 0;
-    }
-    void drive(const Outputs& outputs) { driven = outputs; }
-    Outputs driven{};
-};
-
-struct Chips {
-    BxcanModel can;
-    FlashModel flash;
-    WatchdogModel watchdog;
-    PlainModel<TimerRegisters> timer;
-};
-
-struct Unit {
-    Chips& chips;
-    Flash flash{chips.flash.registers(), 1000};
-    JournalRam<1024> ram{};
-    ParameterJournal memory{flash, chips.flash.sectors(), MutableBytes{ram.bytes}, Slots<std::uint32_t>{ram.changed}};
-    TransmitQueue queue{};
-    cbx_ao412::Device device{memory, queue, cbx_ao412::FactoryData{}};
-    TestBoard board{};
-    Bxcan can{chips.can.registers(), 40000000};
-    TimeBase time{chips.timer.registers(), 80};
-    Watchdog watchdog{chips.watchdog.registers(), 1000};
-    DeviceLoop<cbx_ao412::Device, TestBoard> loop{device, queue, board, can, time, watchdog};
-
-    explicit Unit(Chips& around, bool may_join = true) : chips{around} {
-        memory.open();
-        EXPECT_TRUE(memory.prepare());
-        loop.power_on(may_join);
-    }
-    /// Runs passes of 100 us. Returns all frames that are sent during them.
-    std::vector<Frame> run(std::uint32_t passes) {
-        std::vector<Frame> sent;
-        for (std::uint32_t i = 0; i < passes; ++i) {
-            chips.timer.at(0x24) += 100;
-            can.drain();  // as the interrupt does
-            loop.pass();
-            chips.watchdog.pass(0.1);
-            if (const auto frame = chips.can.transmit()) {
-                sent.push_back(*frame);
-            }
-        }
-        return sent;
-    }
-    std::vector<Frame> ask(std::uint32_t id, std::initializer_list<std::uint8_t> bytes) {
-        Frame frame = data_frame(id, static_cast<std::uint8_t>(bytes.size()));
-        std::copy(bytes.begin(), bytes.end(), frame.data.begin());
-        EXPECT_EQ(chips.can.receive(frame), BxcanModel::Taken::kept);
-        return run(5);
-    }
-};
 
 }  // namespace
 

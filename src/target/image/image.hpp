@@ -4,14 +4,17 @@
 
 #include "target/stm32f405/chip.hpp"
 #include "target/stm32f405/device_loop.hpp"
+#include "target/stm32f405/image_check.hpp"
 
 /// Handles the interrupt of received frames: the device's file drains its controller.
 extern "C" void can_received();
 
 namespace canproof::target {
 
-/// Returns whether the image in flash matches its seal, the CRC that src/target/image/seal wrote.
-bool is_sound();
+/// Returns the memory of the image, by the addresses of the linker.
+stm32f405::ImageMemory image_memory();
+/// Returns the words that a reset by the watchdog keeps.
+stm32f405::FailureWords& failure_words();
 
 /// A device with its drivers. `Wiring` is its board, `MemorySize` the bytes of its parameter memory.
 template <typename Device, typename Wiring, typename FactoryData, std::size_t MemorySize>
@@ -22,9 +25,10 @@ class DeviceImage {
     /// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
     /// image is damaged, or no clock is right.
     void run() {
-        if (!is_sound()) {
+        if (!stm32f405::is_sound_image(regions_.vectors, regions_.flash)) {
             return;
         }
+        chip_.failed_test = record_.take();
         chip_.start();
         if (chip_.source == stm32f405::ClockSource::none) {
             return;
@@ -32,10 +36,14 @@ class DeviceImage {
         wiring_.start();
         memory_.open();
         static_cast<void>(memory_.prepare());  // without it a commit has to erase, or says that it failed
-        stm32f405::DeviceLoop<Device, Wiring> loop{device_, queue_, wiring_, chip_.can, chip_.time, chip_.watchdog};
+        stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
+                                                   chip_.time, chip_.watchdog, tests_};
         loop.power_on(chip_.source == stm32f405::ClockSource::crystal);
         for (;;) {
             loop.pass();
+            if (loop.failed() != stm32f405::SelfTest::none) {
+                record_.keep(loop.failed());
+            }
         }
     }
     /// The interrupt of received frames.
@@ -43,6 +51,10 @@ class DeviceImage {
 
   private:
     stm32f405::Chip chip_;
+    stm32f405::ImageMemory regions_{image_memory()};
+    stm32f405::FailureRecord record_{failure_words()};
+    stm32f405::SelfTests tests_{regions_, stm32f405::registers_at<stm32f405::CaptureRegisters>(stm32f405::tim5_address),
+                                chip_.plan.timer_mhz()};
     stm32f405::JournalRam<MemorySize> ram_;
     stm32f405::ParameterJournal memory_{chip_.flash, stm32f405::parameter_sectors(), MutableBytes{ram_.bytes},
                                         Slots<std::uint32_t>{ram_.changed}};

@@ -20,7 +20,7 @@ void Chip::start() noexcept {
     source = clock.start(plan);
     ClockRegisters& clocks = registers_at<ClockRegisters>(rcc_address);
     clocks.enable_ahb[0U].set(ahb1_ports_a_to_c);
-    clocks.enable_apb[0U].set(apb1_tim2_to_4 | apb1_can1 | apb1_dac);
+    clocks.enable_apb[0U].set(apb1_tim2_to_5 | apb1_can1 | apb1_dac);
     clocks.enable_apb[1U].set(apb2_adc1);
     was_reset_by_watchdog = clock.take_watchdog_reset();
     time.start();

@@ -7,6 +7,7 @@
 #include "target/stm32f405/clock.hpp"
 #include "target/stm32f405/gpio.hpp"
 #include "target/stm32f405/memory_map.hpp"
+#include "target/stm32f405/selftest/failure_record.hpp"
 
 namespace canproof::stm32f405 {
 
@@ -30,6 +31,7 @@ struct Chip {
     PulseOutputs pulses_4{registers_at<TimerRegisters>(tim4_address), plan.timer_mhz()};
     ClockSource source{ClockSource::none};
     bool was_reset_by_watchdog{false};
+    SelfTest failed_test{SelfTest::none};  ///< the self-test that failed before the last reset
 
     /// Starts clocks, time, and the pins and interrupts of CAN; the boards start the rest.
     void start() noexcept;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device on the microcontroller: power-on, then one pass after the other. Its board reads physical inputs and drives
-// outputs: a class with the types Inputs and Outputs and the functions
+// A device on the microcontroller: power-on, then one pass after the other, each with a part of the self-tests. Its
+// board reads physical inputs and drives outputs: a class with the types Inputs and Outputs and the functions
 //   void start(); void read(Inputs&); void drive(const Outputs&);
+// Outputs{} is the safe state: what the device drives before power-on.
 #pragma once
 
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/bxcan.hpp"
+#include "target/stm32f405/selftest/flow_monitor.hpp"
+#include "target/stm32f405/selftest/output_copy.hpp"
+#include "target/stm32f405/selftest/self_tests.hpp"
 #include "target/stm32f405/time_base.hpp"
 #include "target/stm32f405/watchdog.hpp"
 
@@ -20,39 +24,58 @@ class DeviceLoop {
     /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
 
-    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, Bxcan& can, TimeBase& time,
-               Watchdog& watchdog) noexcept
-        : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog} {}
+    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, Bxcan& can, TimeBase& time, Watchdog& watchdog,
+               SelfTests& tests) noexcept
+        : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog}, tests_{tests} {}
 
-    /// Powers the device on. `may_join`: the clock is accurate enough for the bus.
+    /// Tests the processor and powers the device on, unless a test fails. `may_join`: the clock is accurate enough for
+    /// the bus.
     void power_on(const bool may_join) noexcept {
         may_join_ = may_join;
         static_assert(implements<req::CO_WATCHDOG_001>);
         static_cast<void>(watchdog_.start());  // continues even if the period was not set
-        const Instant now = time_.now();
-        take_inputs(now);
-        device_.power_on(inputs_, now);
+        failed_ = tests_.start(time_.now());
+        if (failed_ == SelfTest::none) {
+            const Instant now = time_.now();
+            take_inputs(now);
+            device_.power_on(inputs_, now);
+            copy_.keep(device_.outputs());
+            flow_ = FlowMonitor{};
+        }
     }
 
+    /// Does each step once. After a failed self-test it only drives the safe state; the watchdog ends that.
     void pass() noexcept {
         const Instant now = time_.now();
+        if (failed_ == SelfTest::none) {
+            serve_bus(now);
+            take_inputs(now);
+            run_device(now);
+            transmit(now);
+            drive_outputs();
+            test(now);
+        }
+        static_assert(implements<req::CO_SELF_005> && implements<req::CO_SELF_008>);
+        if (failed_ == SelfTest::none) {
+            watchdog_.refresh();
+        } else {
+            can_.set_bit_rate(0U, now);  // leaves the bus
+            board_.drive(typename Board::Outputs{});
+        }
+    }
+    /// Returns the self-test that failed.
+    SelfTest failed() const noexcept { return failed_; }
+
+  private:
+    void serve_bus(const Instant now) noexcept {
         static_assert(implements<req::CO_CLOCK_001>);
         if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
             can_.set_bit_rate(device_.bit_rate(), now);
         }
         can_.advance(queue_, now);
-        take_inputs(now);
-        device_.set_inputs(inputs_, now);
-        take_frames(now);
-        if (device_.next_deadline() <= now) {
-            device_.advance(now);
-        }
-        can_.advance(queue_, now);
-        board_.drive(device_.outputs());
-        watchdog_.refresh();
+        flow_.note(Step::bus);
     }
 
-  private:
     void take_inputs(const Instant now) noexcept {
         board_.read(inputs_);
         const CanState state = may_join_ ? can_.state() : CanState::bus_off;
@@ -61,6 +84,27 @@ class DeviceLoop {
             overrun_until_ = now + overrun_time;
         }
         inputs_.can_overrun = now < overrun_until_;
+        flow_.note(Step::inputs);
+    }
+
+    void run_device(const Instant now) noexcept {
+        compare_outputs();
+        if (failed_ == SelfTest::none) {
+            device_.set_inputs(inputs_, now);
+            take_frames(now);
+            if (device_.next_deadline() <= now) {
+                device_.advance(now);
+            }
+            copy_.keep(device_.outputs());
+        }
+        flow_.note(Step::device);
+    }
+
+    void transmit(const Instant now) noexcept {
+        if (failed_ == SelfTest::none) {
+            can_.advance(queue_, now);
+        }
+        flow_.note(Step::transmit);
     }
 
     void take_frames(const Instant now) noexcept {
@@ -76,12 +120,42 @@ class DeviceLoop {
         }
     }
 
+    void compare_outputs() noexcept {
+        if (!copy_.matches(device_.outputs())) {
+            fail(SelfTest::outputs);
+        }
+    }
+
+    /// Drives the pins, unless the outputs have changed since the device computed them.
+    void drive_outputs() noexcept {
+        compare_outputs();
+        if (failed_ == SelfTest::none) {
+            board_.drive(device_.outputs());
+        }
+        flow_.note(Step::outputs);
+    }
+
+    void test(const Instant now) noexcept {
+        fail(tests_.step(now));
+        flow_.note(Step::tests);
+        if (!flow_.end()) {
+            fail(SelfTest::flow);
+        }
+    }
+
+    /// Keeps the first failure.
+    void fail(const SelfTest test) noexcept { failed_ = (failed_ == SelfTest::none) ? test : failed_; }
+
     Device& device_;
     TransmitQueue& queue_;
     Board& board_;
     Bxcan& can_;
     TimeBase& time_;
     Watchdog& watchdog_;
+    SelfTests& tests_;
+    FlowMonitor flow_{};
+    OutputCopy<typename Board::Outputs> copy_{};
+    SelfTest failed_{SelfTest::none};
     typename Board::Inputs inputs_{};
     Instant overrun_until_{};
     bool may_join_{false};

@@ -8,6 +8,7 @@
 #include "target/stm32f405/clock.hpp"
 #include "target/stm32f405/gpio.hpp"
 #include "target/stm32f405/parameter_journal.hpp"
+#include "target/stm32f405/selftest/clock_check.hpp"
 #include "target/stm32f405/time_base.hpp"
 #include "target/stm32f405/watchdog.hpp"
 
@@ -16,6 +17,7 @@ namespace canproof::stm32f405 {
 constexpr std::uintptr_t tim2_address = 0x40000000U;
 constexpr std::uintptr_t tim3_address = 0x40000400U;
 constexpr std::uintptr_t tim4_address = 0x40000800U;
+constexpr std::uintptr_t tim5_address = 0x40000C00U;
 constexpr std::uintptr_t iwdg_address = 0x40003000U;
 constexpr std::uintptr_t can1_address = 0x40006400U;
 constexpr std::uintptr_t pwr_address = 0x40007000U;
@@ -47,7 +49,7 @@ inline std::array<FlashSector, ParameterJournal::sector_count> parameter_sectors
 
 // Clock enable bits of peripherals: RCC_AHB1ENR, RCC_APB1ENR, RCC_APB2ENR (RM0090 7.3.10, 7.3.13, 7.3.14).
 constexpr std::uint32_t ahb1_ports_a_to_c = 0x7U;
-constexpr std::uint32_t apb1_tim2_to_4 = 0x7U;
+constexpr std::uint32_t apb1_tim2_to_5 = 0xFU;
 constexpr std::uint32_t apb1_can1 = bit(25U);
 constexpr std::uint32_t apb1_dac = bit(29U);
 constexpr std::uint32_t apb2_adc1 = bit(8U);

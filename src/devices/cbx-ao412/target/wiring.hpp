@@ -36,8 +36,9 @@ class Wiring {
         inputs.switch_high = static_cast<std::uint8_t>(~chip_.port_c.read(0, 4) & 0xFU);
         inputs.switch_low = static_cast<std::uint8_t>(~chip_.port_c.read(4, 4) & 0xFU);
         inputs.switch_baud = static_cast<std::uint8_t>(~chip_.port_c.read(8, 4) & 0xFU);
-        inputs.internal_fault = chip_.was_reset_by_watchdog;
-        inputs.hardware_fault = chip_.source != stm32f405::ClockSource::crystal;
+        const bool failed_hardware = stm32f405::finds_hardware(chip_.failed_test);
+        inputs.internal_fault = chip_.was_reset_by_watchdog && !failed_hardware;
+        inputs.hardware_fault = failed_hardware || (chip_.source != stm32f405::ClockSource::crystal);
     }
 
     void drive(const Outputs& outputs) {

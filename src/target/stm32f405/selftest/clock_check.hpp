@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cross-check of the core's clock: TIM5 measures the low-speed oscillator, which also drives the watchdog and depends
+// on nothing else (RM0090 18.4.21, 7.2.9).
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "target/stm32f405/time_base.hpp"
+
+namespace canproof::stm32f405 {
+
+/// TIM5 with the register that connects its channel 4.
+struct CaptureRegisters {
+    TimerRegisters timer;
+    Reserved<3U> reserved_44{};
+    Register option;  ///< 50h TIM5_OR
+};
+
+static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
+
+/// The oscillator's frequency differs from chip to chip and with the temperature, from 17 to 47 kHz (data sheet). So a
+/// clock below 0.36 or above 2.77 times its plan is noticed on each chip, and a smaller error on none for certain.
+class ClockCheck {
+  public:
+    static constexpr std::uint32_t periods = 8U;  ///< of the oscillator, between two captures
+    /// Limits of `periods` in µs, at 47 and at 17 kHz, rounded away from each other.
+    static constexpr std::uint32_t shortest_us = 170U;
+    static constexpr std::uint32_t longest_us = 471U;
+    /// Without a capture for this long the oscillator or the timer has stopped.
+    static constexpr Duration most_wait = milliseconds(100U);
+
+    /// `timer_mhz`: the planned clock of the timer.
+    ClockCheck(CaptureRegisters& registers, const std::uint32_t timer_mhz) noexcept
+        : registers_{registers}, timer_mhz_{timer_mhz} {}
+
+    /// Starts the timer. The watchdog has started the oscillator.
+    void start(Instant now) noexcept;
+    /// Looks for a capture. Returns false when the oscillator has the wrong frequency by this clock, or none. A pass
+    /// that lasts longer than an interval misses it; the next one counts.
+    bool step(Instant now) noexcept;
+
+  private:
+    bool is_plausible(std::uint32_t capture) const noexcept;
+
+    CaptureRegisters& registers_;
+    std::uint32_t timer_mhz_;
+    Instant seen_{};  ///< the last capture, by the time base
+    std::uint32_t last_{0U};
+    bool has_last_{false};
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record of the self-test that failed before a reset: two words of RAM that no start-up initialises. A reset by the
+// watchdog keeps RAM; after a loss of power its content is arbitrary, and the two words do not match.
+#pragma once
+
+#include "target/stm32f405/register.hpp"
+
+namespace canproof::stm32f405 {
+
+enum class SelfTest : std::uint8_t { none, core, stack, clock, ram, flash, outputs, flow };
+
+/// Returns whether a test finds failed hardware; the others find failed software.
+constexpr bool finds_hardware(const SelfTest test) noexcept {
+    return (test == SelfTest::core) || (test == SelfTest::clock) || (test == SelfTest::ram) ||
+           (test == SelfTest::flash);
+}
+
+struct FailureWords {
+    Register code;
+    Register complement;
+};
+
+class FailureRecord {
+  public:
+    explicit FailureRecord(FailureWords& words) noexcept : words_{words} {}
+
+    void keep(SelfTest test) noexcept;
+    /// Returns the test that was kept, or none, and forgets it.
+    SelfTest take() noexcept;
+
+  private:
+    FailureWords& words_;
+};
+
+}  // namespace canproof::stm32f405

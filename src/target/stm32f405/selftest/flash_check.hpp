@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A continuous check of the image in flash: its CRC-32 in slices, compared with its seal at the end.
+#pragma once
+
+#include "firmware/base/crc32.hpp"
+
+namespace canproof::stm32f405 {
+
+class FlashCheck {
+  public:
+    /// Bytes of a slice.
+    static constexpr std::size_t slice = 16U;
+
+    /// The last four bytes of `image` are the seal; see is_sound_image().
+    FlashCheck(const ByteView vectors, const ByteView image) noexcept : vectors_{vectors}, image_{image} {}
+
+    /// Adds the next slice. Returns false when it was the last one and the CRC is not the seal.
+    bool step() noexcept;
+    /// Returns the completed checks of the whole image.
+    std::uint32_t passes() const noexcept { return passes_; }
+
+  private:
+    ByteView vectors_;
+    ByteView image_;
+    Crc32 crc_{};
+    std::size_t next_{0U};  ///< position in the vectors followed by the image
+    std::uint32_t passes_{0U};
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// A test of RAM that keeps its contents: March C- over slices of a few words. Its elements, with a background b:
+// write b to each word; upwards read b, write ~b; upwards read ~b, write b; the same two downwards; read b.
+#pragma once
+
+#include "firmware/base/slots.hpp"
+#include "target/stm32f405/register.hpp"
+
+namespace canproof::stm32f405 {
+
+/// Words of a slice. Interrupts are masked while one is tested.
+constexpr std::uint32_t ram_slice = 4U;
+
+/// RAM that is tested. `stack` is the part of `words` that holds no variable: the march over the other words runs on
+/// it, so that it can alter the words of the stack that calls it.
+struct RamUnderTest {
+    Slots<Register> words;
+    std::size_t stack_begin{0U};  ///< position in `words`
+    std::size_t stack_end{0U};
+};
+
+/// One pass over the words finds each bit that is stuck or makes no transition, each word that another address reaches,
+/// and the coupling between neighbouring words. Passes alternate between six backgrounds; each two bits of a word
+/// differ in one of them, so that six passes also find the coupling between the bits of a word.
+class RamCheck {
+  public:
+    static constexpr std::uint32_t background_count = 6U;
+
+    explicit RamCheck(const RamUnderTest& ram) noexcept : ram_{ram} {}
+
+    /// Tests the next slice, which begins with the last word of the one before. Returns false when a word fails.
+    bool step() noexcept;
+    /// Tests every slice once, with the next background.
+    bool pass() noexcept;
+    /// Returns the completed passes over all words.
+    std::uint32_t passes() const noexcept { return passes_; }
+
+  private:
+    RamUnderTest ram_;
+    std::size_t next_{0U};
+    std::uint32_t passes_{0U};
+};
+
+}  // namespace canproof::stm32f405

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the self-tests of a flashed device on QEMU's processor, flash and RAM, with the device's linker script, and says
+// what each finds and how many instructions a pass of the main loop spends on it. run_self_tests reads it. QEMU's TIM5
+// captures nothing, so the check of the clock is not here.
+#include "target/stm32f405/selftest/self_tests.hpp"
+
+#include "generated/ax130751/signals.hpp"
+#include "instruction_clock.hpp"
+#include "target/image/image.hpp"
+#include "target/semihost.hpp"
+#include "target/stm32f405/image_check.hpp"
+#include "target/stm32f405/selftest/core.hpp"
+#include "target/stm32f405/selftest/output_copy.hpp"
+
+namespace {
+
+using namespace canproof;
+using namespace canproof::stm32f405;
+
+constexpr int sys_write0 = 0x04;
+constexpr int sys_exit_extended = 0x20;
+
+/// Variables with known contents, in the middle of the RAM that is tested.
+std::array<std::uint32_t, 2048> content;
+
+void say(const char* text) {
+    target::semihost(sys_write0, text);
+}
+
+/// Prints a line `NAME ok INSTRUCTIONS`, or with `failed`.
+void say(const char* name, bool ok, std::uint32_t instructions) {
+    std::array<char, 12> digits{};
+    std::size_t first = digits.size() - 1;
+    do {
+        digits[--first] = static_cast<char>('0' + (instructions % 10));
+        instructions /= 10;
+    } while (instructions != 0);
+    say(name);
+    say(ok ? " ok " : " failed ");
+    say(&digits[first]);
+    say("\n");
+}
+
+/// Prints the instructions of a step, at most, and whether each of `steps` steps succeeded.
+template <typename Step>
+void measure(const char* name, std::uint32_t steps, const Step& step) {
+    const target::InstructionClock clock;
+    bool ok = true;
+    std::uint32_t most = 0;
+    for (std::uint32_t i = 0; i < steps; ++i) {
+        clock.start();
+        ok = step() && ok;
+        most = std::max(most, clock.instructions());
+    }
+    say(name, ok, most);
+}
+
+bool keeps_content(RamCheck& ram) {
+    for (std::uint32_t i = 0; i < content.size(); ++i) {
+        content[i] = i * 0x9E3779B9U;
+    }
+    bool ok = true;
+    for (std::uint32_t pass = 0; pass < RamCheck::background_count; ++pass) {
+        ok = ram.pass() && ok;
+    }
+    for (std::uint32_t i = 0; i < content.size(); ++i) {
+        ok = (content[i] == i * 0x9E3779B9U) && ok;
+    }
+    return ok;
+}
+
+}  // namespace
+
+extern "C" void can_received() {}
+
+extern "C" void image_main() {
+    const ImageMemory memory = target::image_memory();
+    measure("core", 1, core_registers_hold);
+
+    StackGuard guard{memory.stack_guard};
+    guard.start();
+    measure("stack", 1, [&guard] { return guard.is_intact(); });
+
+    RamCheck ram{memory.ram};
+    const auto slices = static_cast<std::uint32_t>(memory.ram.words.size() / (ram_slice - 1));
+    measure("ram", slices, [&ram] { return ram.step(); });
+    measure("ram_content", 1, [&ram] { return keeps_content(ram); });
+
+    FlashCheck flash{memory.vectors, memory.flash};
+    const auto size = memory.vectors.size() + memory.flash.size();
+    measure("flash", static_cast<std::uint32_t>(size / FlashCheck::slice + 2), [&flash] { return flash.step(); });
+    say("flash_crc", flash.passes() == 1, static_cast<std::uint32_t>(size));
+
+    // The AX130751 has the most outputs. A pass keeps their copy once and compares it twice.
+    const generated::ax130751::Outputs outputs{};
+    OutputCopy<generated::ax130751::Outputs> copy;
+    measure("outputs", 1, [&] {
+        copy.keep(outputs);
+        return copy.matches(outputs) && copy.matches(outputs);
+    });
+
+    // All of a pass but the outputs; time stands still, because QEMU's timer captures nothing.
+    SelfTests tests{memory, registers_at<CaptureRegisters>(tim5_address), 84};
+    const Instant now{};
+    const bool starts = tests.start(now) == SelfTest::none;
+    measure("pass", 3 * slices, [&] { return starts && tests.step(now) == SelfTest::none; });
+
+    FailureRecord record{target::failure_words()};
+    record.keep(SelfTest::ram);
+    measure("record", 1, [&record] { return record.take() == SelfTest::ram && record.take() == SelfTest::none; });
+
+    const std::array<std::uint32_t, 2> exit{0x20026U, 0};
+    target::semihost(sys_exit_extended, &exit);
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The core as the self-tests see it, in place of src/target/image/core.cpp.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof::test {
+
+struct CoreModel {
+    bool registers_hold{true};
+    bool masked{false};              ///< interrupts
+    std::uint32_t marches{0};        ///< slices of RAM that were tested on the other stack
+    const void* stack_end{nullptr};  ///< of the last of them
+};
+
+/// Returns the core. A test that alters it sets it back to CoreModel{}.
+CoreModel& core_model();
+
+}  // namespace canproof::test

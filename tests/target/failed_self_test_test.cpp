@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reaction of a device to a failed self-test: the CAN-CBX-AO412 with 5 V at its output 1, on models of the chip.
+#include <gmock/gmock.h>
+
+#include "tests/support/stm32f405/core_model.hpp"
+#include "tests/support/stm32f405/device_on_models.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using stm32f405::SelfTest;
+using testing::IsEmpty;
+
+class FailedSelfTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        core_model() = CoreModel{};
+        unit_.run(5);
+        unit_.ask(0x000, {0x01, 0x03});                                      // NMT start
+        unit_.ask(0x603, {0x2B, 0x11, 0x64, 0x01, 0xB3, 0x3E, 0x00, 0x00});  // the manual, 7.10.2.3: 5.0 V
+        ASSERT_NEAR(unit_.board.driven.aout[0], 5.0F, 0.01F);
+        ASSERT_EQ(unit_.loop.failed(), SelfTest::none);
+    }
+    void TearDown() override { core_model() = CoreModel{}; }
+
+    cbx_ao412::Outputs& outputs() { return const_cast<cbx_ao412::Outputs&>(unit_.device.outputs()); }
+
+    /// Runs until the test fails, at most `passes`; then the outputs must be off, the bus silent, and the watchdog near
+    /// its end.
+    void expect_safe_state(SelfTest test, std::uint32_t passes) {
+        for (std::uint32_t i = 0; i < passes && unit_.loop.failed() == SelfTest::none; ++i) {
+            EXPECT_THAT(unit_.run(1), IsEmpty());
+        }
+        EXPECT_EQ(unit_.loop.failed(), test);
+        const std::size_t refreshes = chips_.watchdog.refreshes();
+        unit_.board.driven.aout[0] = 5.0F;  // pins that something else sets are switched off again
+        EXPECT_THAT(unit_.run(5), IsEmpty());
+        EXPECT_FALSE(unit_.can.is_on_bus());
+        EXPECT_NE(chips_.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
+        for (const float volts : unit_.board.driven.aout) {
+            EXPECT_EQ(volts, 0.0F);
+        }
+        EXPECT_FALSE(chips_.watchdog.has_bitten());
+        EXPECT_THAT(unit_.run(10010), IsEmpty());  // 1 s
+        EXPECT_EQ(chips_.watchdog.refreshes(), refreshes);
+        EXPECT_TRUE(chips_.watchdog.has_bitten());
+        EXPECT_EQ(unit_.loop.failed(), test);
+    }
+
+    Chips chips_;
+    Unit unit_{chips_};
+};
+
+/// A device of whose outputs a bit changes between its computation and the pins. Each pass of the loop asks for the bit
+/// rate, compares the outputs, keeps them after the computation, compares them again and drives them.
+struct ChangingDevice {
+    cbx_ao412::Outputs values{};
+    mutable int looks{0};
+    bool changes{false};
+
+    void power_on(const cbx_ao412::Inputs&, Instant) {}
+    void set_inputs(const cbx_ao412::Inputs&, Instant) {}
+    void receive(const Frame&, Instant) {}
+    void advance(Instant) {}
+    Instant next_deadline() const { return Instant{UINT64_MAX}; }
+    std::uint32_t bit_rate() const {
+        looks = 0;
+        return 1000000;
+    }
+    const cbx_ao412::Outputs& outputs() const {
+        static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
+        ++looks;
+        return changes && looks > 2 ? changed : values;
+    }
+};
+
+}  // namespace
+
+TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
+    verifies<req::CO_SELF_001, req::CO_SELF_008>();
+    chips_.ram.set_defect({RamModel::Fault::stuck, {40, 7}, true, {0, 0}, false});
+    expect_safe_state(SelfTest::ram, 63);  // 64 words in slices of four that share one: 21, each third pass
+}
+
+TEST_F(FailedSelfTest, TurnedBitOfFlashEndsInTheSafeState) {
+    verifies<req::CO_SELF_002, req::CO_SELF_008>();
+    chips_.image.turn(150, 2);
+    // 72 and 204 bytes: 5 and 13 slices, each third pass; the turn may come to the bytes before.
+    expect_safe_state(SelfTest::flash, 2 * 3 * 18);
+}
+
+TEST_F(FailedSelfTest, FailedRegisterEndsInTheSafeState) {
+    verifies<req::CO_SELF_003, req::CO_SELF_008>();
+    core_model().registers_hold = false;
+    expect_safe_state(SelfTest::core, 3);
+}
+
+TEST_F(FailedSelfTest, StackThatOutgrowsItsRoomEndsInTheSafeState) {
+    verifies<req::CO_SELF_004, req::CO_SELF_008>();
+    chips_.guard.at(7) = 0;
+    expect_safe_state(SelfTest::stack, 1);
+}
+
+TEST_F(FailedSelfTest, ClockOfTwiceItsPlanEndsInTheSafeState) {
+    verifies<req::CO_SELF_006, req::CO_SELF_008>();
+    chips_.capture.timer_mhz = 160;
+    expect_safe_state(SelfTest::clock, 10);
+}
+
+TEST_F(FailedSelfTest, OutputThatChangesBetweenPassesIsNotDriven) {
+    verifies<req::CO_SELF_007, req::CO_SELF_008>();
+    outputs().aout[2] = 8.0F;
+    unit_.run(1);
+    EXPECT_EQ(unit_.board.driven.aout[2], 0.0F);
+    expect_safe_state(SelfTest::outputs, 0);
+}
+
+TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
+    verifies<req::CO_SELF_007, req::CO_SELF_008>();
+    Frame request = data_frame(0x603, 8);
+    request.data = {0x2B, 0x11, 0x64, 0x02, 0xB3, 0x3E, 0x00, 0x00};  // 5.0 V at output 2
+    chips_.can.receive(request);
+    outputs().aout[2] = 8.0F;
+    EXPECT_THAT(unit_.run(20), IsEmpty());
+    EXPECT_EQ(unit_.device.outputs().aout[1], 0.0F);
+    expect_safe_state(SelfTest::outputs, 0);
+}
+
+TEST_F(FailedSelfTest, DoubledStepEndsInTheSafeState) {
+    verifies<req::CO_SELF_005, req::CO_SELF_008>();
+    unit_.board.on_read = [this] { unit_.loop.pass(); };
+    expect_safe_state(SelfTest::flow, 1);
+}
+
+TEST_F(FailedSelfTest, SoundDeviceGoesOn) {
+    verifies<req::CO_SELF_005>();
+    EXPECT_THAT(unit_.run(5000), IsEmpty());
+    EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
+    EXPECT_NEAR(unit_.board.driven.aout[0], 5.0F, 0.01F);
+    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 / 3 / 18
+    EXPECT_GE(unit_.tests.ram().passes(), 80U);    // 5000 / 3 / 21, and one at power-on
+}
+
+TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
+    verifies<req::CO_SELF_007, req::CO_SELF_008>();
+    Chips chips;
+    Unit unit{chips};  // its drivers, without its device
+    ChangingDevice device;
+    stm32f405::DeviceLoop<ChangingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
+                                                          unit.time, unit.watchdog, unit.tests};
+    loop.power_on(true);
+    const auto pass = [&] {
+        chips.timer.at(0x24) += 100;
+        chips.capture.pass(100);
+        loop.pass();
+    };
+    pass();
+    EXPECT_EQ(loop.failed(), SelfTest::none);
+    device.changes = true;
+    pass();
+    EXPECT_EQ(loop.failed(), SelfTest::outputs);
+    EXPECT_EQ(unit.board.driven.aout[1], 0.0F);
+}
+
+TEST(DeviceLoop, DeviceDoesNotStartWithAFailedProcessor) {
+    verifies<req::CO_SELF_001, req::CO_SELF_003, req::CO_SELF_008>();
+    for (const bool is_core : {true, false}) {
+        Chips chips;
+        core_model().registers_hold = !is_core;
+        if (!is_core) {
+            chips.ram.set_defect({RamModel::Fault::transition, {63, 31}, true, {0, 0}, false});
+        }
+        Unit unit{chips};
+        EXPECT_EQ(unit.loop.failed(), is_core ? SelfTest::core : SelfTest::ram);
+        EXPECT_THAT(unit.run(10010), IsEmpty());
+        EXPECT_GT(unit.board.drives, 10000U);
+        EXPECT_TRUE(chips.watchdog.has_bitten());
+        core_model() = CoreModel{};
+    }
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The march over RAM, against the fault models of cells: each must be found, and sound RAM must keep its contents.
+#include "target/stm32f405/selftest/ram_check.hpp"
+
+#include <gmock/gmock.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/stm32f405/core_model.hpp"
+#include "tests/support/stm32f405/ram_model.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+using Fault = RamModel::Fault;
+using Defect = RamModel::Defect;
+
+constexpr std::size_t word_count = 30;  // nine slices of four words that share one, and a short one
+
+/// Returns whether the given number of passes finds a defect.
+bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count) {
+    RamModel ram{words};
+    for (std::size_t i = 0; i < words; ++i) {
+        ram.at(i) = static_cast<std::uint32_t>(0x9E3779B9U * i);
+    }
+    ram.set_defect(defect);
+    RamCheck check{{ram.words(), 0, 0}};
+    bool found = false;
+    for (std::uint32_t i = 0; i < passes; ++i) {
+        found = !check.pass() || found;
+    }
+    return found;
+}
+
+/// Returns all couplings between two cells.
+std::vector<Defect> couplings(Cell aggressor, Cell victim) {
+    std::vector<Defect> all;
+    for (const bool edge : {false, true}) {
+        all.push_back({Fault::inversion, victim, false, aggressor, edge});
+        for (const bool value : {false, true}) {
+            all.push_back({Fault::idempotent, victim, value, aggressor, edge});
+            all.push_back({Fault::state, victim, value, aggressor, edge});
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST(RamCheck, PassFindsEachStuckBitAndEachMissingTransition) {
+    verifies<req::CO_SELF_001>();
+    for (std::size_t word = 0; word < word_count; ++word) {
+        for (std::uint32_t bit = 0; bit < 32; ++bit) {
+            for (const bool value : {false, true}) {
+                EXPECT_TRUE(finds({Fault::stuck, {word, bit}, value, {0, 0}, false})) << word << '.' << bit << value;
+                EXPECT_TRUE(finds({Fault::transition, {word, bit}, value, {0, 0}, false}))
+                    << word << '.' << bit << value;
+            }
+        }
+    }
+}
+
+TEST(RamCheck, PassFindsCouplingBetweenNeighbouringWords) {
+    verifies<req::CO_SELF_001>();
+    for (std::size_t word = 0; word + 1 < word_count; ++word) {
+        for (const std::uint32_t bit : {0U, 13U, 31U}) {
+            for (const std::uint32_t other : {0U, 13U, 30U}) {
+                for (const bool upwards : {false, true}) {
+                    const Cell first{word, bit}, second{word + 1, other};
+                    for (const Defect& one : couplings(upwards ? first : second, upwards ? second : first)) {
+                        EXPECT_TRUE(finds(one))
+                            << word << '.' << bit << ' ' << other << ' ' << upwards << static_cast<int>(one.fault);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(RamCheck, PassFindsAWriteThatReachesTheNextWordToo) {
+    verifies<req::CO_SELF_001>();
+    for (std::size_t word = 0; word + 1 < word_count; ++word) {
+        EXPECT_TRUE(finds({Fault::address, {word + 1, 0}, false, {word, 0}, false})) << word;
+        EXPECT_TRUE(finds({Fault::address, {word, 0}, false, {word + 1, 0}, false})) << word;
+    }
+}
+
+TEST(RamCheck, SixPassesFindCouplingBetweenTheBitsOfAWord) {
+    verifies<req::CO_SELF_001>();
+    for (std::uint32_t bit = 0; bit < 32; ++bit) {
+        for (std::uint32_t other = 0; other < 32; ++other) {
+            if (bit == other) {
+                continue;
+            }
+            for (const Defect& one : couplings({1, bit}, {1, other})) {
+                EXPECT_TRUE(finds(one, RamCheck::background_count, 3))
+                    << bit << ' ' << other << ' ' << static_cast<int>(one.fault);
+            }
+        }
+    }
+}
+
+TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
+    verifies<req::CO_SELF_001>();
+    RamModel ram{word_count};
+    for (std::size_t i = 0; i < word_count; ++i) {
+        ram.at(i) = static_cast<std::uint32_t>(0x9E3779B9U * i);
+    }
+    RamCheck check{{ram.words(), 0, 0}};
+    for (std::uint32_t pass = 0; pass < 2 * RamCheck::background_count; ++pass) {
+        EXPECT_EQ(check.passes(), pass);
+        EXPECT_TRUE(check.pass());
+        for (std::size_t i = 0; i < word_count; ++i) {
+            EXPECT_EQ(ram.at(i), static_cast<std::uint32_t>(0x9E3779B9U * i));
+        }
+    }
+}
+
+TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
+    verifies<req::CO_SELF_001>();
+    RamModel ram{word_count};
+    RamCheck check{{ram.words(), 0, 0}};
+    std::size_t before = 0;
+    for (std::uint32_t slice = 0; slice < 9; ++slice) {  // words 0 to 3, 3 to 6 … 24 to 27
+        EXPECT_TRUE(check.step());
+        // A save, ten accesses of March C-, the contents written back and read: 13 for each of four words.
+        EXPECT_EQ(ram.accesses() - before, 13U * 4U);
+        before = ram.accesses();
+        EXPECT_FALSE(core_model().masked);
+        EXPECT_EQ(check.passes(), 0U);
+    }
+    EXPECT_TRUE(check.step());  // words 27 to 29
+    EXPECT_EQ(ram.accesses() - before, 13U * 3U);
+    EXPECT_EQ(check.passes(), 1U);
+    EXPECT_EQ(ram.unmasked(), 0U);
+    core_model().masked = true;  // a caller that has masked them finds them masked
+    EXPECT_TRUE(check.step());
+    EXPECT_TRUE(core_model().masked);
+    core_model() = CoreModel{};
+}
+
+TEST(RamCheck, MarchRunsOnAStackOutsideOfItsSlice) {
+    verifies<req::CO_SELF_001>();
+    RamModel ram{word_count};
+    core_model() = CoreModel{};
+    RamCheck check{{ram.words(), 10, 16}};
+    // Words 0 to 3, 3 to 6, 6 to 9; with words of the stack: 9 to 12, 12 to 15, 15 to 18; 18 to 21.
+    for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 3U, 4U}) {
+        EXPECT_TRUE(check.step());
+        EXPECT_EQ(core_model().marches, marches);
+    }
+    EXPECT_EQ(core_model().stack_end, &ram.words()[16]);
+    core_model() = CoreModel{};
+}
+
+}  // namespace canproof::test

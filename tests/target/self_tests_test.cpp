@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+// Self-tests of flash, stack, program flow, clock and outputs, each with the faults that it must find.
+#include "target/stm32f405/selftest/self_tests.hpp"
+
+#include <gmock/gmock.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "target/stm32f405/selftest/flow_monitor.hpp"
+#include "target/stm32f405/selftest/output_copy.hpp"
+#include "tests/support/stm32f405/capture_model.hpp"
+#include "tests/support/stm32f405/clock_model.hpp"
+#include "tests/support/stm32f405/ram_model.hpp"
+#include "tests/support/stm32f405/sealed_flash.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace stm32f405;
+using testing::IsEmpty;
+
+/// Runs steps until one more pass over the flash is complete; returns whether all of them succeeded.
+bool pass_over(FlashCheck& check) {
+    const std::uint32_t before = check.passes();
+    bool sound = true;
+    while (check.passes() == before) {
+        sound = check.step() && sound;
+    }
+    return sound;
+}
+
+const std::vector<Step> pass_steps{Step::bus, Step::inputs, Step::device, Step::transmit, Step::outputs, Step::tests};
+
+bool is_pass(const std::vector<Step>& steps) {
+    FlowMonitor flow;
+    for (const Step step : steps) {
+        flow.note(step);
+    }
+    return flow.end();
+}
+
+struct ClockBench {
+    CaptureModel model;
+    ClockCheck check{model.registers(), 80};
+    Instant now{0};
+
+    ClockBench() { check.start(now); }
+    /// Runs passes of the main loop of `us` each by the real time; returns how many succeeded before the first failure.
+    int run(int passes, double us = 50) {
+        for (int i = 0; i < passes; ++i) {
+            model.pass(us);
+            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the same clock
+            if (!check.step(now)) {
+                return i;
+            }
+        }
+        return passes;
+    }
+};
+
+}  // namespace
+
+TEST(FlashCheck, PassFindsEachTurnedBit) {
+    verifies<req::CO_SELF_002>();
+    SealedFlash flash{72, 100};
+    FlashCheck check{flash.vectors(), flash.image()};
+    EXPECT_TRUE(pass_over(check));
+    for (std::size_t at = 0; at < flash.size(); ++at) {
+        for (std::uint32_t bit = 0; bit < 8; ++bit) {
+            flash.turn(at, bit);
+            EXPECT_FALSE(pass_over(check)) << at << '.' << bit;
+            flash.turn(at, bit);
+        }
+    }
+    EXPECT_TRUE(pass_over(check));
+}
+
+TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
+    verifies<req::CO_SELF_002>();
+    SealedFlash flash{72, 100};
+    FlashCheck check{flash.vectors(), flash.image()};
+    // 72 bytes of vectors: four times 16, and 8; 104 bytes with the seal: six times 16, and 8.
+    for (int step = 0; step < 12; ++step) {
+        EXPECT_EQ(check.passes(), 0U);
+        EXPECT_TRUE(check.step());
+    }
+    EXPECT_EQ(check.passes(), 1U);
+}
+
+TEST(FlashCheck, DamageBehindTheSlicesOfThisPassIsFoundByTheNext) {
+    verifies<req::CO_SELF_002>();
+    SealedFlash flash{72, 100};
+    FlashCheck check{flash.vectors(), flash.image()};
+    EXPECT_TRUE(check.step());
+    flash.turn(3, 5);
+    EXPECT_TRUE(pass_over(check));
+    EXPECT_FALSE(pass_over(check));
+}
+
+TEST(StackGuard, GuardNoticesEachChangedBit) {
+    verifies<req::CO_SELF_004>();
+    RamModel ram{8};
+    StackGuard guard{ram.words()};
+    EXPECT_FALSE(guard.is_intact());
+    guard.start();
+    EXPECT_TRUE(guard.is_intact());
+    for (std::size_t word = 0; word < 8; ++word) {
+        for (std::uint32_t bit = 0; bit < 32; ++bit) {
+            ram.at(word) ^= 1U << bit;
+            EXPECT_FALSE(guard.is_intact());
+            ram.at(word) ^= 1U << bit;
+        }
+    }
+    EXPECT_TRUE(guard.is_intact());
+}
+
+TEST(FlowMonitor, OneSequenceOfUpToSixStepsIsAPass) {
+    verifies<req::CO_SELF_005>();
+    std::size_t tried = 0;
+    for (std::size_t length = 0, count = 1; length <= 6; ++length, count *= 6) {
+        for (std::size_t number = 0; number < count; ++number, ++tried) {
+            std::vector<Step> steps;
+            for (std::size_t i = 0, rest = number; i < length; ++i, rest /= 6) {
+                steps.push_back(pass_steps.at(rest % 6));
+            }
+            EXPECT_EQ(is_pass(steps), steps == pass_steps);
+        }
+    }
+    EXPECT_EQ(tried, 55987U);  // (6^7 - 1) / 5
+}
+
+TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {
+    verifies<req::CO_SELF_005>();
+    for (std::size_t at = 0; at <= 6; ++at) {
+        for (const Step more : pass_steps) {
+            std::vector<Step> steps = pass_steps;
+            steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(at), more);
+            EXPECT_FALSE(is_pass(steps));
+        }
+    }
+}
+
+TEST(FlowMonitor, PassAfterAWrongOneIsWrongToo) {
+    verifies<req::CO_SELF_005>();
+    FlowMonitor flow;
+    const auto pass = [&flow] {
+        for (const Step step : pass_steps) {
+            flow.note(step);
+        }
+        return flow.end();
+    };
+    EXPECT_TRUE(pass());
+    EXPECT_TRUE(pass());
+    EXPECT_FALSE(flow.end());
+    EXPECT_FALSE(pass());
+    EXPECT_FALSE(pass());
+}
+
+TEST(OutputCopy, CopyNoticesEachTurnedBitOnEitherSide) {
+    verifies<req::CO_SELF_007>();
+    struct Outputs {
+        std::array<float, 2> volts{1.5F, -3.0F};
+        std::array<bool, 4> on{true, false, true, false};
+    };
+    Outputs outputs;
+    OutputCopy<Outputs> copy;
+    EXPECT_FALSE(copy.matches(outputs));
+    copy.keep(outputs);
+    EXPECT_TRUE(copy.matches(outputs));
+    const auto turn = [](void* object, std::size_t at, std::uint32_t bit) {
+        static_cast<unsigned char*>(object)[at] ^= static_cast<unsigned char>(1U << bit);
+    };
+    for (std::size_t at = 0; at < sizeof outputs.volts; ++at) {
+        for (std::uint32_t bit = 0; bit < 8; ++bit) {
+            turn(outputs.volts.data(), at, bit);
+            EXPECT_FALSE(copy.matches(outputs));
+            turn(outputs.volts.data(), at, bit);
+        }
+    }
+    for (std::size_t at = 0; at < sizeof copy; ++at) {
+        for (std::uint32_t bit = 0; bit < 8; ++bit) {
+            turn(&copy, at, bit);
+            EXPECT_FALSE(copy.matches(outputs));
+            turn(&copy, at, bit);
+        }
+    }
+    for (bool& one : outputs.on) {
+        one = !one;
+        EXPECT_FALSE(copy.matches(outputs));
+        one = !one;
+    }
+    EXPECT_TRUE(copy.matches(outputs));
+}
+
+TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
+    verifies<req::CO_SELF_006>();
+    for (const double khz : {17.0, 25.0, 32.0, 47.0}) {
+        ClockBench bench;
+        bench.model.oscillator_khz = khz;
+        EXPECT_EQ(bench.run(40000), 40000) << khz;  // 2 s
+        EXPECT_THAT(bench.model.faults(), IsEmpty());
+    }
+}
+
+TEST(ClockCheck, ClockThatLeavesItsPlanIsNoticedWithinAMillisecond) {
+    verifies<req::CO_SELF_006>();
+    // 8 periods at 32 kHz are 250 µs. A clock of f times its plan measures 250 f µs: 0.67 gives 167.5, 1.9 gives 475;
+    // the limits are 170 and 471.
+    for (const double factor : {0.1, 0.5, 0.67, 1.9, 3.0}) {
+        ClockBench bench;
+        EXPECT_EQ(bench.run(1000), 1000);
+        bench.model.timer_mhz = 80 * factor;
+        EXPECT_LT(bench.run(1000), 20) << factor;  // passes of 50 µs
+    }
+    // 0.69 gives 172.5, 1.87 gives 467.5.
+    for (const double factor : {0.69, 1.87}) {
+        ClockBench bench;
+        bench.model.timer_mhz = 80 * factor;
+        EXPECT_EQ(bench.run(1000), 1000) << factor;
+    }
+}
+
+TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
+    verifies<req::CO_SELF_006>();
+    for (double khz = 17; khz <= 47; khz += 1) {
+        // 17 / 47 = 0.362 and 47 / 17 = 2.765
+        for (const double factor : {0.36, 2.77}) {
+            ClockBench bench;
+            bench.model.oscillator_khz = khz;
+            bench.model.timer_mhz = 80 * factor;
+            EXPECT_LT(bench.run(1000), 1000) << khz << ' ' << factor;
+        }
+    }
+}
+
+TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
+    verifies<req::CO_SELF_006>();
+    ClockBench bench;
+    EXPECT_EQ(bench.run(1000), 1000);
+    bench.model.oscillator_khz = 0;
+    const int passes = bench.run(10000);
+    EXPECT_GE(passes, 1990);  // 50 µs each; the last capture was at most 250 µs ago
+    EXPECT_LE(passes, 2000);
+}
+
+TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
+    verifies<req::CO_SELF_006>();
+    ClockBench bench;
+    EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
+    EXPECT_EQ(bench.run(1, 500000), 1);   // an erase of the flash
+    EXPECT_EQ(bench.run(1000), 1000);
+    bench.model.timer_mhz = 800;
+    EXPECT_LT(bench.run(1000), 20);
+}
+
+TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
+    verifies<req::CO_SELF_006>();
+    ClockBench bench;
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(bench.run(7), 7);
+        bench.model.capture_before_read();
+    }
+}
+
+TEST(FailureRecord, RecordKeepsEachTestOnce) {
+    verifies<req::CO_SELF_009>();
+    PlainModel<FailureWords> words;
+    FailureRecord record{words.registers()};
+    for (const SelfTest test : {SelfTest::core, SelfTest::stack, SelfTest::clock, SelfTest::ram, SelfTest::flash,
+                                SelfTest::outputs, SelfTest::flow}) {
+        record.keep(test);
+        EXPECT_EQ(record.take(), test);
+        EXPECT_EQ(record.take(), SelfTest::none);
+    }
+}
+
+TEST(FailureRecord, ArbitraryContentIsNoRecord) {
+    verifies<req::CO_SELF_009>();
+    PlainModel<FailureWords> words;
+    FailureRecord record{words.registers()};
+    for (const std::uint32_t content : {0U, 0xFFFFFFFFU, 0x12345678U}) {
+        words.at(0) = content;
+        words.at(4) = ~content;
+        EXPECT_EQ(record.take(), SelfTest::none);
+    }
+    for (std::size_t at : {0U, 4U}) {
+        for (std::uint32_t bit = 0; bit < 32; ++bit) {
+            record.keep(SelfTest::ram);
+            words.at(at) ^= 1U << bit;
+            EXPECT_EQ(record.take(), SelfTest::none);
+        }
+    }
+}
+
+TEST(FailureRecord, TestsOfTheProcessorFindFailedHardware) {
+    verifies<req::CO_SELF_009, req::CO_D_SELF_001>();
+    for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
+        EXPECT_TRUE(finds_hardware(test));
+    }
+    for (const SelfTest test : {SelfTest::none, SelfTest::stack, SelfTest::outputs, SelfTest::flow}) {
+        EXPECT_FALSE(finds_hardware(test));
+    }
+}
+
+}  // namespace canproof::test
