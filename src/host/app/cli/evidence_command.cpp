@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "devices/catalogue.hpp"
 #include "host/app/cli/sound_register.hpp"
@@ -164,9 +165,10 @@ std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Regis
 
 std::size_t make_missing(const EvidenceOptions& options, const Register& content) {
     const std::filesystem::path root = std::filesystem::canonical(options.root);
-    return make_evidence(needed(options, content), root, [](const std::string& line) {
-        fmt::print("{}\n", line);
-        std::fflush(stdout);
+    std::FILE* const stream = options.json ? stderr : stdout;
+    return make_evidence(needed(options, content), root, [stream](const std::string& line) {
+        fmt::print(stream, "{}\n", line);
+        std::fflush(stream);
     });
 }
 
@@ -196,6 +198,12 @@ int write_evidence(const EvidenceOptions& options) {
 
 int verify_evidence(const VerifyOptions& options) {
     const auto faults = faults_of_pack(options.pack, options.key);
+    if (options.json) {
+        const nlohmann::ordered_json json{{"signature_verified", faults.empty() && !options.key.empty()},
+                                          {"faults", faults}};
+        fmt::print("{}\n", json.dump(2));
+        return faults.empty() ? 0 : 1;
+    }
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
     }
