@@ -11,18 +11,9 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from small_project import AWAKE, GREEN, VERDICTS, Project
+from small_project import AWAKE, GREEN, MEASURED, SOURCE, VERDICTS, Project
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SOURCE = "int run(bool a) {\n    return a ? 1 : 2;\n}\nint idle() {\n    return 4;\n}\n"
-MEASURED = {"version": "2.0.1", "data": [{
-    "files": [{"filename": "/elsewhere/src/firmware/base/one.cpp", "segments": [[1, 17, 1, True, True, False], [3, 2, 0, False, False, False],
-                                                                                  [4, 12, 0, True, True, False], [6, 2, 0, False, False, False]],
-               "branches": [], "mcdc_records": [], "expansions": [], "summary": {}}],
-    "functions": [{"name": "_ZN8canproof3runEb", "count": 1, "filenames": ["/elsewhere/src/firmware/base/one.cpp"],
-                   "regions": [[1, 17, 3, 2, 1, 0, 0, 0]], "branches": [], "mcdc_records": []},
-                  {"name": "_ZN8canproof4idleEv", "count": 0, "filenames": ["/elsewhere/src/firmware/base/one.cpp"],
-                   "regions": [[4, 12, 6, 2, 0, 0, 0, 0]], "branches": [], "mcdc_records": []}]}]}
 MUTANTS = r'''#!/usr/bin/env python3
 import os, sys
 word = sys.argv[1] if len(sys.argv) > 1 else ""

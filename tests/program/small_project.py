@@ -42,6 +42,17 @@ TEXT = "# 1. Lamp\nThe lamp is\n**green**. It never sleeps.\n# 2. Rates\nTen tim
 VERDICTS = ('<testsuites><testsuite name="S"><testcase classname="S" name="Green" status="run" file="tests/a_test.cpp">'
             '<properties><property name="BOX-R-1" value="test"/></properties></testcase></testsuite></testsuites>')
 
+# A source whose function `idle` no test calls, and what llvm-cov exports of it.
+SOURCE = "int run(bool a) {\n    return a ? 1 : 2;\n}\nint idle() {\n    return 4;\n}\n"
+MEASURED = {"version": "2.0.1", "data": [{
+    "files": [{"filename": "/elsewhere/src/firmware/base/one.cpp", "segments": [[1, 17, 1, True, True, False], [3, 2, 0, False, False, False],
+                                                                                  [4, 12, 0, True, True, False], [6, 2, 0, False, False, False]],
+               "branches": [[2, 12, 2, 13, 1, 0, 0, 0, 4]], "mcdc_records": [], "expansions": [], "summary": {}}],
+    "functions": [{"name": "_ZN8canproof3runEb", "count": 1, "filenames": ["/elsewhere/src/firmware/base/one.cpp"],
+                   "regions": [[1, 17, 3, 2, 1, 0, 0, 0]], "branches": [], "mcdc_records": []},
+                  {"name": "_ZN8canproof4idleEv", "count": 0, "filenames": ["/elsewhere/src/firmware/base/one.cpp"],
+                   "regions": [[4, 12, 6, 2, 0, 0, 0, 0]], "branches": [], "mcdc_records": []}]}]}
+
 
 def mark(passage):
     kept = re.sub("[^a-z0-9]", "", passage.lower())
