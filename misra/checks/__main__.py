@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks the firmware and the generated headers against MISRA C++:2023, with checkers that are themselves tested.
 
-misra/run [--root PROJECT] BUILD_FOLDER [OUTPUT_FOLDER]
+misra/run [--root PROJECT] [--json] BUILD_FOLDER [OUTPUT_FOLDER]
 misra/run [--root PROJECT] review BUILD_FOLDER FILE RULE --by NAME --judgement TEXT
 
 Exit status 0: no open finding and no fault in checkers or records; 1: a finding or a fault; 2: wrong use or a missing tool.
@@ -19,7 +19,7 @@ from .cache import drop_unused
 from .callgraph import check_call_graph
 from .examples import prove_rules
 from .records import add_review, apply_deviations, apply_reviews, read_deviations, read_plan, read_reviews
-from .reports import Outcome, lead, write_all
+from .reports import Outcome, lead, outcome_json, write_all
 from .rules import HOME, ROOT, Faults, Rules, firmware_files, named, short_path
 from .served import check_served
 from .seeds import prove_on_firmware
@@ -36,13 +36,14 @@ def scope(generated):
 
 
 class Progress:
-    """Prints one line per step, with the time so far."""
+    """Writes one line per step to a stream, with the time so far."""
 
-    def __init__(self):
+    def __init__(self, stream):
         self.start = time.monotonic()
+        self.stream = stream
 
     def step(self, text):
-        print(f"[{time.monotonic() - self.start:4.0f} s] {text}", flush=True)
+        print(f"[{time.monotonic() - self.start:4.0f} s] {text}", file=self.stream, flush=True)
 
 
 def version_of(home):
@@ -51,8 +52,23 @@ def version_of(home):
     return found.group(1) if found else "0.0.0"
 
 
-def check(build, output):
-    progress, faults, rules = Progress(), Faults(), Rules()
+def print_lines(outcome):
+    """Prints what is open, then the stack of each device and the counts."""
+    for finding in outcome.open:
+        if finding.rule in outcome.reviewed_rules:
+            print(f"{finding.path}:{finding.line}: no valid review for {finding.rule}; judge the file, then "
+                  f"`canproof misra review {finding.path} {finding.rule} --by NAME --judgement TEXT`")
+        else:
+            print(f"{finding.path}:{finding.line}: MISRA C++:2023 rule {finding.rule}")
+    for fault in outcome.faults:
+        print(fault)
+    for name, (used, allowed) in outcome.figures["stack"].items():
+        print(f"stack of {name}: {used} of {allowed} bytes")
+    print(f"misra: {lead(outcome)}")
+
+
+def check(build, output, as_json):
+    progress, faults, rules = Progress(sys.stderr if as_json else sys.stdout), Faults(), Rules()
     drop_unused()
     generated = build / "generated"
     plan = read_plan(rules, faults)
@@ -79,19 +95,14 @@ def check(build, output):
     records, reviews = read_deviations(), read_reviews()
     open_findings, deviated = apply_deviations(found - reviewed, generated, datetime.date.today(), records, faults)
     unjudged = list(apply_reviews(reviewed, generated, reviews, faults))
-    outcome = Outcome(version_of(HOME), plan, sorted([*open_findings, *unjudged]), deviated, reviews, figures, faults, records)
+    outcome = Outcome(version_of(HOME), plan, sorted([*open_findings, *unjudged]), deviated, reviews, figures, faults, records,
+                      frozenset(rules.scopes))
     write_all(output, outcome)
-    for finding in open_findings:
-        print(f"{finding.path}:{finding.line}: MISRA C++:2023 rule {finding.rule}")
-    for finding in unjudged:
-        print(f"{finding.path}:{finding.line}: no valid review for {finding.rule}; judge the file, then "
-              f"`canproof misra review {finding.path} {finding.rule} --by NAME --judgement TEXT`")
-    for fault in faults:
-        print(fault)
-    for name, (used, allowed) in figures["stack"].items():
-        print(f"stack of {name}: {used} of {allowed} bytes")
     progress.step(f"wrote {output}/misra.sarif, compliance.md, misra.html")
-    print(f"misra: {lead(outcome)}")
+    if as_json:
+        print(outcome_json(outcome))
+    else:
+        print_lines(outcome)
     return 1 if outcome.open or faults else 0
 
 
@@ -105,6 +116,8 @@ def main(arguments):
         parsed = parser.parse_args(arguments[1:])
         add_review(parsed, pathlib.Path(parsed.build) / "generated")
         return 0
+    as_json = arguments[:1] == ["--json"]
+    arguments = arguments[1:] if as_json else arguments
     if len(arguments) not in (1, 2):
         print(__doc__.strip(), file=sys.stderr)
         return 2
@@ -116,7 +129,7 @@ def main(arguments):
     if not all(path.exists() for path in archives(build)) or not (build / "generated").is_dir():
         print(f"misra: {build} holds no built firmware; build it first: `./run build`, or name another build folder", file=sys.stderr)
         return 2
-    return check(build, pathlib.Path(arguments[1] if len(arguments) == 2 else build / "misra"))
+    return check(build, pathlib.Path(arguments[1] if len(arguments) == 2 else build / "misra"), as_json)
 
 
 if __name__ == "__main__":

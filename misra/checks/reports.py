@@ -13,8 +13,9 @@ code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}sm
 class Outcome:
     """The content of the reports."""
 
-    def __init__(self, version, plan, open_findings, deviated, reviews, figures, faults, records):
+    def __init__(self, version, plan, open_findings, deviated, reviews, figures, faults, records, reviewed_rules):
         self.version = version
+        self.reviewed_rules = reviewed_rules  # guidelines whose findings a review closes
         self.plan, self.open, self.deviated, self.reviews = plan, open_findings, deviated, reviews
         self.figures, self.faults, self.records = figures, faults, records
         self.counts = {how: sum(row["enforcement"] == how for row in plan) for how in ("enforced", "review", "not applicable")}
@@ -113,6 +114,17 @@ def lead(outcome):
             f"{len(outcome.reviews)} review(s), {len(outcome.faults)} fault(s). Call graph of {figures['functions']} functions: no recursion, "
             f"{figures['indirect_calls']} indirect calls, all listed. Of {figures['all_functions']} functions by name {figures['unserved']} serve no "
             f"item, each with a reason.")
+
+
+def outcome_json(outcome):
+    """Returns the result of a run for programs, as `canproof misra --json` prints it."""
+    findings = [{"file": one.path, "line": one.line, "guideline": one.rule, "needs_review": one.rule in outcome.reviewed_rules}
+                for one in outcome.open]
+    deviations = [{"file": one.path, "line": one.line, "guideline": one.rule, "reason": record["reason"]} for one, record in outcome.deviated]
+    stack = {name: {"bytes": used, "allowed": allowed} for name, (used, allowed) in outcome.figures["stack"].items()}
+    return json.dumps({"holds": not outcome.open and not outcome.faults, "findings": findings, "faults": list(outcome.faults),
+                       "deviations": deviations, "reviews": len(outcome.reviews), "guidelines": outcome.counts, "stack": stack,
+                       "functions": outcome.figures["all_functions"], "unserved_functions": outcome.figures["unserved"]}, indent=2)
 
 
 def write_markdown(folder, outcome):

@@ -2,9 +2,11 @@
 #include "host/base/signature.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 #include <openssl/pem.h>
 
+#include <array>
 #include <memory>
 
 #include "host/base/input_error.hpp"
@@ -66,6 +68,32 @@ std::string sign(const std::string& bytes, const std::filesystem::path& private_
     }
     signature.resize(size);
     return signature;
+}
+
+PublicKey public_key_of(const std::filesystem::path& private_key) {
+    const Key key = key_in(private_key, "private", PEM_read_bio_PrivateKey);
+    PublicKey made{EVP_PKEY_get0_type_name(key.get()), ""};
+    if (EVP_PKEY_get_base_id(key.get()) == EVP_PKEY_ED25519) {
+        std::array<unsigned char, 32> raw{};
+        std::size_t size = raw.size();
+        if (EVP_PKEY_get_raw_public_key(key.get(), raw.data(), &size) != 1) {
+            throw InputError{fmt::format("the key in {} has no public half", private_key.string())};
+        }
+        made.text = fmt::format("{:02x}", fmt::join(raw, ""));
+        return made;
+    }
+    std::array<char, 80> group{};
+    if (EVP_PKEY_get_group_name(key.get(), group.data(), group.size(), nullptr) == 1) {
+        made.kind += std::string{" "} + group.data();
+    }
+    const Memory memory{BIO_new(BIO_s_mem()), &BIO_free};
+    char* text = nullptr;
+    if (!memory || PEM_write_bio_PUBKEY(memory.get(), key.get()) != 1) {
+        throw InputError{fmt::format("the key in {} has no public half", private_key.string())};
+    }
+    const long size = BIO_get_mem_data(memory.get(), &text);
+    made.text.assign(text, static_cast<std::size_t>(size) - 1U);
+    return made;
 }
 
 bool is_signed(const std::string& bytes, const std::string& signature, const std::filesystem::path& public_key) {

@@ -15,4 +15,13 @@ std::string sign(const std::string& bytes, const std::filesystem::path& private_
 /// public key.
 bool is_signed(const std::string& bytes, const std::string& signature, const std::filesystem::path& public_key);
 
+/// The public half of a private key.
+struct PublicKey {
+    std::string kind;  ///< `ED25519`, `EC prime256v1`, or what OpenSSL calls another kind
+    std::string text;  ///< Ed25519: the 32 bytes in hexadecimal; otherwise PEM without the last line break
+};
+
+/// Returns the public key that belongs to the private key in a PEM file. Throws InputError as sign() does.
+PublicKey public_key_of(const std::filesystem::path& private_key);
+
 }  // namespace canproof::host

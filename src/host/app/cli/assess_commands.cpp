@@ -95,7 +95,7 @@ class AuditCommand : Command {
             ->check(CLI::IsMember({"failed", "open", "suspect", "shown", "explained"}));
         command->add_flag_callback(
             "--untested", [this] { options_.filter.status = "open"; }, "the same as --status open");
-        command->add_flag("--json", options_.json, "the audit or the list as JSON");
+        command->add_flag("--json", options_.json, "the audit, the list or the story as JSON");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; default: the newest of build/*/verdicts");
@@ -132,6 +132,8 @@ class MisraCommand : Command {
         command->add_option("--build", options_.build, "folder with a built firmware; default: build/release");
         command->add_option("--html", options_.out,
                             "folder for misra.html, misra.sarif, compliance.md; default: BUILD/misra");
+        command->add_flag("--json", options_.json,
+                          "findings, faults and figures as JSON; the steps go to standard error");
         auto* review = command->add_subcommand("review", "record that a person judged a file for a guideline");
         review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
@@ -166,6 +168,7 @@ class EvidenceCommand : Command {
             command->add_subcommand("verify", "verify a pack against its manifest and a signature; exit status 0 or 1");
         verify->add_option("FOLDER", verified_.pack, "the pack")->capture_default_str();
         verify->add_option("--key", verified_.key, "PEM file of the public key")->check(CLI::ExistingFile);
+        verify->add_flag("--json", verified_.json, "the faults as JSON instead of lines");
         verify->callback([this, &chosen] { chosen = [this] { return verify_evidence(verified_); }; });
         command->callback([this, verify, &chosen] {
             if (!verify->parsed()) {
@@ -203,6 +206,7 @@ class MutateCommand : Command {
         command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
             ->excludes(shard)
             ->excludes(kills);
+        command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
         command->callback([this, shard, &chosen] {
             chosen = [this, shard] {
                 if (shard->count() != 0) {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "host/app/cli/sound_register.hpp"
@@ -21,6 +22,8 @@
 namespace canproof::host {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Prints how the statements of a part's manual are covered.
 void print_statements(const PartAudit& audit) {
@@ -95,13 +98,18 @@ int list(const Register& content, const std::vector<PartAudit>& audits, const Ev
     return listed.not_shown == 0 ? 0 : 1;
 }
 
-/// Lists the conditions that installers and operators must keep, by section of the device's manual; without a device,
-/// of all manuals.
-int list_conditions(const Register& content, const std::string& device) {
+struct ConditionOfUse {
+    std::string section;  ///< AX130751:1.3
+    std::string text;
+};
+
+/// Returns the conditions that installers and operators must keep, by section of the device's manual; without a device,
+/// of all manuals. Throws InputError for an unknown device.
+std::vector<ConditionOfUse> conditions_of(const Register& content, const std::string& device) {
     if (!device.empty() && content.part(device) == nullptr) {
         throw InputError{fmt::format("`{}` is no device; `canproof devices` lists them", device)};
     }
-    std::size_t found = 0;
+    std::vector<ConditionOfUse> all;
     for (const Part& part : content.parts) {
         const Manual* manual = content.manual(part.info.manual);
         if (manual == nullptr || (!device.empty() && part.name != device)) {
@@ -109,13 +117,26 @@ int list_conditions(const Register& content, const std::string& device) {
         }
         for (const auto& section : manual->sections) {
             for (const auto& condition : section.conditions) {
-                fmt::print("{}:{} {}\n", manual->key, section.ref, condition);
-                ++found;
+                all.push_back({manual->key + ":" + section.ref, condition});
             }
         }
     }
-    fmt::print("{} condition(s) of use\n", found);
-    return 0;
+    return all;
+}
+
+void print_conditions(const std::vector<ConditionOfUse>& conditions, const bool json) {
+    if (json) {
+        Json all = Json::array();
+        for (const auto& one : conditions) {
+            all.push_back({{"section", one.section}, {"text", one.text}});
+        }
+        fmt::print("{}\n", Json{{"conditions", all}}.dump(2));
+        return;
+    }
+    for (const auto& one : conditions) {
+        fmt::print("{} {}\n", one.section, one.text);
+    }
+    fmt::print("{} condition(s) of use\n", conditions.size());
 }
 
 /// Returns the audits of this device and of the shared rules on which it rests; all audits without a name.
@@ -146,9 +167,6 @@ std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::
 
 int tell_story(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
                const Evidence& evidence) {
-    if (options.json) {
-        throw InputError{"--json is only for an audit of everything or of a device; leave it out"};
-    }
     const auto mutations =
         read_mutation_json(std::filesystem::path{options.root} / "build" / "mutation" / "mutation.json");
     const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
@@ -158,7 +176,11 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
             "(Suite.Name)",
             options.subject)};
     }
-    fmt::print("{}", story->text);
+    if (options.json) {
+        fmt::print("{}\n", Json{{"subject", options.subject}, {"open", story->open}, {"story", story->text}}.dump(2));
+    } else {
+        fmt::print("{}", story->text);
+    }
     return story->open ? 1 : 0;
 }
 
@@ -199,10 +221,8 @@ int audit(const AuditOptions& options) {
     const std::filesystem::path root{options.root};
     const Register content = sound_register(root / "spec");
     if (options.filter.kind == "condition-of-use") {
-        if (options.json) {
-            throw InputError{"--json does not list conditions of use; leave it out"};
-        }
-        return list_conditions(content, options.subject);
+        print_conditions(conditions_of(content, options.subject), options.json);
+        return 0;
     }
     const auto verdicts = options.verdicts.empty() ? newest_verdicts(root) : std::filesystem::path{options.verdicts};
     const Evidence evidence = collect_evidence(root, verdicts, content);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "generated/version.hpp"
@@ -33,7 +34,15 @@ namespace {
 using conform::CaseResult;
 using conform::Verdict;
 
-int list_cases(const conform::CaseBook& book) {
+int list_cases(const conform::CaseBook& book, const bool json) {
+    if (json) {
+        auto all = nlohmann::ordered_json::array();
+        for (const conform::Case& one : book.cases) {
+            all.push_back({{"id", one.id}, {"service", one.group}, {"public", one.numbers}, {"shows", one.shows}});
+        }
+        fmt::print("{}\n", nlohmann::ordered_json{{"cases", all}}.dump(2));
+        return 0;
+    }
     for (const conform::Case& one : book.cases) {
         fmt::print("{:<10} {:<44} {:<8} {}\n", one.group, one.id, fmt::format("{}", fmt::join(one.numbers, ",")),
                    one.shows);
@@ -180,7 +189,7 @@ void check_report_folder(const std::filesystem::path& folder) {
 int run_conform(const ConformCommandOptions& options) {
     const conform::CaseBook book = read_cases(options.folder);
     if (options.list) {
-        return list_cases(book);
+        return list_cases(book, options.json);
     }
     check_slave(options);
     std::optional<ChosenDevice> image;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "host/assess/coverage/cobertura.hpp"
 #include "host/assess/coverage/coverage.hpp"
@@ -59,9 +60,17 @@ void print_verdict(const CoverageVerdict& verdict) {
 }
 
 /// Checks without a measurement whether each record still matches a place in the sources. Returns the exit status.
-int check_records(const std::filesystem::path& place, const std::filesystem::path& root) {
+int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);
+    if (json) {
+        auto lines = nlohmann::ordered_json::array();
+        for (const auto& record : stale) {
+            lines.push_back({{"line", record.line}, {"file", record.file}, {"code", record.code}});
+        }
+        fmt::print("{}\n", nlohmann::ordered_json{{"records", records.size()}, {"stale", lines}}.dump(2));
+        return stale.empty() ? 0 : 1;
+    }
     for (const auto& record : stale) {
         fmt::print("{}:{}: `{}` is not in {} any more; remove the record or name the new code\n", place.string(),
                    record.line, record.code, record.file);
@@ -75,7 +84,7 @@ int check_records(const std::filesystem::path& place, const std::filesystem::pat
 int check_coverage(const CoverageOptions& options) {
     const auto place = std::filesystem::path{options.root} / "reports" / "coverage.toml";
     if (options.records_only) {
-        return check_records(place, options.root);
+        return check_records(place, options.root, options.json);
     }
     const std::vector<FileCoverage> files = read_coverage(options.measured, options.root);
     const CoverageVerdict verdict = judge_coverage(files, read_coverage_records(place));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "devices/catalogue.hpp"
 #include "host/app/cli/sound_register.hpp"
@@ -15,6 +16,7 @@
 #include "host/assess/evidence/argument_page.hpp"
 #include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/freshness.hpp"
+#include "host/assess/evidence/in_toto.hpp"
 #include "host/assess/evidence/make_evidence.hpp"
 #include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/evidence/pack.hpp"
@@ -28,6 +30,7 @@
 #include "host/assess/trace/evidence.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
+#include "host/base/sha256.hpp"
 #include "host/base/signature.hpp"
 
 namespace canproof::host {
@@ -150,6 +153,17 @@ PackInput gather(const Places& places, const Register& content) {
     return input;
 }
 
+/// Returns the SHA-256 of what the pack is made from: the tracked files, and the verdicts as `verdicts/NAME`.
+std::map<std::string, std::string> materials_in(const Places& places) {
+    auto sums = source_sums(places.root);
+    for (const auto& file : std::filesystem::directory_iterator{places.verdicts}) {
+        if (file.is_regular_file()) {
+            sums["verdicts/" + file.path().filename().string()] = sha256(bytes_of(file.path()));
+        }
+    }
+    return sums;
+}
+
 /// Returns the evidence that is absent or stale and that a command can make. Without any verdicts, returns all that can
 /// be made.
 std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Register& content) {
@@ -164,9 +178,10 @@ std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Regis
 
 std::size_t make_missing(const EvidenceOptions& options, const Register& content) {
     const std::filesystem::path root = std::filesystem::canonical(options.root);
-    return make_evidence(needed(options, content), root, [](const std::string& line) {
-        fmt::print("{}\n", line);
-        std::fflush(stdout);
+    std::FILE* const stream = options.json ? stderr : stdout;
+    return make_evidence(needed(options, content), root, [stream](const std::string& line) {
+        fmt::print(stream, "{}\n", line);
+        std::fflush(stream);
     });
 }
 
@@ -177,13 +192,15 @@ int write_evidence(const EvidenceOptions& options) {
     const std::filesystem::path folder{options.out};
     check_place(folder);
     const std::size_t failed = options.full ? make_missing(options, content) : 0;
-    const PackInput input = gather(Places{options}, content);
+    const Places places{options};
+    const PackInput input = gather(places, content);
     PackFiles files = make_pack(input);
     const std::string manifest = write_manifest(files, input.provenance);
+    files["manifest.json"] = manifest;
     if (!options.key.empty()) {
+        files.merge(in_toto_files(files, materials_in(places), input.provenance, options.key));
         files[manifest_signature] = sign(manifest, options.key);
     }
-    files["manifest.json"] = manifest;
     replace_folder(folder, files);
     if (options.json) {
         fmt::print("{}", files.at("data/argument.json"));
@@ -196,6 +213,12 @@ int write_evidence(const EvidenceOptions& options) {
 
 int verify_evidence(const VerifyOptions& options) {
     const auto faults = faults_of_pack(options.pack, options.key);
+    if (options.json) {
+        const nlohmann::ordered_json json{{"signature_verified", faults.empty() && !options.key.empty()},
+                                          {"faults", faults}};
+        fmt::print("{}\n", json.dump(2));
+        return faults.empty() ? 0 : 1;
+    }
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
     }

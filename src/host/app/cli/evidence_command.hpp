@@ -19,7 +19,8 @@ struct EvidenceOptions {
 
 struct VerifyOptions {
     std::string pack{"reports/out"};
-    std::string key;  ///< file of the public key; empty: checks the checksums only
+    std::string key;   ///< file of the public key; empty: checks the checksums only
+    bool json{false};  ///< the faults as JSON instead of lines
 };
 
 /// Writes the pack and replaces the folder `out` as a whole. Returns the exit status: 1 when a step of --full fails.

@@ -84,8 +84,12 @@ int check_misra(const MisraOptions& options) {
         return run_program({script.string(), "--root", root, "review", build.string(), options.review_file,
                             options.review_rule, "--by", options.reviewer, "--judgement", options.judgement});
     }
-    return run_program({script.string(), "--root", root, build.string(),
-                        options.out.empty() ? (build / "misra").string() : options.out});
+    std::vector<std::string> words{script.string(), "--root", root, build.string(),
+                                   options.out.empty() ? (build / "misra").string() : options.out};
+    if (options.json) {
+        words.insert(words.begin() + 3, "--json");
+    }
+    return run_program(words);
 }
 
 }  // namespace canproof::host

@@ -14,6 +14,7 @@ struct MisraOptions {
     std::string review_rule;
     std::string reviewer;
     std::string judgement;
+    bool json{false};  ///< the result as JSON instead of lines
 };
 
 /// Runs misra/run. Returns the exit status: 1 when it has findings.

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
@@ -106,7 +107,8 @@ void print_counts(const CountsByItem& counts, bool code) {
 }
 
 /// Renews reports/kills.csv. Writes the record after every 100 tests, so that an interruption keeps the results so far.
-int write_kills(const std::filesystem::path& root, const std::filesystem::path& programs, unsigned jobs) {
+int write_kills(const MutateOptions& options, const std::filesystem::path& programs) {
+    const std::filesystem::path root{options.root};
     const auto file = root / "reports" / "kills.csv";
     constexpr std::size_t step = 100;
     const auto progress = [&](std::size_t done, std::size_t all, const KillRecord& known) {
@@ -116,11 +118,15 @@ int write_kills(const std::filesystem::path& root, const std::filesystem::path& 
         }
     };
     const KillRecord record =
-        record_kills({root, programs, jobs}, sound_register(root / "spec"), read_kill_record(file), progress);
+        record_kills({root, programs, options.jobs}, sound_register(root / "spec"), read_kill_record(file), progress);
     write_file(file, write_kill_record(record));
     const auto idle =
         std::count_if(record.begin(), record.end(), [](const auto& line) { return line.second.kills.empty(); });
-    fmt::print("{} test(s) judged, {} of them notice no mutant of their claimed items\n", record.size(), idle);
+    if (options.json) {
+        fmt::print("{}\n", nlohmann::ordered_json{{"tests", record.size()}, {"notice_nothing", idle}}.dump(2));
+    } else {
+        fmt::print("{} test(s) judged, {} of them notice no mutant of their claimed items\n", record.size(), idle);
+    }
     return 0;
 }
 
@@ -143,9 +149,60 @@ int judge_shard(const MutateOptions& options, const std::filesystem::path& progr
     const auto share = share_of(cells, *options.shard);
     const auto file = programs / "shards" / mutation_shard_name(options.code, *options.shard);
     write_file(file, write_mutation_shard(*options.shard, judge(options, programs, share, count)));
-    fmt::print("shard {}: {} of {} alterations judged: {}\n", options.shard->text(), share.size(), cells.size(),
-               file.string());
+    if (options.json) {
+        const nlohmann::ordered_json json{{"shard", options.shard->text()},
+                                          {"judged", share.size()},
+                                          {"of", cells.size()},
+                                          {"file", file.generic_string()}};
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        fmt::print("shard {}: {} of {} alterations judged: {}\n", options.shard->text(), share.size(), cells.size(),
+                   file.string());
+    }
     return 0;
+}
+
+/// Returns a line for each of these records of survivors, with its file and line.
+std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& records,
+                                     const std::filesystem::path& file, const char* what) {
+    std::vector<std::string> lines;
+    for (const SurvivorRecord* record : records) {
+        lines.push_back(fmt::format("{}:{}: {}; remove it", file.string(), record->line, what));
+    }
+    return lines;
+}
+
+/// Keeps the outcomes of a whole run for the evidence pack.
+void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& options,
+          const std::filesystem::path& programs) {
+    write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
+    if (options.code) {
+        replace_folder(std::filesystem::path{options.root} / "build" / "exhibits" / "code-mutation",
+                       code_exhibit(outcomes));
+    }
+}
+
+/// Prints the survivors, the counts and the faults of the records as lines.
+void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
+    for (const auto& fault : faults) {
+        fmt::print("{}\n", fault);
+    }
+    print_survivors(outcomes);
+    print_counts(count_by_item(outcomes), code);
+}
+
+/// Returns the alterations that a run judges: those of the subject, or a sample of them.
+std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
+    auto cells = options.code
+                     ? chosen_mutants(all, options.subject)
+                     : chosen_cells(all, sound_register(std::filesystem::path{options.root} / "spec"), options.subject);
+    if (options.sample == 0) {
+        return cells;
+    }
+    if (!options.json) {
+        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
+    }
+    return sample_of(cells, options.sample, options.seed);
 }
 
 }  // namespace
@@ -155,41 +212,30 @@ int mutate(const MutateOptions& options) {
     const auto programs =
         options.programs.empty() ? root / "build" / "mutation" : std::filesystem::path{options.programs};
     if (options.kills) {
-        return write_kills(root, programs, options.jobs);
+        return write_kills(options, programs);
     }
     const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
     const auto records = read_survivor_records(record_file);
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
-    const auto idle = without_alteration(records, all);
-    for (const SurvivorRecord* record : idle) {
-        fmt::print("{}:{}: no alteration matches this record; remove it\n", record_file.string(), record->line);
-    }
-    auto cells = options.code ? chosen_mutants(all, options.subject)
-                              : chosen_cells(all, sound_register(root / "spec"), options.subject);
-    const bool whole = options.subject.empty() && options.sample == 0;
-    if (options.sample != 0) {
-        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
-        cells = sample_of(cells, options.sample, options.seed);
-    }
+    auto faults = lines_about(without_alteration(records, all), record_file, "no alteration matches this record");
+    const auto cells = alterations_for(options, all);
     if (options.shard) {
         return judge_shard(options, programs, cells, all.size());
     }
     auto outcomes = options.merge.empty() ? judge(options, programs, cells, all.size())
                                           : merge_mutation_shards(options.merge, options.code, cells);
     const auto unneeded = justify(outcomes, records);
-    print_survivors(outcomes);
-    if (whole) {
-        write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));
-        if (options.code) {
-            replace_folder(root / "build" / "exhibits" / "code-mutation", code_exhibit(outcomes));
-        }
-        for (const SurvivorRecord* record : unneeded) {
-            fmt::print("{}:{}: no survivor needs this record; remove it\n", record_file.string(), record->line);
-        }
+    if (options.subject.empty() && options.sample == 0) {
+        const auto more = lines_about(unneeded, record_file, "no survivor needs this record");
+        faults.insert(faults.end(), more.begin(), more.end());
+        keep(outcomes, options, programs);
     }
-    const CountsByItem counts = count_by_item(outcomes);
-    print_counts(counts, options.code);
-    return total(counts).open() == 0 && idle.empty() && (!whole || unneeded.empty()) ? 0 : 1;
+    if (options.json) {
+        fmt::print("{}", write_mutation_run_json(outcomes, faults));
+    } else {
+        print_run(outcomes, faults, options.code);
+    }
+    return total(count_by_item(outcomes)).open() == 0 && faults.empty() ? 0 : 1;
 }
 
 }  // namespace canproof::host

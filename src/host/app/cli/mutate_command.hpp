@@ -22,6 +22,7 @@ struct MutateOptions {
     unsigned jobs{2};
     std::optional<Shard> shard{};  ///< only this part of a run: its outcomes are left below `programs`
     std::string merge;             ///< folder of all shards of a run, in place of judging; empty: judge
+    bool json{false};              ///< the outcomes as JSON instead of lines
 };
 
 /// Returns the exit status: 1 when an alteration survives without a reason. A shard has no survivors to report.

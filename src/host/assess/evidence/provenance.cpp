@@ -13,6 +13,7 @@
 
 #include "host/base/child_process.hpp"
 #include "host/base/reading.hpp"
+#include "host/base/sha256.hpp"
 
 namespace canproof::host {
 
@@ -119,6 +120,17 @@ Provenance provenance_of(const std::filesystem::path& root) {
     made.packages = packages_of(root);
     made.package_sums = package_sums(made.packages);
     return made;
+}
+
+std::map<std::string, std::string> source_sums(const std::filesystem::path& root) {
+    std::map<std::string, std::string> sums;
+    std::istringstream names{said_by("git -C " + quoted(root) + " ls-files -z")};
+    for (std::string name; std::getline(names, name, '\0');) {
+        if (std::filesystem::is_regular_file(root / name)) {
+            sums[name] = sha256(read_file(root / name));
+        }
+    }
+    return sums;
 }
 
 }  // namespace canproof::host

@@ -22,4 +22,7 @@ struct Provenance {
 /// Returns the provenance of the working copy at `root` and of this program. SOURCE_DATE_EPOCH replaces the date.
 Provenance provenance_of(const std::filesystem::path& root);
 
+/// Returns the SHA-256 of each file that git tracks at `root`, by name; of none without git.
+std::map<std::string, std::string> source_sums(const std::filesystem::path& root);
+
 }  // namespace canproof::host

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "host/assess/evidence/in_toto.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/base/sha256.hpp"
@@ -27,11 +28,13 @@ std::map<std::string, std::string> sums_in(const std::string& manifest, const fs
     }
 }
 
+/// Returns the files that the manifest has to list.
 std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& one : fs::recursive_directory_iterator{folder}) {
-        if (!one.is_directory()) {
-            names.insert(one.path().lexically_relative(folder).generic_string());
+        const std::string name = one.path().lexically_relative(folder).generic_string();
+        if (!one.is_directory() && name != "manifest.json" && name != manifest_signature && !is_in_toto_file(name)) {
+            names.insert(name);
         }
     }
     return names;
@@ -47,8 +50,6 @@ std::vector<std::string> faults_of_pack(const fs::path& folder, const fs::path& 
     const std::string manifest = read_file(file);
     std::vector<std::string> faults;
     auto there = files_in(folder);
-    there.erase("manifest.json");
-    there.erase(manifest_signature);
     for (const auto& [name, sum] : sums_in(manifest, file)) {
         if (there.erase(name) == 0) {
             faults.push_back(name + " is missing");

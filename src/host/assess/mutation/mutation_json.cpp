@@ -12,8 +12,11 @@
 
 namespace canproof::host {
 
-std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
-    using Json = nlohmann::ordered_json;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<MutationOutcome>& outcomes) {
     const CountsByItem counts = count_by_item(outcomes);
     const MutationCount all = total(counts);
     Json survivors = Json::array();
@@ -34,9 +37,20 @@ std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
                 {"noticed", all.noticed},
                 {"justified", all.justified},
                 {"items", items},
-                {"survivors", survivors}}
-               .dump(1) +
-           "\n";
+                {"survivors", survivors}};
+}
+
+}  // namespace
+
+std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes) {
+    return json_of(outcomes).dump(1) + "\n";
+}
+
+std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
+                                    const std::vector<std::string>& faults) {
+    Json json = json_of(outcomes);
+    json["faults"] = faults;
+    return json.dump(1) + "\n";
 }
 
 CountsByItem read_mutation_json(const std::filesystem::path& file) {

@@ -12,6 +12,9 @@
 namespace canproof::host {
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
+/// Returns the same with the faults of the records, one line each, for `canproof mutate --json`.
+std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
+                                    const std::vector<std::string>& faults);
 /// Reads the counts; returns none when the file does not exist. Throws InputError for other content.
 CountsByItem read_mutation_json(const std::filesystem::path& file);
 

@@ -80,6 +80,7 @@ TEST_F(Pack, JunitHasTimeFileAndRequirementOfACase) {
     input_.evidence.cases[0].file = "tests/one_test.cpp";
     input_.evidence.cases[0].items = {"D-A-001"};
     const auto document = parsed(make().at("data/junit.xml"));
+    EXPECT_STREQ(document.select_node("//testsuite").node().attribute("errors").value(), "0");
     const auto one = document.select_node("//testcase[@name='One']").node();
     EXPECT_STREQ(one.attribute("time").value(), "0.250");
     EXPECT_STREQ(one.attribute("file").value(), "tests/one_test.cpp");

@@ -6,8 +6,11 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "host/assess/evidence/in_toto.hpp"
 #include "host/assess/evidence/pack.hpp"
+#include "host/assess/evidence/provenance.hpp"
 #include "host/base/child_process.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/signature.hpp"
@@ -94,6 +97,47 @@ TEST_F(SignedPack, SignatureIsVerifiedByTheOpenSslProgram) {
     EXPECT_EQ(verified().value_or(""), "Verified OK\n");
     write("manifest.json", manifest_ + " ");
     EXPECT_FALSE(verified().has_value());
+}
+
+TEST_F(SignedPack, OnlyLayoutAndLinkOfInTotoMayBeMissingInTheManifest) {
+    fs::create_directories(pack_ / "in-toto");
+    write("in-toto/root.layout", "{}");
+    write("in-toto/evidence.0123abcd.link", "{}");
+    EXPECT_THAT(faults(), IsEmpty());
+    write("in-toto/evidence.0123abcd.link.html", "{}");
+    EXPECT_THAT(faults(), ElementsAre("in-toto/evidence.0123abcd.link.html is not in the manifest"));
+}
+
+TEST_F(SignedPack, InTotoMetadataIsWrittenForEd25519AndP256Only) {
+    Provenance provenance;
+    provenance.date = "2024-02-29T12:00:00Z";
+    const auto files_for = [&](const std::vector<std::string>& kind) {
+        return in_toto_files({{"a.txt", "abc"}}, {{"run", std::string(64, '1')}}, provenance,
+                             key("in_toto", kind).string() + ".key");
+    };
+    EXPECT_THAT(files_for({"-algorithm", "ed448"}), IsEmpty());
+    EXPECT_THAT(files_for({"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-384"}), IsEmpty());
+    EXPECT_EQ(files_for({"-algorithm", "EC", "-pkeyopt", "ec_paramgen_curve:P-256"}).size(), 2U);
+    const PackFiles files = files_for({"-algorithm", "ed25519"});
+    ASSERT_EQ(files.size(), 2U);
+    for (const auto& [name, text] : files) {
+        EXPECT_TRUE(is_in_toto_file(name)) << name;
+    }
+    // 2024 + 10; the last day of a year exists in every year, 29 February does not.
+    EXPECT_THAT(files.at("in-toto/root.layout"), HasSubstr("\"expires\": \"2034-12-31T23:59:59Z\""));
+    const auto link = nlohmann::json::parse(files.begin()->second).at("signed");
+    EXPECT_EQ(link.at("materials").at("run").at("sha256"), std::string(64, '1'));
+    // SHA-256 of "abc" as FIPS 180-4 prints it
+    EXPECT_EQ(link.at("products").at("a.txt").at("sha256"),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(SignedPack, Ed25519MetadataOfInTotoIsTheSameTwice) {
+    Provenance provenance;
+    provenance.date = "2024-01-01T00:00:00Z";
+    const std::string mine = key("mine", {"-algorithm", "ed25519"}).string() + ".key";
+    EXPECT_EQ(in_toto_files({{"a.txt", "abc"}}, {}, provenance, mine),
+              in_toto_files({{"a.txt", "abc"}}, {}, provenance, mine));
 }
 
 TEST_F(SignedPack, MissingManifestOrKeyIsAnError) {
