@@ -61,6 +61,7 @@ class Graph:
         self.successors, self.calls = {}, {}
         self._follow()
         self.blocks = self._blocks()
+        self.all_edges = [edge for block in self.blocks.values() for edge in block.edges]
         self.loops = self._loops()
 
     def _leaves(self, target):
@@ -122,7 +123,7 @@ class Graph:
             at = ways[0][0]
 
     def edges(self):
-        return [edge for block in self.blocks.values() for edge in block.edges]
+        return self.all_edges
 
     def _order(self):
         """Returns the blocks in reverse postorder."""

@@ -29,15 +29,15 @@ class LinearProgram:
 
     @staticmethod
     def _sum(terms):
-        total = collections.Counter()
+        total = {}
         for factor, variable in terms:
-            total[variable] += factor
-        parts = [f"{'+' if factor > 0 else '-'} {abs(factor)} x{variable}" for variable, factor in total.items() if factor]
-        return "\n ".join(" ".join(parts[at:at + 12]) for at in range(0, len(parts), 12)) or "0 x1"
+            total[variable] = total.get(variable, 0) + factor
+        return "\n ".join(f"{factor:+} x{variable}" for variable, factor in total.items())
 
     def maximise(self):
         """Returns the optimum and the value of each variable; raises ValueError without an optimum."""
-        text = ["Maximize", " all: " + self._sum([(cost, variable) for variable, cost in self.costs.items()]), "Subject To"]
+        # The objective names every variable, so that their order in the answer is known.
+        text = ["Maximize", " all: " + self._sum([(self.costs.get(one, 0), one) for one in range(1, self.count + 1)]), "Subject To"]
         text += [f" r{number}: {self._sum(terms)} {relation} {right}" for number, (terms, relation, right) in enumerate(self.rows)]
         with tempfile.TemporaryDirectory() as folder:
             file, result = pathlib.Path(folder) / "program.lp", pathlib.Path(folder) / "result"
@@ -48,10 +48,8 @@ class LinearProgram:
             answer = result.read_text()
         if (status := re.search(r"^s bas \d+ \d+ (\w) (\w) (\S+)", answer, re.M)) is None or status.group(1, 2) != ("f", "f"):
             raise ValueError("the linear program has no optimum")
-        # Columns come in the order in which the file names them first.
-        order = dict.fromkeys(int(one) for one in re.findall(r"\bx(\d+)", "\n".join(text)))
-        columns = (float(found) for found in re.findall(r"^j \d+ \w (\S+) ", answer, re.M))
-        return float(status.group(3)), dict(zip(order, columns))
+        columns = [float(found) for found in re.findall(r"^j \d+ \w (\S+) ", answer, re.M)]
+        return float(status.group(3)), dict(enumerate(columns, 1))
 
 
 class Flow:

@@ -42,6 +42,9 @@ def measures(folder):
         "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
         "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
         "node_id_entries": sum("node_id" in row[5] for row in entries),
+        "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
+        "mappable": sum("rpdo" in row[5] for row in entries),
+        "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
         "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),
     }

@@ -3,7 +3,7 @@
 import functools
 import re
 
-from bounds import Names, short
+from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
 # Functions of the C library whose loops depend on their third argument, a number of bytes: one copy for each number.
@@ -51,7 +51,7 @@ class Program:
             if key in found:
                 return
             path.append(key)
-            calls = list(self._calls(key[0]))
+            calls = self.calls_of(key[0])
             for _, callees in calls:
                 for callee in callees:
                     visit(callee)
@@ -60,6 +60,11 @@ class Program:
 
         visit((entry, None))
         return found
+
+    @functools.cache
+    def calls_of(self, address):
+        """Returns (block or edge, keys of what it may call) for each call of a function."""
+        return list(self._calls(address))
 
     def _calls(self, address):
         for block in self.graph(address).blocks.values():
@@ -97,8 +102,14 @@ class Program:
 
 
 def most_back(graph, loop, iterations):
-    """Returns how often the loop goes back at most. A loop that is left only where it goes back tests behind its body: it goes back
-    once less than its body runs."""
+    """Returns how often the loop goes back at most. A loop whose test stands behind its body goes back once less than its body runs:
+    it is left only where it goes back, or by an `if` or `return` in its body."""
     exits = {edge.source for at in loop.blocks for edge in graph.blocks[at].edges if edge.target not in loop.blocks}
-    tests_behind = exits <= {edge.source for edge in loop.back} and len(loop.back) == 1
+    tests = {at for at in exits if not leaves_body(graph.blocks[at].instructions[-1].place)}
+    tests_behind = tests <= {edge.source for edge in loop.back} and len(loop.back) == 1
     return max(0, iterations - 1) if tests_behind else iterations
+
+
+def leaves_body(place):
+    """Returns whether a branch that leaves a loop belongs to a statement of its body, not to the loop's own test."""
+    return place is not None and re.match(r"(?:if|return)\b", text_at(place)) is not None
