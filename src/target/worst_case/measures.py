@@ -2,6 +2,11 @@
 """Numbers of a device that bound its loops, from the tables that the register's compiler writes."""
 import re
 
+# error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
+MAX_ERRORS = 48
+FIRST_OF_DEVICE = 15
+BUS_ERRORS = (2, 4, *range(7, 15))  # of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset
+
 
 def _rows(text, name):
     """Returns the fields of each row of a generated table."""
@@ -32,10 +37,8 @@ def measures(folder):
     rows = re.findall(r"^namespace (\w+) \{$(?:(?!^namespace).)*?std::array<Row, (\d+)U> rows", shared + tables, re.M | re.S)
     return {
         **{f"rows_of_{name}": int(count) for name, count in rows},
-        "own_errors": len(re.findall(r"error_after\(ErrorId::first_of_device", tables)),
         "objects": len(objects), "entries": len(entries), "most_entries": max(counts.values()),
         "rpdos": pdos[0x1400], "tpdos": pdos[0x1800], "pdo_lines": max((counts[index] - 1 for index in mapping), default=0),
-        "errors": sum(len(_rows(part, "rows")) for part in tables.split("    ErrorId error;\n")[1:]),
         "error_fields": max(1, counts.get(0x1003, 1) - 1),
         "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
         "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
@@ -47,6 +50,17 @@ def measures(folder):
         "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
         "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
         "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),
+    }
+
+
+def errors_of(image):
+    """Returns how many errors the device reports: the rows with a code of the error table in its image (error_table.hpp)."""
+    address, size = next(place for name, place in image.symbols.items() if name.endswith("::error_table"))
+    row = size // MAX_ERRORS
+    reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2))]
+    return {
+        "errors": len(reported), "last_error": max(reported),
+        "own_errors": sum(at >= FIRST_OF_DEVICE for at in reported), "bus_errors": sum(at in BUS_ERRORS for at in reported),
     }
 
 
