@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The functions that may answer a call through a virtual table or a pointer, by virtual_calls.toml."""
+import re
+
+
+def name_of(demangled):
+    """Returns the name by which virtual_calls.toml knows a caller."""
+    return re.sub(r"^.*?canproof::", "", demangled.split("(")[0])
+
+
+def answers_of(table, demangled, names):
+    """Returns the symbols that may answer the indirect calls of a function; `names`: demangled names by symbol."""
+    caller = name_of(demangled)
+    if caller not in table["callers"]:
+        raise ValueError(f"{caller} calls through a pointer: say in virtual_calls.toml what may answer")
+    found = set()
+    for function in table["callers"][caller]:
+        if function == "constructors":
+            found.update(one for one in names if one.startswith("_GLOBAL__sub_I"))
+            continue
+        method = function.removeprefix("memory_")
+        pattern = re.compile(rf"::(?:{'|'.join(table['answers'][function])})(?:<[^>]*>)?::{method}\(")
+        answers = {one for one, name in names.items() if pattern.search(name)}
+        if not answers:
+            raise ValueError(f"nothing answers {function}, which {caller} calls")
+        found |= answers
+    return found

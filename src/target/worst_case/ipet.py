@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The most instructions that an entry function can run: a linear program over how often each edge runs (implicit path enumeration,
+IPET), which glpsol solves. Its optimum over all real numbers is at least that over whole numbers, and so is a bound."""
+import collections
+import fnmatch
+import math
+import pathlib
+import re
+import subprocess
+import tempfile
+
+from graph import Edge
+from program import most_back
+
+
+class LinearProgram:
+    def __init__(self):
+        self.costs, self.rows, self.count = {}, [], 0
+
+    def variable(self, cost=0):
+        self.count += 1
+        if cost:
+            self.costs[self.count] = cost
+        return self.count
+
+    def row(self, terms, relation, right=0):
+        """Adds a sum of (factor, variable) that is `relation` (= or <=) a number."""
+        self.rows.append((terms, relation, right))
+
+    @staticmethod
+    def _sum(terms):
+        total = {}
+        for factor, variable in terms:
+            total[variable] = total.get(variable, 0) + factor
+        return "\n ".join(f"{factor:+} x{variable}" for variable, factor in total.items())
+
+    def maximise(self):
+        """Returns the optimum and the value of each variable; raises ValueError without an optimum."""
+        # The objective names every variable, so that their order in the answer is known.
+        text = ["Maximize", " all: " + self._sum([(self.costs.get(one, 0), one) for one in range(1, self.count + 1)]), "Subject To"]
+        text += [f" r{number}: {self._sum(terms)} {relation} {right}" for number, (terms, relation, right) in enumerate(self.rows)]
+        with tempfile.TemporaryDirectory() as folder:
+            file, result = pathlib.Path(folder) / "program.lp", pathlib.Path(folder) / "result"
+            file.write_text("\n".join(text + ["End"]) + "\n")
+            done = subprocess.run(["glpsol", "--lp", file, "-w", result], text=True, capture_output=True)
+            if done.returncode != 0 or not result.exists():
+                raise ValueError(f"glpsol: {done.stdout[-500:]}")
+            answer = result.read_text()
+        if (status := re.search(r"^s bas \d+ \d+ (\w) (\w) (\S+)", answer, re.M)) is None or status.group(1, 2) != ("f", "f"):
+            raise ValueError("the linear program has no optimum")
+        columns = [float(found) for found in re.findall(r"^j \d+ \w (\S+) ", answer, re.M)]
+        return float(status.group(3)), dict(enumerate(columns, 1))
+
+
+class Flow:
+    """The linear program of all functions below an entry."""
+
+    def __init__(self, program, entry):
+        self.program, self.lp = program, LinearProgram()
+        self.functions = program.below(entry)
+        self.calls = {key: self.lp.variable() for key in self.functions}
+        self.sites = collections.defaultdict(list)  # by callee, the variables of its calls
+        self.blocks, self.edges = {}, {}
+        for key, calls in self.functions.items():
+            self._add(key, calls)
+        for key, variable in self.calls.items():
+            sites = [(1, site) for _, site in self.sites[key]]
+            start = 1 if key == (entry, None) else 0
+            self.lp.row([(1, variable), *((-factor, site) for factor, site in sites)], "=", start)
+        for key in self.functions:
+            self._bound(key)
+
+    def _add(self, key, calls):
+        graph = self.program.graph(key[0])
+        for at, block in graph.blocks.items():
+            self.blocks[key, at] = self.lp.variable(len(block.instructions))
+            for edge in block.edges:
+                self.edges[key, id(edge)] = self.lp.variable()
+        into = collections.defaultdict(list)
+        for edge in graph.edges():
+            into[edge.target].append((-1, self.edges[key, id(edge)]))
+        into[graph.entry].append((-1, self.calls[key]))
+        for at, block in graph.blocks.items():
+            self.lp.row([(1, self.blocks[key, at]), *into[at]], "=")
+            self.lp.row([(1, self.blocks[key, at]), *((-1, self.edges[key, id(edge)]) for edge in block.edges)], "=")
+        for place, callees in calls:
+            site = self.edges[key, id(place)] if isinstance(place, Edge) else self.blocks[key, place.start]
+            if len(callees) == 1:
+                self.sites[callees[0]].append((key[0], site))
+                continue
+            answers = [self.lp.variable() for _ in callees]
+            for callee, variable in zip(callees, answers):
+                self.sites[callee].append((key[0], variable))
+            self.lp.row([(1, site), *((-1, one) for one in answers)], "=")
+
+    def _bound(self, key):
+        graph = self.program.graph(key[0])
+        for loop, (each_entry, each_call) in self.program.loop_bounds(key):
+            back = [(1, self.edges[key, id(edge)]) for edge in loop.back]
+            entries = [self.edges[key, id(edge)] for edge in loop.entries(graph)]
+            entries += [self.calls[key]] if loop.header == graph.entry else []
+            if each_entry is not None:
+                most = most_back(graph, loop, each_entry)
+                self.lp.row([*back, *((-most, one) for one in entries)], "<=")
+            if each_call is not None:
+                self.lp.row([*back, (-each_call, self.calls[key])], "<=")
+
+    def limit(self, limit, most, each):
+        """Adds a limit of bounds.toml: its functions, calls and loops together run at most `most` times, and `each` times more for
+        each call of the functions `per`. Returns whether there is any of them."""
+        terms = []
+        for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):
+            terms += [(1, one) for name in limit.get(kind, []) for one in find(name)]
+        per = [(-each, one) for name in limit.get("per", []) for one in self._calls_of(name)]
+        if terms:
+            self.lp.row(terms + per, "<=", most)
+        return bool(terms)
+
+    def _calls_of(self, name):
+        return [variable for key, variable in self.calls.items() if fnmatch.fnmatchcase(self.program.name(key[0]), name)]
+
+    def _calls_between(self, names):
+        caller, callee = names.split(" > ")
+        return [variable for key, sites in self.sites.items() for source, variable in sites
+                if self.program.name(source) == caller and fnmatch.fnmatchcase(self.program.name(key[0]), callee)]
+
+    def _returns_of(self, name):
+        for key in self.functions:
+            graph = self.program.graph(key[0])
+            names = self.program.loop_names(key[0])
+            for loop in graph.loops:
+                if names.of[loop.header].startswith(name):
+                    yield from (self.edges[key, id(edge)] for edge in loop.back)
+
+    def solve(self):
+        """Returns the bound, the functions that take most of it: (instructions, calls, name), and the calls: (number, caller, callee)."""
+        optimum, values = self.lp.maximise()
+        by_name = collections.defaultdict(lambda: [0.0, 0.0])
+        for (key, at), variable in self.blocks.items():
+            by_name[key[0]][0] += values.get(variable, 0) * len(self.program.graph(key[0]).blocks[at].instructions)
+        for key, variable in self.calls.items():
+            by_name[key[0]][1] += values.get(variable, 0)
+        name = self.program.name
+        shares = sorted(((round(cost), round(calls), name(at)) for at, (cost, calls) in by_name.items()), reverse=True)
+        sites = sorted(((round(values.get(variable, 0)), name(source), name(key[0])) for key, calls in self.sites.items()
+                        for source, variable in calls), reverse=True)
+        return math.floor(optimum + 1e-6), shares, sites

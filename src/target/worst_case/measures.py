@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers of a device that bound its loops, from the tables that the register's compiler writes."""
+import re
+
+# error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
+MAX_ERRORS = 48
+FIRST_OF_DEVICE = 15
+BUS_ERRORS = (2, 4, *range(7, 15))  # of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset
+
+
+def _rows(text, name):
+    """Returns the fields of each row of a generated table."""
+    body = re.search(rf"> {name}\{{\{{\n(.*?)\n\}}\}};", text, re.S)
+    return [re.split(r",\s*", row) for row in re.findall(r"^    \{(.*)\},", body.group(1), re.M)]
+
+
+def _number(field):
+    return int(field.rstrip("U"), 0)
+
+
+def measures(folder):
+    """Returns the numbers by name; `folder` is generated/NAME of a build. bounds.toml explains each name."""
+    text = (folder / "objects.hpp").read_text()
+    objects = [(_number(index), _number(first), _number(count)) for index, first, count, _ in _rows(text, "object_rows")]
+    entries = _rows(text, "entry_rows")
+    counts = {index: count for index, _, count in objects}
+    first = {index: at for index, at, _ in objects}
+    pdos = {base: max((index - base + 1 for index in counts if base <= index < base + 8), default=0) for base in (0x1400, 0x1800)}
+    mapping = [index for index in counts if 0x1600 <= index < 0x1608 or 0x1A00 <= index < 0x1A08]
+    size, subindex = [_number(row[1]) for row in entries], [_number(row[3]) for row in entries]
+    stored = [at for at, row in enumerate(entries) if "stored" in row[5]]
+    in_ram = [at for at, row in enumerate(entries) if "constant" not in row[5]]
+    slots = re.findall(r"\w+", re.search(r"> object_slots\{\{(.*?)\}\};", text, re.S).group(1))
+    tables = (folder / "tables.hpp").read_text()
+    lists = [_number(found) & 0xFFFF for found in re.findall(r"LimitKind::list, (\w+)", text)]
+    shared = (folder.parent / "canopen" / "tables.hpp").read_text()
+    rows = re.findall(r"^namespace (\w+) \{$(?:(?!^namespace).)*?std::array<Row, (\d+)U> rows", shared + tables, re.M | re.S)
+    return {
+        **{f"rows_of_{name}": int(count) for name, count in rows},
+        "objects": len(objects), "entries": len(entries), "most_entries": max(counts.values()),
+        "rpdos": pdos[0x1400], "tpdos": pdos[0x1800], "pdo_lines": max((counts[index] - 1 for index in mapping), default=0),
+        "error_fields": max(1, counts.get(0x1003, 1) - 1),
+        "stored": len(stored), "stored_bytes": sum(size[at] for at in stored), "longest_stored": max(size[at] for at in stored),
+        "bytes_in_ram": sum(size[at] for at in in_ram), "longest_in_ram": max(size[at] for at in in_ram),
+        "longest": max(size), "longest_list": max(lists, default=0), "probes": _probes(slots),
+        "communication_entries": sum(count for index, count in counts.items() if index < 0x2000),
+        "node_id_entries": sum("node_id" in row[5] for row in entries),
+        "odd_numbers": sum(not re.search("string|domain", row[4]) and _number(row[1]) not in (1, 2, 4) for row in entries),
+        "mappable": sum("rpdo" in row[5] for row in entries),
+        "mappable_of_device": sum("rpdo" in row[5] and row[6] == "Service::device" for row in entries),
+        "mappable_parameters": sum("rpdo" in row[5] and row[6].split("::")[-1] not in ("none", "device") for row in entries),
+        "missing_rows": max(subindex[first[index] + at] - at for index in counts for at in range(counts[index])),
+    }
+
+
+def errors_of(image):
+    """Returns how many errors the device reports: the rows with a code of the error table in its image (error_table.hpp)."""
+    address, size = next(place for name, place in image.symbols.items() if name.endswith("::error_table"))
+    row = size // MAX_ERRORS
+    reported = [at for at in range(MAX_ERRORS) if any(image.read(address + row * at, 2))]
+    return {
+        "errors": len(reported), "last_error": max(reported),
+        "own_errors": sum(at >= FIRST_OF_DEVICE for at in reported), "bus_errors": sum(at in BUS_ERRORS for at in reported),
+    }
+
+
+def _probes(slots):
+    """Returns the longest run of slots in use: the most steps of a search of the object dictionary."""
+    longest = run = 0
+    for slot in slots + slots:
+        run = run + 1 if slot != "no_object" else 0
+        longest = max(longest, run)
+    return longest

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The functions that run below an entry function, each with its graph, its callees and the bounds of its loops."""
+import functools
+import re
+
+from bounds import Names, short, text_at
+from graph import Graph, Unknown
+
+# Functions of the C library whose loops depend on their third argument, a number of bytes: one copy for each number.
+SIZED = ("memcpy", "memmove", "memset")
+
+
+def bytes_at(block, call):
+    """Returns the number of bytes that a call passes as its third argument, or None when its block does not set it."""
+    for one in reversed([one for one in block.instructions if one.address < call.address]):
+        if found := re.fullmatch(r"r2, #(\d+)", one.operands if one.name.startswith("mov") else ""):
+            return int(found.group(1))
+        if re.match(r"r2\b|\{", one.operands) and not one.name.startswith(("cmp", "str", "tst", "cmn")) or one.kind == "call":
+            return None
+    return None
+
+
+class Program:
+    """`functions`: by key (address, bytes) a graph and, for each call, the keys that it may reach."""
+
+    def __init__(self, image, code, names, demangled, bounds, answers):
+        self.image, self.code, self.names, self.demangled = image, code, names, demangled
+        self.bounds, self.answers = bounds, answers
+        self.graphs, self.faults = {}, []
+
+    @functools.cache
+    def name(self, address):
+        """Returns the name of the function that begins at an address, or that contains it: libgcc calls parts of its functions."""
+        if address in self.names:
+            return short(self.demangled[self.names[address]])
+        before = max(at for at in self.names if at < address)
+        return f"{self.names[before]}+{address - before}"
+
+    def graph(self, address):
+        if address not in self.graphs:
+            self.graphs[address] = Graph(self.code, self.names, self.image, address)
+        return self.graphs[address]
+
+    def below(self, entry):
+        """Returns by key the calls of each function at or below `entry`: a list of (block or edge, keys)."""
+        found, path = {}, []
+
+        def visit(key):
+            if key in path:
+                raise Unknown("recursion: " + " -> ".join(self.name(one[0]) for one in path + [key]))
+            if key in found:
+                return
+            path.append(key)
+            calls = self.calls_of(key[0])
+            for _, callees in calls:
+                for callee in callees:
+                    visit(callee)
+            path.pop()
+            found[key] = calls
+
+        visit((entry, None))
+        return found
+
+    @functools.cache
+    def calls_of(self, address):
+        """Returns (block or edge, keys of what it may call) for each call of a function."""
+        return list(self._calls(address))
+
+    def _calls(self, address):
+        for block in self.graph(address).blocks.values():
+            sites = [one for one in block.instructions if one.kind == "call" or one.target is not None]
+            for callee in block.calls:
+                site = next((one for one in sites if one.target == callee), None)
+                yield block, self._keys(address, block, callee, site)
+            for edge in block.edges:
+                for callee in edge.calls:
+                    yield edge, self._keys(address, block, callee, block.instructions[-1])
+
+    def _keys(self, address, block, callee, site):
+        if callee == "indirect":
+            return [(one, None) for one in self.answers(address)]
+        if self.names.get(callee) not in SIZED:
+            return [(callee, None)]
+        size = bytes_at(block, site)
+        return [(callee, self.bounds.bytes_of(self.name(address), self.names[callee]) if size is None else size)]
+
+    @functools.cache
+    def loop_names(self, address):
+        return Names(self.graph(address), self.name(address))
+
+    def loop_bounds(self, key):
+        """Yields each loop of a function with its iterations of each entry and of each call."""
+        graph, function = self.graph(key[0]), self.name(key[0])
+        names = self.loop_names(key[0])
+        extra = {} if key[1] is None else {"bytes": key[1]}
+        for loop in graph.loops:
+            bound = self.bounds.of_loop(names, loop.header, function, extra)
+            if bound is None:
+                self.faults.append(f"{function}: no bound for the loop at {loop.header:X}h ({names.of[loop.header]})")
+            else:
+                yield loop, bound
+
+
+def most_back(graph, loop, iterations):
+    """Returns how often the loop goes back at most. A loop whose test stands behind its body goes back once less than its body runs:
+    it is left only where it goes back, or by an `if` or `return` in its body."""
+    exits = {edge.source for at in loop.blocks for edge in graph.blocks[at].edges if edge.target not in loop.blocks}
+    tests = {at for at in exits if not leaves_body(graph.blocks[at].instructions[-1].place)}
+    tests_behind = tests <= {edge.source for edge in loop.back} and len(loop.back) == 1
+    return max(0, iterations - 1) if tests_behind else iterations
+
+
+def leaves_body(place):
+    """Returns whether a branch that leaves a loop belongs to a statement of its body, not to the loop's own test."""
+    return place is not None and re.match(r"(?:if|return)\b", text_at(place)) is not None
