@@ -8,6 +8,7 @@ import json
 import subprocess
 
 from bench import Ear, check, sh
+from conversation import IMAGES
 
 # device, node-ID, interface of the device, interface of the test
 SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
@@ -33,9 +34,11 @@ def in_virtual_time(program, device, interface):
     return verdicts(done.stdout)
 
 
-def run_slave(program, device, node, interface):
+def run_slave(program, device, node, interface, images):
+    arm = images is not None and node in IMAGES
+    words = ["--arm", f"{images}/{IMAGES[node]}@{node}"] if arm else [f"{device}@{node}"]
     with open(f"/tmp/{device}.said", "w") as said, Ear(interface) as ear:
-        slave = subprocess.Popen([program, "run", f"{device}@{node}", "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
+        slave = subprocess.Popen([program, "run", *words, "--bus", f"socketcan:{interface}"], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.DEVNULL, stderr=said)
         if not interface.startswith("can"):  # a controller does not receive its own frames
             ear.wait(f"70{node}#00")
@@ -63,7 +66,8 @@ def compare(program, device, interface, process):
     assert not others and process.returncode == 0, "\n  ".join([f"status {process.returncode}", said[-500:], *others])
 
 
-def check_all(program):
+def check_all(program, images=None):
+    """`images`: the folder of the ARM images; those in IMAGES then run as the slaves of their node-ID."""
     for name in ("vcan0", "vcan1", "vcan2"):
         sh("ip", "link", "add", "dev", name, "type", "vcan")
         sh("ip", "link", "set", name, "up")
@@ -72,7 +76,7 @@ def check_all(program):
         sh("ip", "link", "set", name, "up")
     started = []
     try:
-        started += [run_slave(program, device, node, own) for device, node, own, _ in SLAVES]
+        started += [run_slave(program, device, node, own, images) for device, node, own, _ in SLAVES]
         tests = [begin(program, device, node, other) for device, node, _, other in SLAVES]
         started += tests
         for (device, _, own, other), test in zip(SLAVES, tests):

@@ -88,8 +88,12 @@ def check_everything(kinds):
 
 
 given = programs()
-if "conform" in given:
-    conform.check_all(given["conform"])
+if "arm" in given:
+    make_vcan()
+    warm_python.start()
+    conversation.check_all(given["arm"], conversation.with_images(given["images"]))
+elif "conform" in given:
+    conform.check_all(given["conform"], given.get("images"))
 else:
     check_everything(given)
 bench.finish()
