@@ -40,12 +40,12 @@ bool is_pass(const std::vector<Step>& steps) {
     return flow.end();
 }
 
-struct ClockBench {
+struct ClockCheckBench {
     CaptureModel model;
     ClockCheck check{model.registers(), 80};
     Instant now{0};
 
-    ClockBench() { check.start(now); }
+    ClockCheckBench() { check.start(now); }
     /// Runs passes of the main loop of `us` each by the real time; returns how many succeeded before the first failure.
     int run(int passes, double us = 50) {
         for (int i = 0; i < passes; ++i) {
@@ -196,7 +196,7 @@ TEST(OutputCopy, CopyNoticesEachTurnedBitOnEitherSide) {
 TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
     verifies<req::CO_SELF_006>();
     for (const double khz : {17.0, 25.0, 32.0, 47.0}) {
-        ClockBench bench;
+        ClockCheckBench bench;
         bench.model.oscillator_khz = khz;
         EXPECT_EQ(bench.run(40000), 40000) << khz;  // 2 s
         EXPECT_THAT(bench.model.faults(), IsEmpty());
@@ -208,14 +208,14 @@ TEST(ClockCheck, ClockThatLeavesItsPlanIsNoticedWithinAMillisecond) {
     // 8 periods at 32 kHz are 250 µs. A clock of f times its plan measures 250 f µs: 0.67 gives 167.5, 1.9 gives 475;
     // the limits are 170 and 471.
     for (const double factor : {0.1, 0.5, 0.67, 1.9, 3.0}) {
-        ClockBench bench;
+        ClockCheckBench bench;
         EXPECT_EQ(bench.run(1000), 1000);
         bench.model.timer_mhz = 80 * factor;
         EXPECT_LT(bench.run(1000), 20) << factor;  // passes of 50 µs
     }
     // 0.69 gives 172.5, 1.87 gives 467.5.
     for (const double factor : {0.69, 1.87}) {
-        ClockBench bench;
+        ClockCheckBench bench;
         bench.model.timer_mhz = 80 * factor;
         EXPECT_EQ(bench.run(1000), 1000) << factor;
     }
@@ -226,7 +226,7 @@ TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
     for (double khz = 17; khz <= 47; khz += 1) {
         // 17 / 47 = 0.362 and 47 / 17 = 2.765
         for (const double factor : {0.36, 2.77}) {
-            ClockBench bench;
+            ClockCheckBench bench;
             bench.model.oscillator_khz = khz;
             bench.model.timer_mhz = 80 * factor;
             EXPECT_LT(bench.run(1000), 1000) << khz << ' ' << factor;
@@ -236,7 +236,7 @@ TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
 
 TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
     verifies<req::CO_SELF_006>();
-    ClockBench bench;
+    ClockCheckBench bench;
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.oscillator_khz = 0;
     const int passes = bench.run(10000);
@@ -246,7 +246,7 @@ TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
 
 TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
     verifies<req::CO_SELF_006>();
-    ClockBench bench;
+    ClockCheckBench bench;
     EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
     EXPECT_EQ(bench.run(1, 500000), 1);   // an erase of the flash
     EXPECT_EQ(bench.run(1000), 1000);
@@ -256,7 +256,7 @@ TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
 
 TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
     verifies<req::CO_SELF_006>();
-    ClockBench bench;
+    ClockCheckBench bench;
     for (int i = 0; i < 100; ++i) {
         EXPECT_EQ(bench.run(7), 7);
         bench.model.capture_before_read();
