@@ -174,7 +174,7 @@ class TableCheck {
         for (const auto& [words, first] : pieces_[i]) {
             steps_ += rows.size() + 1;
             if (told_ >= 5 || steps_ > most_steps) {
-                return;  // a table with a gap usually has many; five suffice in the report
+                return;  // a table with a gap usually has many gaps; five suffice in the report
             }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {

@@ -102,7 +102,7 @@ class TopicCheck {
   private:
     void take(const Part& part, const Item& item, const Answer& answer) {
         if (answer.topic.empty() || answer.choice.empty()) {
-            return;  // no topic, or the reader reports it
+            return;  // there is no topic, or the reader reports it
         }
         Stands& stands = topics_[answer.topic];
         if (stands.empty() || stands.back().part != &part) {

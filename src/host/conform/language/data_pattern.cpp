@@ -79,7 +79,7 @@ DataPart byte_part(const std::vector<BytePattern>& all) {
     return part;
 }
 
-/// Returns a part whose bytes are computed when the step runs.
+/// Returns a part of the pattern whose bytes are computed when the step runs.
 DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> bytes) {
     DataPart part;
     part.width = width;
@@ -182,7 +182,7 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else if (text.front() == '$' || text.front() == '(') {
             pattern.parts_.push_back(value_part(token));
         } else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0 || text == "->") {
-            break;  // `within`, `every`, `-> f`
+            break;  // words that end the pattern: `within`, `every`, `-> f`
         } else {
             line.fail(fmt::format("`{}` is no byte", text), mend);
         }

@@ -25,14 +25,14 @@ class Scanner {
     char peek();
     /// Skips `text` if the rest begins with it. Returns whether it did.
     bool take(const std::string& text);
-    /// The same for one character without blanks before it.
+    /// Does the same for one character, without skipping blanks before it.
     bool take_close(char c);
-    /// Like take(), for a whole word: no letter, digit or `_` follows it.
+    /// Skips a whole word if the rest begins with it: no letter, digit or `_` follows the word. Returns whether it did.
     bool take_word(const std::string& word);
     /// Returns whether the rest begins with `text`.
     bool sees(const std::string& text);
     bool sees_word(const std::string& word);
-    /// Fails unless take(text).
+    /// Skips `text`; fails when the rest does not begin with it.
     void want(const std::string& text, const std::string& mend);
     /// Reads the letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
     std::string word(bool dashes = false);

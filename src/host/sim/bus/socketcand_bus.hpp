@@ -67,8 +67,8 @@ class SocketcandBus final : public Bus {
         std::unique_ptr<SocketcandSession> session;
         Instant joined_at{};
         Instant closes_at{never};  ///< time at which a dismissed client is closed
-        bool ended{false};         ///< sends no more; its buffered frames are still sent to the bus
-        bool deaf{false};          ///< receives no more
+        bool ended{false};         ///< the client sends no more; the bus still gets its frames
+        bool deaf{false};          ///< the client receives no more
         bool gone{false};
 
         bool leaves() const { return closes_at != never; }
