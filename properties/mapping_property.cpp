@@ -145,7 +145,7 @@ rc::Gen<Mappable> lines(bool receives) {
 
 }  // namespace
 
-RC_GTEST_PROP(MappingLaw, WritesInAnyOrderAreAnsweredAsByTheNaivePdo, ()) {
+RC_GTEST_PROP(MappingLaw, MappingWritesInAnyOrderAreAnsweredAsByTheNaivePdo, ()) {
     verifies<req::CO_PDO_007, req::CO_PDO_009, req::CO_PDO_010, req::CO_PDO_011, req::CO_PDO_012>("property");
     const bool receives = *rc::gen::arbitrary<bool>();
     LoggedSlave slave;

@@ -63,7 +63,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
 }
 
 /// The same device is switched off in bus-off and on with a working bus.
-TEST_F(ControllerAtPowerOn, BusOffOfThePreviousPowerCycleIsOver) {
+TEST_F(ControllerAtPowerOn, PowerOnClearsTheBusOffOfThePreviousPowerCycle) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);
     EXPECT_EQ(sent(), Frames{});

@@ -76,7 +76,7 @@ TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
 }
 
-TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
+TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
     verifies<req::CO_EMCY_007>();
     errors[static_cast<std::size_t>(channel_2)] = ErrorRow{0xF001, 0x81, true, true, 0x0002};
     emcy.set(channel_1, true, Instant{});
@@ -85,7 +85,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WaitingMessagesAreKeptApartByTheirError) {
+TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});

@@ -69,7 +69,7 @@ TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
 }
 
 // 7.9.4 lists 5000h beside 6110h: two separate failures
-TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
+TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
     verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -160,7 +160,7 @@ TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     EXPECT_EQ(overrun(false), (Frames{"083#0000110200000000"}));
 }
 
-TEST_F(Errors, InhibitTimeKeepsEmcyMessagesApart) {
+TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -177,7 +177,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
 }
 
-TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
+TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));

@@ -53,7 +53,7 @@ TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
     }
 }
 
-TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007>();
     send("605#2316100264001100");  // node 11h, 100 ms
     send("605#2B0C100032000000");  // guard time 50 ms …
@@ -82,7 +82,7 @@ TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
     EXPECT_EQ(state(), NmtState::stopped);
 }
 
-TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
+TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     verifies<req::CO_NMT_007>();
     lose_producer();
     send("000#0105");

@@ -184,7 +184,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
                 });
 }
 
-TEST_F(SdoBlock, SegmentPairs1And127DoNotOverrunTheMemory) {
+TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026>();
     // each pair ends a sub-block with one segment in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});

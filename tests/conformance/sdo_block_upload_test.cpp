@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST(Crc16, CrcHasTheCheckValueOfCiA301) {
+TEST(Crc16, CrcOfTheDigits1To9IsTheCheckValueOfCiA301) {
     verifies<req::CO_SDO_025, req::CO_SDO_028>();
     Crc16 crc;
     crc.add(ByteView{nine.data(), 4});
@@ -295,7 +295,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }
 
-TEST_F(SdoBlock, ShortValueIsSentAsOfTheStartOfTheUpload) {
+TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
     verifies<req::CO_SDO_021>();
     send("000#0105");  // operational
     talk(*this, {

@@ -244,7 +244,7 @@ TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
+TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAnyByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
@@ -262,7 +262,7 @@ TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
                 });
 }
 
-TEST_F(SlaveSdo, ThreeBytesTravelExpedited) {
+TEST_F(SlaveSdo, ThreeBytesAreTransferredExpedited) {
     verifies<req::CO_SDO_001, req::CO_SDO_003>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // 2300h = "abc"

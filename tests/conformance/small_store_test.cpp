@@ -184,7 +184,7 @@ TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
 }
 
 // The value equals the node-ID of the node that saved by chance; its default has no node-ID in it.
-TEST_F(SmallStore, StoredValueWithoutANodeIdInItsDefaultDoesNotFollowTheNodeId) {
+TEST_F(SmallStore, StoredValueWhoseDefaultHasNoNodeIdDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();
     set_value("05000000");

@@ -50,7 +50,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 
 }  // namespace
 
-TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOlderSet) {
+TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsUsed) {
     verifies<req::CO_STORE_006, req::INC_ERR_012>();
     for (const int saves : {2, 3}) {  // the newest set is in the second bank, then in the first
         Stored unit{GetParam()};
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::Values("ax060805",
                          });
 
 // The CAN-CBX-AO412 has switches instead of LSS.
-TEST(StoredNodeIdOfTheDevice, FlippedByteOfTheLatestNodeIdIsReportedAndRestoresNoOlderOne) {
+TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {
     verifies<req::CO_LSS_065>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
         DeviceBySdo unit{name, 5};

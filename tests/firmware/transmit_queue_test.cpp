@@ -130,7 +130,7 @@ TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
 }
 
-TEST(Crc, CrcHasTheCheckValueOfTheCatalogue) {
+TEST(Crc, Crc32OfTheDigits1To9IsTheCatalogueValue) {
     verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};

@@ -159,7 +159,7 @@ TEST(CanController, WorstStateOfTheControllerIsReported) {
     }
 }
 
-TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
+TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     verifies<req::CO_CAN_008>();
     Bench bench;
     bench.join();

@@ -123,7 +123,7 @@ class Told : public InclinometerBench {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterActsAsIfItHadBeenSetFromTheStart, ()) {
+RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterHasTheSameEffectAsOneSetFromTheStart, ()) {
     verifies<req::INC_ANGLE_009, req::INC_BIN_001>("property");
     std::vector<std::size_t> choice(all_keys().size());
     for (std::size_t& one : choice) {

@@ -226,7 +226,7 @@ TEST_F(Ax130751Diagnostics, UnderAndOverVoltageCountAsOneFault) {
     EXPECT_EQ(supply(24.0F).size(), 1U);
 }
 
-TEST_F(Ax130751Diagnostics, ErrorFieldCodesFollowTable23) {
+TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
     verifies<req::AOR_DIAG_010, req::AOR_T23>();
     start();
     set16(0x1400, 5, 50);

@@ -141,7 +141,7 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
 }
 
 // 3.2.9: the answer to each of the four modules that falls silent
-TEST_F(Ax130751Errors, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     for (int slot = 1; slot <= 4; ++slot) {

@@ -226,7 +226,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, AnyWriteStateButZeroIsOn) {
+TEST_F(Ax130751Pdo, WriteStateOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();

@@ -183,7 +183,7 @@ TEST_F(Values, DisabledChannelReadsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
+TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);

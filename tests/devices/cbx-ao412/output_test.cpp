@@ -20,7 +20,7 @@ class Output : public CbxTest {
 
 }  // namespace
 
-TEST_F(Output, ManualExamplesOfFiveVoltsAreMet) {
+TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
              req::AO4_OD_6411>();
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V

@@ -12,7 +12,7 @@
 
 namespace canproof::host::conform::test {
 
-TEST(ConformSpread, IsSmallestMedianMeanAndLargest) {
+TEST(ConformSpread, SpreadIsSmallestMedianMeanAndLargest) {
     const Spread spread = spread_of({10, 40, 25});
     EXPECT_EQ(spread.count, 3U);
     EXPECT_EQ(spread.smallest, 10U);
@@ -30,7 +30,7 @@ TEST(ConformSpread, NinetyNineOfAHundredTimesAreNotAboveThePercentile) {
     EXPECT_EQ(spread_of(times).median, 50U);
 }
 
-TEST(ConformHistogram, CountsEachTimeInOneOfFortyBins) {
+TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     const Histogram histogram = histogram_of({{100, 205, 209, 500}, {}, {}});
     EXPECT_EQ(histogram.low, 100.0);
     EXPECT_EQ(histogram.width, 10.0);  // 400 µs in 40 bins
@@ -41,14 +41,14 @@ TEST(ConformHistogram, CountsEachTimeInOneOfFortyBins) {
     EXPECT_EQ(histogram.counts, wanted);
 }
 
-TEST(ConformHistogram, ReachesToTheLimitsThatAreNear) {
+TEST(ConformHistogram, HistogramReachesToTheLimitsThatAreNear) {
     const Histogram histogram = histogram_of({{100}, TimeLimits{80.0, 120.0}, {}});
     EXPECT_EQ(histogram.low, 80.0);
     EXPECT_EQ(histogram.width, 1.0);
     EXPECT_EQ(histogram.counts[20], 1U);
 }
 
-TEST(ConformHistogram, LeavesOutLimitsThatAreFarAway) {
+TEST(ConformHistogram, HistogramLeavesOutLimitsThatAreFarAway) {
     const Histogram far = histogram_of({{100}, {}, TimeLimits{0.0, 1000000.0}});
     EXPECT_EQ(far.low, 0.0);
     EXPECT_EQ(far.width, 2.5);  // 0 to 100
@@ -64,7 +64,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, KeepsTheGreatestLimit) {
+TEST(ConformMeasured, GreatestLimitOfATimeIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);
@@ -73,7 +73,7 @@ TEST(ConformMeasured, KeepsTheGreatestLimit) {
     EXPECT_EQ(measured.of_each->most, 2000.0);
 }
 
-TEST(ConformBusUse, AddsUpFramesAndFindsTheBusiestSecond) {
+TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     const Frame frame = parse_frame("605#4000100000000000", "test");
     const std::uint64_t bits = frame_bits(frame) + 3U;  // and the intermission
     BusUse use;

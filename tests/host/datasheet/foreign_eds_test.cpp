@@ -123,7 +123,7 @@ TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
     EXPECT_EQ(read.part.info.bit_rate, 125000);
 }
 
-TEST(ForeignEds, ObjectInNoListExists) {
+TEST(ForeignEds, ObjectThatNoListNamesExists) {
     const EdsResult read = read_eds(replaced(box, "3=0x2002\n", ""), "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists; the object exists"));
@@ -133,7 +133,7 @@ TEST(ForeignEds, ObjectInNoListExists) {
     EXPECT_EQ(to_text(entry(none.part, 0x2000, 0).value), "7");
 }
 
-TEST(ForeignEds, CobIdsAreNeverTheNmtIdentifier) {
+TEST(ForeignEds, CobIdWithoutAUsableValueIsNeverTheNmtIdentifier) {
     const std::string rest = "DataType=7\nAccessType=rw\n";
     std::string text = "[1005]\n" + rest + "[100E]\n" + rest + "DefaultValue=0\n[1014]\n" + rest;
     for (const char* index : {"1400", "1403", "1404", "1800", "1803", "1804"}) {
@@ -226,7 +226,7 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
     EXPECT_THAT(told, HasSubstr("bytes; at most 65535 can be run"));
 }
 
-TEST(BrokenEds, EveryPrefixOfAFileIsReadWithoutHarm) {
+TEST(BrokenEds, TruncatedFilesOfEveryLengthAreReadWithoutACrash) {
     for (std::size_t length = 0; length < box.size(); length += 7) {
         EdsResult read = read_eds(box.substr(0, length), "x");
         if (read.faults.empty()) {

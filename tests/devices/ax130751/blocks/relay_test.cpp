@@ -100,7 +100,7 @@ TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
 
-TEST_F(RelayTest, ControlThatIsOffAtUnlatchingLatchesAtItsNextEdge) {
+TEST_F(RelayTest, ControlThatIsOffAtTheEndOfUnlatchingLatchesAtItsNextEdge) {
     verifies<req::AOR_RELAY_005>();
     EXPECT_EQ(run("#...#", latched, ".##.."), "#...#");
 }

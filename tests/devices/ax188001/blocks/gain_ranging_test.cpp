@@ -100,7 +100,7 @@ TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);
 }
 
-TEST_F(Converter, OverdriveThatEndsDuringSettlingIsSeenAfterSettling) {
+TEST_F(Converter, OverdriveIsEvaluatedOnlyAfterSettling) {
     verifies<req::TCS_IN_006>();
     convert(100000.0, 5);
     convert(0.0, 3);

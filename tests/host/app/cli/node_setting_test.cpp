@@ -43,7 +43,7 @@ std::string small_eds() {
 
 }  // namespace
 
-TEST(NodeId, NodeIdIs1To127Or255) {
+TEST(NodeId, OnlyNodeIds1To127And255AreAccepted) {
     for (int number = -1; number <= 257; ++number) {
         const bool is_one = (number >= 1 && number <= 127) || number == 255;
         EXPECT_EQ(NodeId::is_one(number), is_one) << number;

@@ -159,7 +159,7 @@ TEST_F(Front, LongResponseArrivesCompletely) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\n" + answer.body));
 }
 
-TEST_F(Front, RefusalArrivesWhileTheRequestIsStillBeingSent) {
+TEST_F(Front, RefusalArrivesBeforeTheRequestIsComplete) {
     const std::string heard = exchange("GET /" + std::string(100000, 'a'));
     EXPECT_THAT(heard, StartsWith("HTTP/1.1 414 "));
     EXPECT_THAT(heard, HasSubstr("2048 bytes"));
@@ -180,7 +180,7 @@ TEST_F(Front, RangeHeadersAreIgnored) {
     }
 }
 
-TEST(FrontThatEnds, ServerThatEndsDoesNotWaitForClients) {
+TEST(FrontThatEnds, EndOfTheServerDoesNotWaitForClients) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
     TcpClient slow{front->port()};
     slow.say("GET /");
