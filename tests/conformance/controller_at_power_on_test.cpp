@@ -20,7 +20,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 }  // namespace
 
-/// The boot-up message is lost, the errors found at boot-up are not.
+/// The boot-up message is lost, but the errors found at boot-up are reported.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_017>();
     can_state = 3;

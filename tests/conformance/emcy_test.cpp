@@ -249,7 +249,8 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(pass(500).empty());
-    EXPECT_EQ(can_state(0).size(), 3U);  // 8120h, 8140h and the end of 8120h, and nothing of the 500 ms
+    EXPECT_EQ(can_state(0).size(),
+              3U);  // 8120h, 8140h and the end of 8120h are sent, but nothing of the 500 ms in bus-off
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 

@@ -94,7 +94,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     write("603#2F0D100003000000");  // … times 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#230E100003070000");  // 703h, as it was
+    write("603#230E100003070000");  // 703h is written again
     write("603#2B17100000000000");  // no heartbeat, as before
     EXPECT_TRUE(pass(99).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));

@@ -315,7 +315,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     send("305#0100020003000400");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
     EXPECT_TRUE(pass(10).empty());          // RPDO2 too: the error is already there
-    EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still late
+    EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still overdue
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 

@@ -68,7 +68,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsU
             EXPECT_EQ(unit.value(), is_marker ? 1000U * static_cast<unsigned>(saves) : 0U) << at;
             EXPECT_EQ(unit.error(), is_marker ? no_error : unit.code_of_damage) << at;
             unit.bytes() = stored;
-            unit.bytes()[size - newest + at] ^= 0xFF;  // the older set does not matter
+            unit.bytes()[size - newest + at] ^= 0xFF;  // damage to the older set has no effect
             unit.power_cycle();
             EXPECT_EQ(unit.value(), 1000U * static_cast<unsigned>(saves)) << at;
             EXPECT_EQ(unit.error(), no_error) << at;
@@ -87,7 +87,7 @@ TEST_P(StoredSetOfTheDevice, SaveAfterDamageIsLoaded) {
         unit.power_cycle();
         EXPECT_EQ(unit.error(), unit.code_of_damage);
         unit.save_value(3000);
-        EXPECT_EQ(unit.error(), unit.code_of_damage);  // until the next reset
+        EXPECT_EQ(unit.error(), unit.code_of_damage);  // the error lasts until the next reset
         unit.power_cycle();
         EXPECT_EQ(unit.value(), 3000U);
         EXPECT_EQ(unit.error(), no_error);

@@ -32,7 +32,7 @@ class PlainApplication final : public Application {
     /// The answers of the application; the default where empty.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
-    /// The objects that were reported to it as written.
+    /// The objects that the node has reported to the device as written.
     std::vector<std::uint16_t> written{};
 
   private:

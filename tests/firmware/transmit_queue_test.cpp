@@ -43,7 +43,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the queue is unchanged
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the refused frame has not changed the queue
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 

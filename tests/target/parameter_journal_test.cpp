@@ -19,7 +19,7 @@ using testing::IsEmpty;
 constexpr std::size_t size = 256;  // 16 lines
 using Bytes = std::vector<std::uint8_t>;
 
-/// The state that a power cut clears, on a flash that remains.
+/// The state that a power cut clears, on a flash that keeps its content.
 struct Unit {
     Flash flash;
     JournalRam<size> ram{};

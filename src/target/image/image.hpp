@@ -38,7 +38,8 @@ class DeviceImage {
             loop.pass();
         }
     }
-    /// The interrupt of received frames.
+    /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
+    /// damaged, or no clock is right.
     void drain() { chip_.can.drain(); }
 
   private:

@@ -101,7 +101,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 1), 0U);
     EXPECT_EQ(read(0x1001, 0), 1U);
     pass(1000);
-    EXPECT_EQ(read(0x1003, 0), 0U);  // it has not occurred again
+    EXPECT_EQ(read(0x1003, 0), 0U);  // the error has not occurred again
     send("721#05");
     EXPECT_EQ(read(0x1001, 0), 0U);
     pass(100);

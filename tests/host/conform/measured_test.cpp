@@ -37,7 +37,7 @@ TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     std::vector<std::size_t> wanted(40, 0U);
     wanted[0] = 1;
     wanted[10] = 2;
-    wanted[39] = 1;  // the largest stands in the last bin
+    wanted[39] = 1;  // the largest time is in the last bin
     EXPECT_EQ(histogram.counts, wanted);
 }
 
@@ -60,7 +60,7 @@ TEST(ConformHistogram, HistogramLeavesOutLimitsThatAreFarAway) {
 
 TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     const Histogram histogram = histogram_of({{7, 7, 7}, {}, {}});
-    EXPECT_EQ(histogram.counts[20], 3U);  // the middle of 6.5 to 7.5
+    EXPECT_EQ(histogram.counts[20], 3U);  // the middle of the bin from 6.5 to 7.5
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
@@ -75,7 +75,7 @@ TEST(ConformMeasured, GreatestLimitOfATimeIsKept) {
 
 TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     const Frame frame = parse_frame("605#4000100000000000", "test");
-    const std::uint64_t bits = frame_bits(frame) + 3U;  // and the intermission
+    const std::uint64_t bits = frame_bits(frame) + 3U;  // and the bits of the intermission
     BusUse use;
     use.add({Instant{100}, frame, true});
     use.add({Instant{1200000}, frame, false});

@@ -174,7 +174,8 @@ TEST(ConformRun, FailingCaseOnABusRunsFourTimes) {
     EXPECT_EQ(report.results.at(0).runs, 4U);
 }
 
-// A producer of 100 ms that the slave may miss for 120 ms: a tester that is 30 ms late is the one that fails.
+// The slave is a producer of 100 ms that may be late up to 120 ms. A tester that is 30 ms late must report itself, not
+// the slave.
 TEST(ConformRun, FailureReportStatesThatTheTesterWasLate) {
     const std::string steps =
         "write 1016:01 = ($other << 16) | 120\nproduce 700+$other: 05 every 100 ms\nwait 50 ms\nclear\n"

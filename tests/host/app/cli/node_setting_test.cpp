@@ -27,7 +27,7 @@ std::string first_frames(ChosenDevice chosen) {
     return out.str();
 }
 
-/// Returns the path of a data sheet with only the mandatory objects of CiA 301.
+/// Returns the path of a data sheet that has only the mandatory objects of CiA 301.
 std::string small_eds() {
     const std::string path = testing::TempDir() + "small.eds";
     std::ofstream{path}

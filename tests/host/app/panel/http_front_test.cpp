@@ -24,7 +24,7 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 12000;  // only a broken test waits that long
+constexpr int most_looks = 12000;  // reached only in a broken test
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {
@@ -146,7 +146,7 @@ TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
 TEST_F(Front, ClientThatNeverClosesIsClosedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
-    ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has received all, and keeps its side open
+    ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all, and keeps its side open
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
     EXPECT_EQ(front.connections(), 1U);
     now = now + HttpFront::close_limit;

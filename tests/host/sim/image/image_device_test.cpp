@@ -31,7 +31,7 @@ void be_ax188001(target::Channel& channel) {
     target::serve<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData>(channel, "ax188001");
 }
 
-/// An image and its device, which ends first.
+/// An image and its device; the device ends first.
 class Bridged {
   public:
     explicit Bridged(const std::function<void(target::Channel&)>& life, const FactoryValues& twins_factory = {})
@@ -114,7 +114,7 @@ TEST(ImageDevice, ImageStoresItsParametersInTheMemoryOfTheHost) {
     EXPECT_EQ(ao412.send("603#4017100000000000"), Frames{"583#4B17100034120000"});
 }
 
-// CiA 301, 7.5.2.13: what could not be stored is answered by 06060000h.
+// CiA 301, 7.5.2.13: a save that fails is answered by 06060000h.
 TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
     Bridged ao412{be_ao412};
     ao412.device().memory().keep_by([](const std::vector<std::uint8_t>&) { return false; });
@@ -122,7 +122,7 @@ TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
     EXPECT_EQ(ao412.send("603#2310100173617665"), Frames{"583#8010100100000606"});
 }
 
-// The boot-up message goes out before the answer, whose identifier is lower.
+// The boot-up message goes out before the answer, although the answer has the lower identifier.
 TEST(ImageDevice, FramesLeaveInTheOrderOfTheImage) {
     Bridged ao412{be_ao412};
     ao412.device().set_node_id(3);

@@ -18,7 +18,7 @@ namespace {
 using bridge::Kind;
 using bridge::Message;
 
-/// A way to say bytes that no Channel would.
+/// Sends bytes that a Channel would never send.
 ImageLink saying(const std::string& bytes) {
     const auto to = make_pipe();
     const auto from = make_pipe();
@@ -92,7 +92,7 @@ TEST(ImageLink, InvalidGreetingIsRefused) {
     const std::string misunderstood =
         "box.elf says what this program does not understand; build both from the same sources";
     EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state
-    EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // another protocol
+    EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // greeting of another protocol
     EXPECT_EQ(why(saying(std::string{"\x08\x00\x00"
                                      "CBP1\x01\x01\x09",
                                      10})),

@@ -220,7 +220,8 @@ TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 T\n(0.003000) can0 301#05 T\n(0.004000) can0 301#05 R\n");
-    // the device does not receive its own frame once; it receives an equal second frame and the one marked as received
+    // the device does not receive its own frame once; it receives a second equal frame, and the frame that is marked as
+    // received
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 300#05", "0.003000 301#05", "0.004000 301#05"));
     EXPECT_EQ(frames, "(0.002000) can0 301#05\n");
 }
