@@ -131,7 +131,7 @@ class EdsReader {
         }
         const auto number = eds_unsigned(value->text);
         if (!number || *number < low || *number > high) {
-            tell_.note(value->line, fmt::format("{} {} is no number from {} to {}", key, value->text, low, high),
+            tell_.note(value->line, fmt::format("{} {} is not a number from {} to {}", key, value->text, low, high),
                        fmt::format("{} is assumed", otherwise));
             return otherwise;
         }
