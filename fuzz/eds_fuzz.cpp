@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const host::EdsResult read = host::read_eds({data, data + size}, "fuzz.eds");
     for (const host::Faults* all : {&read.faults, &read.notes}) {
         for (const host::Fault& one : *all) {
-            require(one.place.line > 0 && !one.what.empty() && !one.mend.empty());
+            require(one.place.line > 0 && !one.what.empty() && !one.fix.empty());
         }
     }
     if (!read.faults.empty()) {

@@ -17,7 +17,7 @@ struct Broken {
     std::string text;
     unsigned line;
     std::string what;  ///< texts that the fault must contain
-    std::string mend;
+    std::string fix;
 };
 
 inline void PrintTo(const Broken& broken, std::ostream* out) {

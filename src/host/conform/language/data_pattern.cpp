@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-const char* const mend = "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
+const char* const fix = "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
 
 struct BytePattern {
     unsigned mask{0};
@@ -184,7 +184,7 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0 || text == "->") {
             break;  // words that end the pattern: `within`, `every`, `-> f`
         } else {
-            line.fail(fmt::format("`{}` is no byte", text), mend);
+            line.fail(fmt::format("`{}` is no byte", text), fix);
         }
         line.token();
     }

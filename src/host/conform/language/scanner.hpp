@@ -33,7 +33,7 @@ class Scanner {
     bool sees(const std::string& text);
     bool sees_word(const std::string& word);
     /// Skips `text`; fails when the rest does not begin with it.
-    void want(const std::string& text, const std::string& mend);
+    void want(const std::string& text, const std::string& fix);
     /// Reads the letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
     std::string word(bool dashes = false);
     /// Reads up to the next blank; empty at the end. peek_token() returns the same without moving on.
@@ -52,7 +52,7 @@ class Scanner {
     const Place& place() const { return place_; }
     const std::string& line() const { return line_; }
 
-    [[noreturn]] void fail(const std::string& what, const std::string& mend) const;
+    [[noreturn]] void fail(const std::string& what, const std::string& fix) const;
 
   private:
     void skip_blanks();
