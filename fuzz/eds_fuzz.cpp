@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const host::EdsResult read = host::read_eds({data, data + size}, "fuzz.eds");
     for (const host::Faults* all : {&read.faults, &read.notes}) {
         for (const host::Fault& one : *all) {
-            require(one.place.line > 0 && !one.what.empty() && !one.mend.empty());
+            require(one.place.line > 0 && !one.what.empty() && !one.fix.empty());
         }
     }
     if (!read.faults.empty()) {
@@ -78,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     run(read.part);
     check({data, data + size}, read.part);
     require(!host::write_dbc(read.part, 5).empty());
-    // The first writing fixes the form of everything that a data sheet can express in two ways.
+    // The first written file has one fixed form for everything that a data sheet can express in two ways.
     const host::EdsResult again = host::read_eds(host::write_eds({}, read.part), "fuzz.eds");
     require(again.faults.empty());
     const std::string written = host::write_eds({}, again.part);

@@ -99,7 +99,7 @@ CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_008)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // made once: making a slave takes longer than an input
+    static Both both;  // made once, because making a slave takes longer than an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i, data += record_size) {

@@ -71,8 +71,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// Follows the state of the slave as far as the frames alone show it. Where they leave it open, LSS configuration
-/// counts as possible.
+/// Follows the state of the slave as far as its frames show it. Where they do not show it, LSS configuration counts as
+/// possible.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {

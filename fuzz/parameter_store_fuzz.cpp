@@ -238,7 +238,8 @@ class World {
     const Values& defaults_{defaults()};
     fuzz::JournalMemory memory_{fuzz::Image(memory_size, 0xFF)};
     TransmitQueue queue_;
-    host::GenericDevice device_{test::slave_part(), memory_, queue_};  ///< one for all inputs: making it takes long
+    host::GenericDevice device_{test::slave_part(), memory_,
+                                queue_};  ///< one device for all inputs, because making it takes long
     fuzz::Tampering tampering_;
     const std::array<std::size_t, 2> banks_{tampering_.add_part(0, format_.bank_size()),
                                             tampering_.add_part(format_.bank_size(), format_.bank_size())};

@@ -48,7 +48,7 @@ void run(const host::Part& part) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const host::LoadResult loaded = host::load_register(files_with(data, size));
     for (const host::Fault& one : loaded.faults) {
-        require(one.place.file.rfind("spec/", 0) == 0 && !one.what.empty() && !one.mend.empty(), "a fault says all");
+        require(one.place.file.rfind("spec/", 0) == 0 && !one.what.empty() && !one.fix.empty(), "a fault says all");
     }
     const host::Part* const part = loaded.content.part("slave");
     if (loaded.faults.empty() && part != nullptr) {

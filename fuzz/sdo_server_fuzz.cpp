@@ -20,13 +20,13 @@ using namespace canproof;
 
 constexpr std::size_t record_size = 9;
 constexpr std::uint8_t first_obedient = 0xE0;
-constexpr unsigned most_obedient = 700;  ///< requests per input; two transfers of the whole DOMAIN take 580
+constexpr unsigned most_obedient = 700;  ///< requests per input; two transfers of the whole DOMAIN need 580
 
-/// Requests of an obedient client: an input can run transfers that are longer than itself.
+/// Requests of a client that follows the protocol: an input can run transfers that are longer than itself.
 struct Obedient {
     unsigned count;   ///< requests
-    bool ends;        ///< the last of them is marked as the last segment
-    unsigned unused;  ///< bytes of it without data
+    bool ends;        ///< the last of them is a segment that is marked as the last
+    unsigned unused;  ///< number of bytes in it without data
     unsigned lost;    ///< 0: none, otherwise every n-th request is lost
 
     explicit Obedient(const std::uint8_t* record)
@@ -65,7 +65,8 @@ class Both {
         const auto& expected = naive_.ask(request, now_ms_);
         if (naive_.doing() == naive::Server::Doing::block_upload) {
             ours_.pass(0,
-                       answers_);  // segments are sent without a request; any other difference appears in the next step
+                       answers_);  // the server sends segments without a request; any other difference appears in the
+                                   // next step
         }
         require(answers_ == expected, request);
     }

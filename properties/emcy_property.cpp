@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares emergency messages, 1001h and 1003h with a naive node for any errors in any order (CiA 301, 7.2.7).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
 
@@ -100,7 +100,7 @@ RC_GTEST_PROP(EmcyLaw, AnyErrorsAreReportedAsByTheNaiveNode, ()) {
     });
 }
 
-// After any controller events, 1001h reads the error register of the last emergency message.
+// After any events of the CAN controller, 1001h holds the error register of the last emergency message.
 RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares NMT, heartbeat and guarding with a naive node for any exchange at any times (CiA 301, 7.2.8, 7.3.2).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the LSS slave with a naive slave that keeps whole histories of frames and evaluates them for each answer.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
@@ -207,7 +207,7 @@ void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
 
 }  // namespace
 
-RC_GTEST_PROP(LssLaw, SlaveAgreesWithTheNaiveSlave, ()) {
+RC_GTEST_PROP(LssLaw, SlaveAnswersLikeTheNaiveSlave, ()) {
     verifies<req::CO_LSS_001, req::CO_LSS_002, req::CO_LSS_003, req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_010,
              req::CO_LSS_011, req::CO_LSS_012, req::CO_LSS_013, req::CO_LSS_014, req::CO_LSS_015, req::CO_LSS_016,
              req::CO_LSS_017, req::CO_LSS_018, req::CO_LSS_031, req::CO_LSS_040, req::CO_LSS_041, req::CO_LSS_042,

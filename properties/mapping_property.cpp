@@ -2,7 +2,7 @@
 // Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
 // 7.5.2.38): every abort code, the resulting entries, and the length of the frame that is sent.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
 
@@ -20,7 +20,7 @@ using naive_mapping::Mappable;
 using naive_mapping::Pdo;
 
 struct Event {
-    unsigned kind{0};      ///< 0, 1 COB-ID, 2, 3 a mapping entry, 4, 5 the count, 6 a visit to operational
+    unsigned kind{0};      ///< 0 and 1: COB-ID; 2 and 3: a mapping entry; 4 and 5: the count; 6: a visit to operational
     unsigned number{0};    ///< sub-index, count, or bits of the COB-ID
     Mappable line{};       ///< to map
     bool receives{false};  ///< RPDO 3, else TPDO 3
@@ -145,7 +145,7 @@ rc::Gen<Mappable> lines(bool receives) {
 
 }  // namespace
 
-RC_GTEST_PROP(MappingLaw, WritesInAnyOrderAreAnsweredAsByTheNaivePdo, ()) {
+RC_GTEST_PROP(MappingLaw, MappingWritesInAnyOrderAreAnsweredAsByTheNaivePdo, ()) {
     verifies<req::CO_PDO_007, req::CO_PDO_009, req::CO_PDO_010, req::CO_PDO_011, req::CO_PDO_012>("property");
     const bool receives = *rc::gen::arbitrary<bool>();
     LoggedSlave slave;

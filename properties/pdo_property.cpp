@@ -2,7 +2,7 @@
 // Properties of PDOs, compared with a model that handles rows of bits (CiA 301, 7.4.7, 7.5.2.36, 7.5.2.38) and, for
 // transmission times, with a clock of milliseconds.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 
@@ -83,8 +83,8 @@ std::string frame_text(const std::string& id, const Bytes& bytes) {
     return id + "#" + hex_bytes(bytes, 0, bytes.size(), bytes.size());
 }
 
-/// Returns whether a value is allowed: 2200h takes -100 … 100 (tests/support/slave), all others every value of their
-/// bits.
+/// Returns whether a value is allowed: 2200h takes -100 … 100 (tests/support/slave), all other objects take every value
+/// of their bits.
 bool fits(const Mappable& line, std::uint64_t value) {
     const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));
     return line.index != 0x2200 || (number >= -100 && number <= 100);
@@ -182,7 +182,8 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     }
 }
 
-// With any number of any entries more than 64 bits cannot be mapped, and a refused write keeps the old mapping.
+// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries; a refused write
+// keeps the old mapping.
 RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;
@@ -194,7 +195,7 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
 }
 
-// For any changes at any times transmissions are at least the inhibit time apart and at most the event timer, and the
+// For any changes at any times, transmissions are at least the inhibit time and at most the event timer apart, and the
 // last value is always sent.
 RC_GTEST_PROP(PdoLaw, TransmissionsKeepInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_018>("property");

@@ -2,7 +2,7 @@
 // Compares the SDO server with a naive server: for any requests in any order both give the same answers. Also
 // properties of block transfer that need no model. A failure shrinks to a log of frames.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>
@@ -44,7 +44,7 @@ struct Model {
 
 using SdoCommand = rc::state::Command<Model, Ours>;
 
-/// Gives `request` to both servers; the answers and the DOMAIN must be equal.
+/// Sends `request` to both servers; their answers and the DOMAIN must be equal.
 void compare(Model& model, Ours& ours, const Message& request) {
     const auto expected = model.server.ask(request, model.now);
     const auto answered = ours.ask(request);
@@ -124,7 +124,7 @@ struct Ask : SdoCommand {
     void show(std::ostream& os) const override { os << text("605", request); }
 };
 
-/// Many obedient requests in a row, which complete a transfer of the whole DOMAIN. Some frames may be lost.
+/// Sends many valid requests in a row, which complete a transfer of the whole DOMAIN. Some frames may be lost.
 struct Stream : SdoCommand {
     unsigned count{0};
     unsigned lost_every{0};  ///< 0: none
@@ -367,7 +367,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
             RC_ASSERT(ours.ask(message(0x80)).empty());
             break;
         case 1:
-            RC_ASSERT(ours.pass(1000).size() == 1U);  // the abort of the server
+            RC_ASSERT(ours.pass(1000).size() == 1U);  // takes the abort of the server
             break;
         case 2:
             ours.device.receive(host::parse_frame("000#8205", "property"), ours.now);

@@ -2,7 +2,7 @@
 // Compares stored parameters with a model of two maps: the present and the saved values. Power fails at any byte of a
 // save or restore; the memory counts the bytes that one writes (CiA 301, 7.5.2.13, 7.5.2.14).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
 #include <rapidcheck/state.h>

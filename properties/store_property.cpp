@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A power cut at any byte of a save leaves the old set or the new set (CiA 301, 7.5.2.13).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/canopen/requirements.hpp"

@@ -132,7 +132,7 @@ class DeviceWorld {
 
     /// Advances time to `end` and keeps every deadline on the way.
     void run_until(Instant end) {
-        constexpr unsigned most_at_once = 4;  // a block upload fills the queue as often as that
+        constexpr unsigned most_at_once = 4;  // a block upload fills the queue at most this often
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
             at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
@@ -155,7 +155,7 @@ class DeviceWorld {
     void receive(const Frame& frame) {
         if (start_ == 0) {
             deliver(*device_, frame, now_);
-        } else {  // one log of two runs is enough
+        } else {  // the log shows only one of the two runs
             device_->receive(frame, now_);
         }
         drain(&frame);
@@ -332,7 +332,7 @@ class DeviceWorld {
         }
         require(answers <= 1);
     }
-    /// Checks an SDO answer. Without a request only the time-out of a transfer is sent, once.
+    /// Checks an SDO answer. Without a request, the server sends only the abort of a time-out, once.
     void check_answer(const Frame* cause, const Frame& answer) {
         constexpr std::uint32_t timed_out = 0x05040000;
         if (cause == nullptr) {

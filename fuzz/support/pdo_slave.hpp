@@ -73,7 +73,7 @@ class PdoValues {
     std::uint64_t other_{0};
 };
 
-/// The entries of an object, searched once: no search is repeated in an execution.
+/// the values and the node-ID from which these identifiers were collected
 class Entries {
   public:
     Entries(const ObjectDictionary& objects, unsigned index) : objects_{objects} {

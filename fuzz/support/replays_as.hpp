@@ -9,8 +9,8 @@
 namespace canproof::fuzz {
 
 struct ReplaysAs {
-    std::string arguments;  ///< of `canproof replay`, less the log: `cbx-ao412 --node 3`
-    std::string eds;        ///< text of a data sheet; then `arguments` follow `--eds FILE`
+    std::string arguments;  ///< arguments of `canproof replay` without the log: `cbx-ao412 --node 3`
+    std::string eds;        ///< text of a data sheet; `arguments` then follow `--eds FILE`
 };
 
 /// Targets that give frames to a device define this function with one of the macros below; the others do not define it.

@@ -19,7 +19,7 @@ class Tampering {
         return parts_.size() - 1;
     }
 
-    /// Notes a change by somebody else; a part with the same byte everywhere counts as erased.
+    /// Records a change that the device did not make. A part with the same byte everywhere counts as erased.
     void note_edit(const Image& before, const Image& after) {
         for (Part& part : parts_) {
             const auto begin = after.begin() + part.begin;

@@ -29,7 +29,7 @@ std::uint32_t serial_of(const Frame& frame) {
 class World {
   public:
     void act(const std::uint8_t* record);
-    /// Makes the bus idle: all waiting frames are sent, all received frames are handed over.
+    /// Makes the bus idle: all waiting frames are sent, and all received frames are passed on.
     void settle();
 
   private:
@@ -58,7 +58,7 @@ class World {
     std::uint32_t vanished_below_{0};         ///< some frames below this number were in mailboxes that were dropped
     std::deque<Frame> in_fifos_;
     std::deque<Frame> in_ring_;
-    bool lost_{false};  ///< a frame found no room since the last report
+    bool lost_{false};  ///< a frame was lost for lack of room since the last report
     std::size_t resets_{0};
 };
 
@@ -203,7 +203,7 @@ void World::take_received() {
 void World::forget_received_after_reset() {
     if (model_.resets() != resets_) {
         resets_ = model_.resets();
-        in_fifos_.clear();  // bus-off means that the bus was left
+        in_fifos_.clear();  // a controller in bus-off has left the bus
         lost_ = false;
         on_bus_ = 0;
     }

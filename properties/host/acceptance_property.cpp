@@ -2,7 +2,7 @@
 // Checks that the filters of a node accept the identifiers of its dictionary, and that a node behind its filters
 // behaves like one that receives everything.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
@@ -127,7 +127,8 @@ RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers
     }
     const auto entry = *rc::gen::element<std::string>("001401", "011401", "001801", "011801");
     const auto rest = *rc::gen::element<std::string>("85010100", "85010000");
-    twin.node.receive(parse_frame("605#23" + entry + "850100A0", "law"), Instant{1000});  // not valid: it may change
+    twin.node.receive(parse_frame("605#23" + entry + "850100A0", "law"),
+                      Instant{1000});  // the COB-ID is not valid, so it may be changed
     twin.node.receive(parse_frame("605#23" + entry + rest.substr(0, 6) + "20", "law"), Instant{1000});
     twin.collect();
     const std::set<Identifier> heard = heard_identifiers(*twin.node.device().objects());
@@ -140,8 +141,8 @@ RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers
     for (std::uint32_t id = 0; id <= 0x7FFU; ++id) {
         check(id, false);
         check(id, true);
-        check(id | 0x00010000U, true);  // the same in its last eleven bits
-        check(id << 18U, true);         // the same in its first eleven bits
+        check(id | 0x00010000U, true);  // identifier with the same last eleven bits
+        check(id << 18U, true);         // identifier with the same first eleven bits
     }
 }
 

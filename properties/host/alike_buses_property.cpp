@@ -2,7 +2,7 @@
 // Checks that devices send the same frames on every bus: in the process, on a virtual CAN interface of the kernel, and
 // in a second run.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <map>

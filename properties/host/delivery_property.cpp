@@ -2,7 +2,7 @@
 // Checks that a run whose nodes receive only accepted frames, and are advanced only when something is due, has the same
 // frames as a naive run in which every node receives every frame and is advanced at every step.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <memory>

@@ -82,7 +82,8 @@ class NaiveBus {
     struct Station {
         std::string name;
         bool gateway{false};
-        std::deque<std::pair<std::uint64_t, Frame>> queue;  ///< with the time since which it is the first
+        std::deque<std::pair<std::uint64_t, Frame>>
+            queue;  ///< frames, each with the time since which it is the first of its queue
         std::vector<Heard> heard;
         std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
         std::vector<bool> overruns;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares how a run and a replay recognise the frames of their own nodes with a plain list: the oldest equal frame.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replays any stimuli and frames: time never decreases, and the replay of a run reproduces the run.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Compares the frames that a socketcand client receives with a list of its subscriptions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

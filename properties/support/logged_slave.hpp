@@ -21,7 +21,7 @@ inline std::string frame_text(unsigned id, const std::vector<std::uint8_t>& data
 
 class LoggedSlave : public SlaveBench {
   public:
-    /// Gives the slave a frame. Frames that it sends are in `heard`, with the time in ms.
+    /// Sends a frame to the slave. The frames that the slave sends are in `heard`, with the time in ms.
     void play(const std::string& frame) {
         note(frame);
         for (const auto& answer : send(frame)) {
@@ -60,7 +60,7 @@ class LoggedSlave : public SlaveBench {
     std::string log_;
 };
 
-/// Generates numbers up to `limit`, mostly those at which something begins or ends.
+/// Generates numbers up to `limit`, mostly those at which a behaviour changes.
 inline rc::Gen<unsigned> number_up_to(unsigned limit) {
     return rc::gen::map(rc::gen::weightedOneOf<unsigned>(
                             {{4, rc::gen::inRange(0U, limit + 1)},

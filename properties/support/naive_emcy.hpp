@@ -112,7 +112,7 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// A waiting message; the rest of its content is that of the moment of transmission.
+    /// A waiting message; its other content is determined at the moment of transmission.
     struct Waiting {
         Error error;
         bool cured;
@@ -139,7 +139,7 @@ class Node {
         waiting_.clear();
         list_.clear();
         may_send_at_ = 0;
-        state_ = State::stopped;  // nothing is sent until the boot-up message is out
+        state_ = State::stopped;  // the node sends nothing until the boot-up message is out
         restore_defaults();
         set(Error::overrun, lost_);
         set(Error::passive, can_ >= Can::passive);

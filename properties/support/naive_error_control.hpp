@@ -38,21 +38,21 @@ class Node {
                 state_ = pre_operational;
                 break;
             case 0x81:
-            case 0x82:  // the two resets differ in application parameters, of which there are none here
+            case 0x82:  // the two resets differ only in application parameters, which this model does not have
                 boot();
                 break;
             default:
                 break;
         }
     }
-    /// Write by SDO; return false when the write is refused or not answered.
+    /// Write by SDO. They return false when the write is refused or not answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;
         }
         heartbeat_ms_ = ms;
         heartbeat_from_ = now_;
-        if (ms != 0) {  // heartbeat or guarding, never both
+        if (ms != 0) {  // a node uses heartbeat or guarding, never both
             guarded_until_ = 0;
             guarding_failed_ = false;
         }

@@ -186,8 +186,9 @@ class Happening {
         return bytes;
     }
 
-    /// Whether an event of this kind may begin to watch another node, whose silence would then be an error of the
-    /// device: its heartbeat while 1016h (consumer heartbeat time) names a node, a remote frame while guarding is on.
+    /// Returns whether an event of this kind may start the monitoring of another node, whose silence would then be an
+    /// error of the device: its heartbeat while 1016h (consumer heartbeat time) names a node, or a remote frame while
+    /// guarding is on.
     static bool would_start_supervision(const Unit& unit, EventKind kind) {
         const unsigned watched = unit.value(0x1016, 0);
         bool names_a_node = false;

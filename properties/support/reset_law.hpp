@@ -102,10 +102,10 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Events of the separate communication, which do not affect the application.
+/// Events of the separate communication; they do not affect the application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
-/// Events that affect the application, whatever the communication.
+/// Events that affect the application, whatever the state of the communication.
 inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
                                                  EventKind::input,   EventKind::time,    EventKind::late};
 

@@ -43,7 +43,7 @@ struct Write {
     std::uint32_t value;
 };
 
-/// Defaults for most devices.
+/// Default members, which suit most devices.
 struct UsualTraits {
     /// Returns a configuration in which the device keeps state.
     static std::vector<Write> lively() { return {}; }
@@ -165,7 +165,7 @@ class ResetUnit {
     typename Traits::Inputs inputs;
     Instant now;
     Instant silent_until{};
-    bool is_stuck{false};  ///< work that was due was not done
+    bool is_stuck{false};  ///< work was due and was not done
     std::unique_ptr<Device> device;
 
   private:

@@ -16,7 +16,7 @@ namespace canproof::host {
 
 /// One request of `canproof demo`.
 struct DemoRequest {
-    const char* section;  ///< of the manual
+    const char* section;  ///< section of the manual
     const char* what;
     const char* frame;  ///< `603#4000100000000000`
 };
@@ -24,7 +24,7 @@ struct DemoRequest {
 /// The requests that `canproof demo` sends to the device after power-on.
 struct DemoScene {
     const char* title;
-    const char* boot_section;  ///< of the manual
+    const char* boot_section;  ///< section of the manual
     std::vector<DemoRequest> requests;
     std::vector<std::string> outputs;  ///< names of the outputs that it prints at the end, in V
 };

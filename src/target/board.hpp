@@ -82,8 +82,7 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// Figures that src/target/footprint cannot read from an image, in bytes: the RAM of the protocol layer and of the
-/// values.
+/// A CAN mailbox in memory: the sender sets `full`, the receiver clears it.
 struct Footprint {
     std::uint32_t node;
     std::uint32_t values;

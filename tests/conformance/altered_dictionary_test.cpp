@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A range end without a limit.
+/// One end of a range, without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -137,7 +137,7 @@ TEST_F(AlteredDictionary, AbsentSubindexInADefaultMappingIsAGapBesideItsObject) 
 
 TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
     verifies<req::CO_PDO_028>();
-    ship(0x1A00, 1, 0x22070010);  // 16 of the 32 bits of 2207h
+    ship(0x1A00, 1, 0x22070010);  // maps 16 of the 32 bits of 2207h
     ship(0x1A00, 2, 0x20010108);
     power_on();
     send("000#0105");
@@ -311,11 +311,12 @@ TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
     entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
-    device->lend(0x2302, 0, 2);  // needed by longer values only
+    device->lend(0x2302, 0, 2);  // memory of the device, which only longer values need
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});
-    EXPECT_EQ(send("605#6000000000000000"), Frames{"585#00412076616C7565"});  // the value at the start of the upload
+    EXPECT_EQ(send("605#6000000000000000"),
+              Frames{"585#00412076616C7565"});  // the answer holds the value at the start of the upload
     EXPECT_EQ(send("605#2102230040000000"), Frames{"585#6002230000000000"});
 }
 

@@ -55,7 +55,7 @@ TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
 
 TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAnotherGroup) {
     verifies<req::CO_PDO_035, req::CO_STORE_001>();
-    set_cob_id(as_shipped + 6);  // that of node 9
+    set_cob_id(as_shipped + 6);  // the default COB-ID of node 9
     ASSERT_TRUE(unit.save(2));
     unit.move_to(9);
     EXPECT_EQ(cob_id(), as_shipped + 6);

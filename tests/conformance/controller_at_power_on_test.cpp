@@ -20,7 +20,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 }  // namespace
 
-/// The boot-up message is lost, the errors found at boot-up are not.
+/// The boot-up message is lost, but the errors found at boot-up are reported.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_017>();
     can_state = 3;
@@ -63,7 +63,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
 }
 
 /// The same device is switched off in bus-off and on with a working bus.
-TEST_F(ControllerAtPowerOn, BusOffOfThePreviousPowerCycleIsOver) {
+TEST_F(ControllerAtPowerOn, PowerOnClearsTheBusOffOfThePreviousPowerCycle) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);
     EXPECT_EQ(sent(), Frames{});

@@ -76,7 +76,7 @@ TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
 }
 
-TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
+TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
     verifies<req::CO_EMCY_007>();
     errors[static_cast<std::size_t>(channel_2)] = ErrorRow{0xF001, 0x81, true, true, 0x0002};
     emcy.set(channel_1, true, Instant{});
@@ -85,13 +85,13 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreKeptApartByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WaitingMessagesAreKeptApartByTheirError) {
+TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
     verifies<req::CO_EMCY_006>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // withdraws its end, the last message but one
+    emcy.set(channel_1, true, Instant{});  // withdraws the message for its end, the last message but one
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
     EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both are active: 81h
@@ -104,7 +104,8 @@ TEST_F(ActiveList, SentMessageIsNotSentAgain) {
         emcy.set(channel_1, true, Instant{});
         emcy.set(channel_1, false, Instant{});
         emcy.enable(true, Instant{});
-        EXPECT_EQ(sent(), (Frames{"085#01F0000100000000", "085#0000000000000000"})) << round;  // it is over: 00h
+        EXPECT_EQ(sent(), (Frames{"085#01F0000100000000", "085#0000000000000000"}))
+            << round;  // the error has ended: 1001h reads 00h
     }
 }
 
@@ -170,7 +171,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
     emcy.enable(false, Instant{});
     emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 91h
     emcy.set(channel_1, true, Instant{});
-    EXPECT_TRUE(emcy.take_register_change());  // whether messages are sent or not
+    EXPECT_TRUE(emcy.take_register_change());  // the register has changed, whether messages are sent or not
 }
 
 TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
@@ -201,7 +202,7 @@ TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
 TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
-        // until it is full
+        // fills the queue
     }
     emcy.set(channel_1, true, Instant{});
     while (!queue.empty()) {

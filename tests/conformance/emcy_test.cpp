@@ -69,7 +69,7 @@ TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
 }
 
 // 7.9.4 lists 5000h beside 6110h: two separate failures
-TEST_F(Errors, HardwareFailureIs5000hBesideASoftwareFailure) {
+TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
     verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -160,7 +160,7 @@ TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     EXPECT_EQ(overrun(false), (Frames{"083#0000110200000000"}));
 }
 
-TEST_F(Errors, InhibitTimeKeepsEmcyMessagesApart) {
+TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -177,7 +177,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
 }
 
-TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterAtItsTransmission) {
+TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
@@ -249,7 +249,8 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(pass(500).empty());
-    EXPECT_EQ(can_state(0).size(), 3U);  // 8120h, 8140h and the end of 8120h, and nothing of the 500 ms
+    EXPECT_EQ(can_state(0).size(),
+              3U);  // 8120h, 8140h and the end of 8120h are sent, but nothing of the 500 ms in bus-off
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 

@@ -94,7 +94,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     write("603#2F0D100003000000");  // … times 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#230E100003070000");  // 703h, as it was
+    write("603#230E100003070000");  // 703h is written again
     write("603#2B17100000000000");  // no heartbeat, as before
     EXPECT_TRUE(pass(99).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
@@ -272,7 +272,7 @@ TEST_F(ErrorControlService, GuardingUsesTheIdentifierOf100Eh) {
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(SlaveErrorControl, TheIdentifierIs700hAndTheNodeIdWithout100Eh) {
+TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
     verifies<req::CO_GUARD_004, req::CO_K_GUARDING_ID>();
     EXPECT_EQ(send("605#400E100000000000"), (Frames{"585#800E100000000206"}));  // no such object
     EXPECT_EQ(send("705#R1"), (Frames{"705#7F"}));
@@ -321,7 +321,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 
-TEST_F(ErrorControlService, EachErrorActsBy1029hAlsoWhileAnotherLasts) {
+TEST_F(ErrorControlService, EachErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     write("603#2B0C100064000000");  // guard time 100 ms …

@@ -48,7 +48,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active node-ID
           {"605#4000180100000000", {"585#4300180185010000"}},  // TPDO1 180h + 5
-          {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY 80h + 5
+          {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY is 80h + 5
           {"7E5#0400000000000000", {}},                        // no reset without a command
           {"605#4014100000000000", {"585#4314100085000000"}},
           {"60A#4014100000000000", {}},
@@ -197,7 +197,7 @@ TEST_F(Lss, WaitingFramesAreDroppedAtActivation) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
-        device->receive(host::parse_frame(frame, "test"), now);  // the driver sends nothing meanwhile
+        device->receive(host::parse_frame(frame, "test"), now);  // the driver sends no frame meanwhile
     }
     EXPECT_EQ(sent(), Frames{});
     EXPECT_EQ(pass(2), Frames{});

@@ -236,7 +236,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Each service with one byte too few, with just enough, with seven and with eight bytes.
-TEST_F(Lss, FrameNeedsTheBytesOfItsServiceAndIsAnsweredWithAsMany) {
+TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
     verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},

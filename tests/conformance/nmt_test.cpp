@@ -21,7 +21,7 @@ class Nmt : public CbxTest {
 
 }  // namespace
 
-TEST_F(Nmt, PowerOnEndsInOneBootUpMessageAndPreOperational) {
+TEST_F(Nmt, PowerOnSendsOneBootUpMessageAndEntersPreOperational) {
     verifies<req::CO_NMT_001, req::CO_E_NMT_STATE, req::CO_K_GUARDING_ID>();
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     EXPECT_EQ(state(), "pre-operational");

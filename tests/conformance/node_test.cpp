@@ -53,7 +53,7 @@ TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
     }
 }
 
-TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007>();
     send("605#2316100264001100");  // node 11h, 100 ms
     send("605#2B0C100032000000");  // guard time 50 ms …
@@ -74,15 +74,16 @@ TEST_F(NodeService, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
     device->node().set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state(), NmtState::pre_operational);
     device->node().set_can_state(CanState::error_active, now);
-    EXPECT_EQ(device->communication_errors(), 1);  // still the first: node 10h has been silent all the time
-    send("605#2F29100102000000");                  // stopped
+    EXPECT_EQ(device->communication_errors(),
+              1);                  // node 10h is still the first to fail: it has been silent all the time
+    send("605#2F29100102000000");  // stopped
     send("000#0105");
     send("711#05");
     pass(100);
     EXPECT_EQ(state(), NmtState::stopped);
 }
 
-TEST_F(NodeService, ACommunicationErrorThatLastsActsOnce) {
+TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     verifies<req::CO_NMT_007>();
     lose_producer();
     send("000#0105");
@@ -236,7 +237,7 @@ TEST_F(AlteredNode, ErrorListOfOneEntryHoldsTheLatestError) {
     auto& objects = description.rows.objects;
     std::find_if(objects.begin(), objects.end(), is_list)->count = 2;  // sub-indices 0 and 1
     power_on();
-    send("080#01");  // a SYNC of wrong length: 8240h
+    send("080#01");  // the SYNC has a wrong length: 8240h
     EXPECT_EQ(send("605#4003100100000000"), Frames{"585#4303100140820000"});
     device->node().set_overrun(true, now);  // 8110h
     sent();

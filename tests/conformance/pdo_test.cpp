@@ -33,14 +33,14 @@ TEST_F(Pdo, Rpdo2SetsTheFourOutputsAtOnce) {
     EXPECT_EQ(output(4), "0400");
 }
 
-TEST_F(Pdo, Type254IsAppliedAtOnce) {
+TEST_F(Pdo, RpdoOfType254IsAppliedAtOnce) {
     verifies<req::CO_PDO_001, req::CO_T_TRANSMISSION_TYPE>();
     write("603#2F011402FE000000");
     send("303#0100020003000400");
     EXPECT_EQ(output(1), "0100");
 }
 
-TEST_F(Pdo, SynchronousTypesWaitForTheSyncAndTakeTheLastValues) {
+TEST_F(Pdo, SynchronousRpdosWaitForTheSyncAndUseTheLastValues) {
     verifies<req::CO_PDO_002, req::CO_T_TRANSMISSION_TYPE>();
     for (const char* type : {"00", "01", "F0"}) {
         write(std::string{"603#2F011402"} + type + "000000");
@@ -55,7 +55,7 @@ TEST_F(Pdo, SynchronousTypesWaitForTheSyncAndTakeTheLastValues) {
     }
 }
 
-TEST_F(Pdo, OutsideOperationalNoPdoIsSetAndNoneWaits) {
+TEST_F(Pdo, OutsideOperationalNoRpdoIsAppliedOrWaits) {
     verifies<req::CO_PDO_003>();
     send("000#8003");
     send("303#0100000000000000");

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 
 // -- The procedure ----------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, StepsInTheirOrderAreAccepted) {
+TEST_P(Remapping, RemappingStepsInTheirOrderAreAccepted) {
     verifies<req::CO_PDO_009>();
     hold({
         {parameter("01"), not_valid(), ""},  // a) destroy
@@ -77,7 +77,7 @@ TEST_P(Remapping, StepsInTheirOrderAreAccepted) {
     });
 }
 
-TEST_P(Remapping, EachStepOutOfOrderIsRefused) {
+TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
     verifies<req::CO_PDO_009>();
     hold({
         {line("00"), "00", present_state},              // b) before a)

@@ -45,7 +45,7 @@ TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(20), (Frames{"10:085#5082110100000000"}));
-    EXPECT_TRUE(send("305#0100020003000400").empty());  // RPDO1 is still late
+    EXPECT_TRUE(send("305#0100020003000400").empty());  // RPDO1 is still overdue
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
@@ -69,7 +69,7 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
         EXPECT_EQ(device->next_deadline().us, (now + milliseconds(10)).us) << end;
         send(end);
         EXPECT_EQ(pass(0), Frames{});
-        if (end != std::string{"000#8205"}) {  // the TPDOs are off
+        if (end != std::string{"000#8205"}) {  // all TPDOs are switched off
             EXPECT_EQ(device->next_deadline().us, never.us) << end;
             EXPECT_EQ(pass(100), Frames{}) << end;
         }

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // -- When a PDO takes effect ------------------------------------------------------------------------------------------
 
-TEST_F(Rpdo, Types254And255SetTheirObjectsAtOnce) {
+TEST_F(Rpdo, RpdosOfTypes254And255SetTheirObjectsAtOnce) {
     verifies<req::CO_PDO_001, req::CO_T_TRANSMISSION_TYPE>();
     talk(*this, {
                     {"205#1122", {}},
@@ -26,7 +26,7 @@ TEST_F(Rpdo, Types254And255SetTheirObjectsAtOnce) {
                 });
 }
 
-TEST_F(Rpdo, Types0To240WaitForTheSyncAndTakeTheLastValues) {
+TEST_F(Rpdo, RpdosOfTypes0To240WaitForTheSyncAndUseTheLastValues) {
     verifies<req::CO_PDO_002, req::CO_T_TRANSMISSION_TYPE>();
     int value = 0x10;
     for (const char* type : {"00", "01", "02", "F0"}) {
@@ -225,7 +225,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
                 });
 }
 
-TEST_F(Rpdo, TwoRpdosMayShareAnIdentifierAndTakeTheirParts) {
+TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
     verifies<req::CO_PDO_026>();
     map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
     talk(*this, {
@@ -315,7 +315,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     send("305#0100020003000400");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
     EXPECT_TRUE(pass(10).empty());          // RPDO2 too: the error is already there
-    EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still late
+    EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still overdue
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
 

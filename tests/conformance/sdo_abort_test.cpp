@@ -18,7 +18,7 @@ namespace {
 
 class SdoAbort : public testing::Test, public SlaveBench {};
 
-/// One code: the requests, and the abort as the last answer.
+/// One abort code: the requests that cause it. Their last answer is the abort.
 struct Case {
     std::uint32_t code;
     std::string when;
@@ -157,7 +157,7 @@ TEST_F(SdoAbort, FailedMemoryIsReportedAsAHardwareError) {
     EXPECT_EQ(send("605#2310100173617665"), (Frames{"585#8010100100000606"}));
 }
 
-TEST_F(SdoAbort, TestedAndNeverSentCodesTogetherAreAllCodesOfCiA301) {
+TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
     verifies<req::CO_E_ABORT, req::CO_SDO_036>();
     // Table 22 of CiA 301 in its order
     const std::vector<std::uint32_t> all{
@@ -165,7 +165,7 @@ TEST_F(SdoAbort, TestedAndNeverSentCodesTogetherAreAllCodesOfCiA301) {
         0x06010001, 0x06010002, 0x06020000, 0x06040041, 0x06040042, 0x06040043, 0x06040047, 0x06060000,
         0x06070010, 0x06070012, 0x06070013, 0x06090011, 0x06090030, 0x06090031, 0x06090032, 0x06090036,
         0x060A0023, 0x08000000, 0x08000020, 0x08000021, 0x08000022, 0x08000023, 0x08000024};
-    std::set<std::uint32_t> provoked{0x05040000, 0x06060000};  // the two tests above
+    std::set<std::uint32_t> provoked{0x05040000, 0x06060000};  // the codes of the two tests above
     for (const Case& one : cases) {
         provoked.insert(one.code);
     }

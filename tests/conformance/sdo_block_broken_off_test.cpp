@@ -20,7 +20,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
                     {start, {stray}},
                     {acknowledge, {stray}},
                     {"605#A100000000000000", {stray}},
-                    // not started yet
+                    // the upload has not started yet
                     {initiate, initiated},
                     {acknowledge, {refused}},
                     {initiate, initiated},
@@ -41,7 +41,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
                     {initiate, initiated},
                     {start, segments},
                     {"605#7000000000000000", {refused}},
-                    // the end was sent
+                    // the end of the block has been sent
                     {initiate, initiated},
                     {start, segments},
                     {acknowledge, ended},

@@ -15,7 +15,7 @@ TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
                     {"605#0131323334353637", {}},
                     {"605#8238390000000000", {"585#A2027F0000000000"}},
                 });
-    EXPECT_EQ(held(), Bytes{0xAA});  // not before the end
+    EXPECT_EQ(held(), Bytes{0xAA});  // the value is not set before the end
     talk(*this, {
                     {"605#D5C3310000000000", {"585#A100000000000000"}},  // five unused, 31C3h
                     {"605#D5C3310000000000", {stray}},
@@ -67,9 +67,9 @@ TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
     talk(*this, {
                     {"605#C60024001C000000", {"585#A40024007F000000"}},
                     {"605#0101020304050607", {}},
-                    {"605#030F101112131415", {}},  // the second was lost
+                    {"605#030F101112131415", {}},  // the second segment was lost
                     {"605#84161718191A1B1C", {"585#A2017F0000000000"}},
-                    {"605#0108090A0B0C0D0E", {}},                        // it becomes number 1
+                    {"605#0108090A0B0C0D0E", {}},                        // the repeated segment has number 1
                     {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now the next segment was lost
                     {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // lost again
                     {"605#010F101112131415", {}},
@@ -184,7 +184,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
                 });
 }
 
-TEST_F(SdoBlock, SegmentPairs1And127DoNotOverrunTheMemory) {
+TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026>();
     // each pair ends a sub-block with one segment in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
@@ -212,7 +212,7 @@ TEST_F(SdoBlock, SequenceNumberZeroAbortsTheDownload) {
                     {"605#0031323334353637", {"585#8000240003000405"}},
                     {"605#0131323334353637", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
-                    {"605#8000240000000008", {}},  // 80h: the abort of the client
+                    {"605#8000240000000008", {}},  // 80h is the abort of the client
                     {"605#0131323334353637", {stray}},
                 });
 }

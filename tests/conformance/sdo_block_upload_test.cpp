@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-TEST(Crc16, CrcHasTheCheckValueOfCiA301) {
+TEST(Crc16, CrcOfTheDigits1To9IsTheCheckValueOfCiA301) {
     verifies<req::CO_SDO_025, req::CO_SDO_028>();
     Crc16 crc;
     crc.add(ByteView{nine.data(), 4});
@@ -80,18 +80,18 @@ TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
     const Bytes bytes = counting(21);  // three full segments
     hold(bytes);
     const Frames whole{"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"};
-    talk(*this,
-         {
-             {"605#A40024007F000000", {"585#C600240015000000"}},
-             {"605#A300000000000000", whole},
-             {"605#A2007F0000000000", whole},                                             // none was received
-             {"605#A2017F0000000000", {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the first was received
-             {"605#A201010000000000",
-              {"585#810F101112131415"}},  // the second was received; one segment per sub-block from now on
-             {"605#A200010000000000", {"585#810F101112131415"}},
-             {"605#A201010000000000", {block_end("585", bytes)}},
-             {"605#A100000000000000", {}},
-         });
+    talk(*this, {
+                    {"605#A40024007F000000", {"585#C600240015000000"}},
+                    {"605#A300000000000000", whole},
+                    {"605#A2007F0000000000", whole},  // the client received none
+                    {"605#A2017F0000000000",
+                     {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the client received the first segment
+                    {"605#A201010000000000",
+                     {"585#810F101112131415"}},  // the second was received; one segment per sub-block from now on
+                    {"605#A200010000000000", {"585#810F101112131415"}},
+                    {"605#A201010000000000", {block_end("585", bytes)}},
+                    {"605#A100000000000000", {}},
+                });
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // no unused byte
 }
 
@@ -193,8 +193,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
                     {"605#A40010017F000000", {"585#8000100111000906"}},
                     {"605#A40522007F000000", {"585#8005220001000106"}},
-                    {"605#A40024007F000000", {"585#8000240024000008"}},  // nothing was ever written there
-                    {"605#A40124007F000000", {"585#8001240000000106"}},  // it has no memory
+                    {"605#A40024007F000000", {"585#8000240024000008"}},  // no value was ever written there
+                    {"605#A40124007F000000", {"585#8001240000000106"}},  // the entry has no memory
                     {"605#A300000000000000", {stray}},
                 });
 }
@@ -244,7 +244,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
     queue.pop();
-    EXPECT_EQ(device->next_deadline().us, now.us);  // room again: due at once
+    EXPECT_EQ(device->next_deadline().us, now.us);  // the queue has room again, so the upload is due at once
     device->advance(now);
     EXPECT_EQ(queue.size(), 8U);
     // the time-out starts at the last queued segment, however slowly the bus takes them
@@ -295,7 +295,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }
 
-TEST_F(SdoBlock, ShortValueIsSentAsOfTheStartOfTheUpload) {
+TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
     verifies<req::CO_SDO_021>();
     send("000#0105");  // operational
     talk(*this, {

@@ -60,7 +60,7 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     EXPECT_EQ(send("603#2120100104000000"), (Frames{"583#6020100100000000"}));
     // two bytes, five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
-    EXPECT_EQ(device->objects().read(0x1020, 1), 0U);                           // not before the last
+    EXPECT_EQ(device->objects().read(0x1020, 1), 0U);  // the value is not set before the last segment
     EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));  // toggle, five unused, last
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
@@ -76,7 +76,7 @@ TEST_F(Sdo, ToggleBitMustAlternate) {
     verifies<req::CO_SDO_005, req::CO_E_ABORT>();
     send("603#4008100000000000");
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8008100000000305"}));
-    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));  // the transfer is over
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));  // the transfer has ended
     send("603#2120100104000000");
     EXPECT_EQ(send("603#1A34120000000000"), (Frames{"583#8020100100000305"}));
 }
@@ -84,8 +84,8 @@ TEST_F(Sdo, ToggleBitMustAlternate) {
 TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
     verifies<req::CO_SDO_006, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#E000100000000000"), (Frames{"583#8000100001000405"}));
-    EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // block upload is not offered
-    EXPECT_EQ(send("603#C200100000000000"), (Frames{"583#8000100001000405"}));  // nor block download
+    EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // this device offers no block upload
+    EXPECT_EQ(send("603#C200100000000000"), (Frames{"583#8000100001000405"}));  // and no block download
     EXPECT_EQ(send("603#0011223344556677"), (Frames{"583#8000000001000405"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));
     send("603#4008100000000000");
@@ -163,7 +163,7 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     set_inputs();
     inputs.can_state = 0;
     set_inputs();
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // there is no transfer any more
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // no transfer is open any more
 }
 
 TEST_F(Sdo, EachUploadSegmentRestartsTheTimeOut) {
@@ -244,7 +244,7 @@ TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyTakesNoByte) {
+TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAnyByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
@@ -262,7 +262,7 @@ TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
                 });
 }
 
-TEST_F(SlaveSdo, ThreeBytesTravelExpedited) {
+TEST_F(SlaveSdo, ThreeBytesAreTransferredExpedited) {
     verifies<req::CO_SDO_001, req::CO_SDO_003>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // 2300h = "abc"
@@ -320,7 +320,7 @@ TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }
-    // and not after the last segment of a finished transfer
+    // a segment after the end of a transfer does not store anything either
     talk(*this, {
                     {"605#2100230002000000", {"585#6000230000000000"}},
                     {"605#0B68690000000000", {"585#2000000000000000"}},

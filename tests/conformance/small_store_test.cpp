@@ -148,7 +148,7 @@ TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
     set_value("55667788");
     faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // its byte did not arrive either
+    faulty.sound.bytes()[3] = 'S';  // its byte was not written either
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }
@@ -184,7 +184,7 @@ TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
 }
 
 // The value equals the node-ID of the node that saved by chance; its default has no node-ID in it.
-TEST_F(SmallStore, StoredValueWithoutANodeIdInItsDefaultDoesNotFollowTheNodeId) {
+TEST_F(SmallStore, StoredValueWhoseDefaultHasNoNodeIdDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();
     set_value("05000000");

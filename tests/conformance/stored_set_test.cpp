@@ -50,7 +50,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 
 }  // namespace
 
-TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOlderSet) {
+TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsUsed) {
     verifies<req::CO_STORE_006, req::INC_ERR_012>();
     for (const int saves : {2, 3}) {  // the newest set is in the second bank, then in the first
         Stored unit{GetParam()};
@@ -68,7 +68,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteOfTheNewestSetIsReportedAndRestoresNoOld
             EXPECT_EQ(unit.value(), is_marker ? 1000U * static_cast<unsigned>(saves) : 0U) << at;
             EXPECT_EQ(unit.error(), is_marker ? no_error : unit.code_of_damage) << at;
             unit.bytes() = stored;
-            unit.bytes()[size - newest + at] ^= 0xFF;  // the older set does not matter
+            unit.bytes()[size - newest + at] ^= 0xFF;  // damage to the older set has no effect
             unit.power_cycle();
             EXPECT_EQ(unit.value(), 1000U * static_cast<unsigned>(saves)) << at;
             EXPECT_EQ(unit.error(), no_error) << at;
@@ -87,7 +87,7 @@ TEST_P(StoredSetOfTheDevice, SaveAfterDamageIsLoaded) {
         unit.power_cycle();
         EXPECT_EQ(unit.error(), unit.code_of_damage);
         unit.save_value(3000);
-        EXPECT_EQ(unit.error(), unit.code_of_damage);  // until the next reset
+        EXPECT_EQ(unit.error(), unit.code_of_damage);  // the error lasts until the next reset
         unit.power_cycle();
         EXPECT_EQ(unit.value(), 3000U);
         EXPECT_EQ(unit.error(), no_error);
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::Values("ax060805",
                          });
 
 // The CAN-CBX-AO412 has switches instead of LSS.
-TEST(StoredNodeIdOfTheDevice, FlippedByteOfTheLatestNodeIdIsReportedAndRestoresNoOlderOne) {
+TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {
     verifies<req::CO_LSS_065>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
         DeviceBySdo unit{name, 5};

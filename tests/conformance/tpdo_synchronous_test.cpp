@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // -- Types 0 to 240 ---------------------------------------------------------------------------------------------------
 
-TEST_F(Tpdo, Type0IsSentAtTheSyncAfterAChange) {
+TEST_F(Tpdo, TpdoOfType0IsSentAtTheSyncAfterAChange) {
     verifies<req::CO_PDO_013, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("00");
@@ -26,7 +26,7 @@ TEST_F(Tpdo, Type0IsSentAtTheSyncAfterAChange) {
                 });
 }
 
-TEST_F(Tpdo, TypeNIsSentAtEveryNthSync) {
+TEST_F(Tpdo, TpdoOfTypeNIsSentAtEveryNthSync) {
     verifies<req::CO_PDO_014, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("03");
@@ -179,7 +179,7 @@ TEST_F(Tpdo, AtASyncTpdosSampleBeforeRpdosAreApplied) {
 
 // -- Requests ---------------------------------------------------------------------------------------------------------
 
-TEST_F(Tpdo, Type253IsSentOnRequestOnly) {
+TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
     verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
@@ -196,7 +196,7 @@ TEST_F(Tpdo, Type253IsSentOnRequestOnly) {
     EXPECT_TRUE(pass(100).empty());
 }
 
-TEST_F(Tpdo, Type252IsSentAtNoSync) {
+TEST_F(Tpdo, TpdoOfType252IsSentAtNoSync) {
     verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FC");
@@ -206,7 +206,7 @@ TEST_F(Tpdo, Type252IsSentAtNoSync) {
     }
 }
 
-TEST_F(Tpdo, Type252CarriesTheValuesOfTheLastSync) {
+TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
     verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FC");

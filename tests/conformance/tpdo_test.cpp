@@ -80,7 +80,7 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
 
 TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
     verifies<req::CO_PDO_015>();
-    // 2200h (INTEGER16) and 2207h (UNSIGNED32) both in RPDO3 on 405h and in TPDO3 on 385h
+    // 485h, which is not valid
     map_tpdo3({"10000022", "20000722"});
     talk(*this, {
                     {"605#2302140105040080", {"585#6002140100000000"}},

@@ -94,7 +94,7 @@ TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
     EXPECT_EQ(unused.next_deadline(), never);
 }
 
-TEST_F(Tpdo, InhibitTimeKeepsTransmissionsApart) {
+TEST_F(Tpdo, TransmissionsAreAtLeastTheInhibitTimeApart) {
     verifies<req::CO_PDO_017>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();

@@ -34,7 +34,7 @@ struct Dictionary {
     }
 };
 
-TEST(DictionaryCheck, SoundDictionaryIsAccepted) {
+TEST(DictionaryCheck, ValidDictionaryIsAccepted) {
     test::shows_rule("a dictionary that is compiled is sound");
     EXPECT_TRUE(Dictionary{}.sound());
     Dictionary neighbours;

@@ -11,10 +11,10 @@ namespace canproof::test {
 
 namespace {
 
-constexpr ErrorId quiet = ErrorId::can_overrun;        // only in 1001h
-constexpr ErrorId unlisted = ErrorId::error_passive;   // in 1001h and sent
-constexpr ErrorId unsent = ErrorId::sync_length;       // in 1001h and listed
-constexpr ErrorId usual = ErrorId::internal_software;  // in 1001h, listed and sent
+constexpr ErrorId quiet = ErrorId::can_overrun;        // the error only sets 1001h
+constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets 1001h and is sent
+constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets 1001h and is listed
+constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h, is listed and sent
 
 /// An EMCY service on the dictionary of the slave, without emergencies of the slave itself.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {

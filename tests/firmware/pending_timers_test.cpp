@@ -16,7 +16,7 @@ namespace {
 struct Case {
     std::string name;
     std::vector<std::string> event;  ///< frames to the node
-    Frames later;                    ///< frames within 300 ms of the event
+    Frames later;                    ///< frames sent within 300 ms of the event
 };
 
 /// Starts the activity with `arms`; then performs each event in turn, each on a newly booted slave.

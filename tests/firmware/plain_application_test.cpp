@@ -32,7 +32,7 @@ class PlainApplication final : public Application {
     /// The answers of the application; the default where empty.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
-    /// The objects that were reported to it as written.
+    /// The objects that the node has reported to the device as written.
     std::vector<std::uint16_t> written{};
 
   private:
@@ -94,7 +94,7 @@ TEST_F(Plain, DomainWithoutAnApplicationIsRefusedAndEmpty) {
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
 }
 
-TEST_F(Plain, DeviceIsAskedForAccessToProgramEntriesOnly) {
+TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
     verifies<req::CO_SDO_016, req::CO_SDO_011>();
     device->application().access = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});

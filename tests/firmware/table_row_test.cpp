@@ -19,7 +19,7 @@ struct Row {
 
 }  // namespace
 
-TEST(TableRow, PresentRowGivesItsValueAndAMissingRowTheSafeValue) {
+TEST(TableRow, MissingTableRowGivesTheSafeValue) {
     shows_rule("a missing row gives the safe value");
     const Row row{3U, -7};
     const Row* const missing = nullptr;

@@ -43,7 +43,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the queue is unchanged
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the refused frame has not changed the queue
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 
@@ -130,7 +130,7 @@ TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
 }
 
-TEST(Crc, CrcHasTheCheckValueOfTheCatalogue) {
+TEST(Crc, Crc32OfTheDigits1To9IsTheCatalogueValue) {
     verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};

@@ -15,12 +15,12 @@ class FaultyMemory final : public NonVolatileMemory {
     explicit FaultyMemory(std::size_t size) : sound{size} {}
 
     std::size_t size() const override { return sound.size(); }
-    /// Delivers the bytes even when it fails: only the return value shows the failure.
+    /// Delivers the bytes even when it fails, so that only the return value shows the failure.
     bool read(const std::size_t at, const MutableBytes to) const override {
         ++reads;
         return sound.read(at, to) && reads != failing_read;
     }
-    /// A worn memory accepts every write and stores none. A write that fails stores its bytes all the same.
+    /// A worn memory accepts every write and stores nothing. A write that fails stores its bytes all the same.
     bool write(const std::size_t at, const ByteView bytes) override {
         ++writes;
         return (worn || sound.write(at, bytes)) && writes != failing_write;

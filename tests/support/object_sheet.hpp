@@ -18,7 +18,7 @@
 
 namespace canproof::test {
 
-/// Constants and types of which the rows of a test consist.
+/// Constants and types for the rows of a test.
 namespace sheet {
 
 enum class Access { ro, rw };
@@ -35,7 +35,7 @@ struct Row {
     std::optional<std::int64_t> low;
     std::optional<std::int64_t> high;
     Map map{Map::no};
-    bool stored{true};  ///< used for writable entries
+    bool stored{true};  ///< the value is stored by 1010h; used for writable entries only
 };
 
 constexpr auto u8 = DataType::unsigned8;
@@ -140,7 +140,7 @@ class ObjectSheet : public testing::Test {
     AbortCode writing(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_write(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }
-    /// Checks the value against the limits only, even if the entry is read-only.
+    /// Checks a value against the limits only, even if the entry is read-only.
     AbortCode within(const EntryRef& entry, std::int64_t value) const {
         return objects_.check_value(entry, ByteView{bytes_of(value).data(), entry.row->size});
     }

@@ -159,7 +159,7 @@ TEST(CanController, WorstStateOfTheControllerIsReported) {
     }
 }
 
-TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
+TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     verifies<req::CO_CAN_008>();
     Bench bench;
     bench.join();
@@ -176,7 +176,7 @@ TEST(CanController, ControllerRecoversFromBusOffAfterAPauseAndNotByItself) {
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(127);
-    bench.controller.advance(at_ms(5000));  // the controller makes no second request, which would restart the count
+    bench.controller.advance(at_ms(5000));  // the controller does not repeat its request, which would restart the count
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);
     bench.model.pass_recessive(1);

@@ -119,7 +119,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
     bench.queue_up({{0x083, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // the frame is in the queue again
+    EXPECT_EQ(bench.queue.front()->id, 0x703U);  // the frame is back in the queue
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x583, 1), Pair(0x583, 2), Pair(0x703, 3)));
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }

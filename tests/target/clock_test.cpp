@@ -65,7 +65,7 @@ TEST(Clock, PllThatDoesNotLockIsReported) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(Clock, WatchdogResetIsReportedOnce) {
+TEST(Clock, ResetByTheWatchdogIsReportedOnce) {
     verifies<req::CO_WATCHDOG_001>();
     ClockBench bench;
     EXPECT_FALSE(bench.clock.take_watchdog_reset());

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 constexpr std::size_t size = 256;  // 16 lines
 using Bytes = std::vector<std::uint8_t>;
 
-/// The state that a power cut clears, on a flash that remains.
+/// The state that a power cut clears, on a flash that keeps its content.
 struct Unit {
     Flash flash;
     JournalRam<size> ram{};
@@ -62,7 +62,7 @@ constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
 
-TEST(ParameterJournal, JournalIsBlankOnABlankFlash) {
+TEST(ParameterJournal, BlankFlashHoldsABlankJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};
@@ -244,7 +244,7 @@ TEST(ParameterJournal, DamagedLineIsNotRead) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {1}));
 }
 
-TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTakenAsTheEnd) {
+TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {

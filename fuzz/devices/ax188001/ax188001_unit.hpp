@@ -23,7 +23,7 @@ struct Ax188001Unit {
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
     }
-    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< through a reset of the node
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< after a reset of the node
 
     /// Checks values, faults and limits against 1.1, 3.2.4, 3.3.6 and 3.4.13 to 3.4.19.
     static void check(const Device& device, const Inputs&, bool) {
@@ -41,7 +41,8 @@ struct Ax188001Unit {
             require(high <= shutdown - 100 && shutdown <= 17350);
             check_value(read(0x6100, sub), read(0x7130, sub));
             check_scaling(objects, Scaled{0x6100, 0x7130, 0x6126, 0x6127, sub, true});
-            const bool tells = device.state() != NmtState::initialising;  // without a node-ID nothing is reported
+            const bool tells =
+                device.state() != NmtState::initialising;  // without a node-ID the device reports nothing
             require(status == 0 || !tells || read(0x1001, 0) == 1);
         }
         check_value(read(0x2100, 0), read(0x2130, 0));
@@ -64,7 +65,7 @@ struct Ax188001Unit {
         std::uint16_t factor;
         std::uint16_t offset;
         std::uint8_t sub;
-        bool gives_way;  ///< to -1 and -512, which are reserved values
+        bool gives_way;  ///< whether a value was moved away from -1 and -512, which are reserved
     };
     static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
         const auto real = [&](std::uint16_t index) {

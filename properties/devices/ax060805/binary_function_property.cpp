@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of signals and functions of the AX060805 (3.1, 3.8): they are defined for every bit pattern.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // Checks that everything the AX060805 derives from its parameters follows them: one parameter is changed, and from then
 // on the device behaves like another device that had this value from the start.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <map>
@@ -17,7 +17,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One parameter, its length, and values with different effects.
+/// One parameter, its length in bytes, and values with different effects.
 struct Key {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -91,7 +91,7 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Sets every parameter to the value of that number in its list.
+    /// Sets every parameter to the value at this position of its list.
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);
@@ -123,7 +123,7 @@ class Told : public InclinometerBench {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterActsAsIfItHadBeenSetFromTheStart, ()) {
+RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterHasTheSameEffectAsOneSetFromTheStart, ()) {
     verifies<req::INC_ANGLE_009, req::INC_BIN_001>("property");
     std::vector<std::size_t> choice(all_keys().size());
     for (std::size_t& one : choice) {

@@ -2,7 +2,7 @@
 // Properties of the whole AX060805: for any writes and any inputs its values stay within their limits, and its frames
 // do not depend on when it is advanced.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -87,7 +87,8 @@ class Run {
         for (const ObjectRow& object : objects.tables().objects) {
             for (std::size_t i = 0; i < object.count; ++i) {
                 const EntryRef entry{&objects.tables().entries[object.first_entry + i], object.index};
-                const bool counts = entry.is(0x1003, 0);  // its limits apply to a write, which clears the list
+                const bool counts =
+                    entry.is(0x1003, 0);  // the limits of 1003h:0 apply to a write, which clears the list
                 RC_ASSERT(counts || objects.check_value(entry, objects.value(entry)) == AbortCode::none);
             }
         }
@@ -197,7 +198,7 @@ RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
     verifies<req::INC_PDO_007>("property");
     Run run;
     for (const Event& event : any_events()) {
-        if (event.kind < 6) {  // identifiers stay as shipped
+        if (event.kind < 6) {  // the identifiers stay as shipped
             run.let(event, {});
         }
     }

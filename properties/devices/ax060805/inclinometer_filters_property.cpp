@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the filters of the AX060805 (3.2, 3.3, 4.3.11).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

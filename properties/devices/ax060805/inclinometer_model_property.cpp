@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all readable values.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax060805/requirements.hpp"
@@ -144,7 +144,7 @@ Setting any_other_setting() {
     }
 }
 
-/// The topic of a case: most of its settings are of that kind.
+/// The topic of a case: most of its settings concern this topic.
 enum class Topic { angles, functions, others };
 
 Setting any_setting(Topic topic) {
@@ -201,7 +201,8 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Starts both with some angles and accelerations reversed, and for functions with a few functions that use them.
+/// Starts device and model with some angles and accelerations reversed. When the topic is functions, some functions
+/// also use these signals.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

@@ -2,7 +2,7 @@
 // Swaps everything that belongs to two channels of the AX060805 and checks that the results are swapped: pitch and
 // roll, the received values, the function blocks.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <array>
@@ -46,13 +46,13 @@ std::vector<Write> any_angle_writes() {
     return writes;
 }
 
-/// Returns one function block: its sources are no functions, its scales and operation are any.
+/// Returns one function block. Its sources are not functions; its scales and its operation are arbitrary.
 std::vector<Write> any_function(unsigned number) {
     const auto at = static_cast<std::uint16_t>(0x3010U + 0x10U * number);
     const auto plus = [at](unsigned more) { return static_cast<std::uint16_t>(at + more); };
     std::vector<Write> writes;
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
-        const int source = between(0, 19);  // no functions: sources 0 to 9 and 20 to 28
+        const int source = between(0, 19);  // sources 0 to 9 and 20 to 28, which are not functions
         writes.push_back({at, sub, static_cast<std::uint32_t>(source < 10 ? source : source + 10), 1});
         writes.push_back({plus(1), sub, static_cast<std::uint32_t>(between(0, 2)), 1});
         writes.push_back({plus(2), sub, bits_of_any_real(), 4});

@@ -43,7 +43,7 @@ struct NaiveMount {
     }
 };
 
-/// An angle, and how far single precision may deviate from it.
+/// An angle, and the largest deviation from it that single precision may cause.
 struct NaiveAngle {
     double degrees{0.0};
     double tolerance{0.0};
@@ -73,7 +73,7 @@ class NaiveDirection {
                  (from_vertical < 1.0e-5 && is_turned_);
         return from_vertical < limit;
     }
-    /// Returns whether single precision may have decided otherwise.
+    /// Returns whether rounding in single precision may have led to another decision.
     bool is_doubtful() const { return doubt_; }
 
   private:

@@ -54,7 +54,7 @@ inline std::optional<std::uint64_t> naive_discrete(const NaiveSpan& x) {
     return naive_discrete(x.low) == naive_discrete(x.high) ? std::optional{naive_discrete(x.low)} : std::nullopt;
 }
 
-/// One function of 3.8. `unknown()` returns whether single precision decides the result.
+/// One function of 3.8. `unknown()` returns whether rounding in single precision decides the result.
 class NaiveFunction {
   public:
     struct Input {

@@ -73,7 +73,7 @@ class NaiveInclinometer {
         }
         return all;
     }
-    /// Sets the inputs from the next sample on.
+    /// Sets the inputs; they apply from the next sample on.
     void feel(const NaiveFelt& felt) { to_feel_ = felt; }
     /// Clears the received values after the time-out of their RPDO.
     void forget_received() { received_.fill(false); }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/support/reset_law.hpp"
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "devices/ax060805/firmware/ax060805.hpp"

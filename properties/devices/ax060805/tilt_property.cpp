@@ -2,7 +2,7 @@
 // Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
 // attitude.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -173,7 +173,7 @@ InclinationSettings any_settings() {
 
 }  // namespace
 
-// Neither earlier directions count nor the settings with which the last direction was measured.
+// Earlier directions have no effect, nor do the settings at the time of the last direction.
 RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
     Inclination inclination;

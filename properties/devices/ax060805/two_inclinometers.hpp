@@ -21,7 +21,7 @@
 
 namespace canproof::test {
 
-/// A write by SDO: `bytes` of an integer, or 0 for a REAL32.
+/// One write by SDO: the number of bytes of an integer, or 0 for a REAL32.
 struct Setting {
     std::uint16_t index{0};
     std::uint8_t sub{0};
@@ -72,7 +72,7 @@ class TwoInclinometers {
         compare_frames();
     }
 
-    /// Returns false when a value is so near to a threshold that single precision decides.
+    /// Returns false when a value is so near to a threshold that rounding in single precision decides.
     bool is_certain() const { return !naive_.is_doubtful(); }
 
     void feel(const NaiveFelt& felt) {
@@ -101,7 +101,7 @@ class TwoInclinometers {
         const bool is_news = naive_.entry(setting.index, setting.sub) != setting.value;
         const bool taken = naive_.write(setting.index, setting.sub, setting.value);
         if (setting.index == 0x1400) {
-            watches_ = false;  // together with the errors that the RPDO raised
+            watches_ = false;  // this also ends the errors that the RPDO raised
             errors_.set(0x8250, false);
             errors_.set(0x8210, false);
         }
@@ -351,7 +351,7 @@ class TwoInclinometers {
     std::uint64_t ms_{0};
     std::uint64_t begun_{0};  ///< time of the last power-on or reset
     bool operational_{false};
-    bool watches_{false};  ///< the RPDO is monitored since its last reception
+    bool watches_{false};  ///< the RPDO was received and has been monitored since
     std::uint64_t late_at_{0};
     std::array<std::uint64_t, 3> due_{never_due, never_due, never_due};
     std::vector<std::string> expected_;

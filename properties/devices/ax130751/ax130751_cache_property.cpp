@@ -2,7 +2,7 @@
 // Checks that values which the AX130751 keeps from an earlier calculation never show: one key, a parameter or an input,
 // is changed and restored while everything else stays, and the device agrees with the naive model, which keeps nothing.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the whole AX130751 for any configuration and any inputs.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// Returns one write to a block; some are refused, equally by all devices.
+/// Returns one write to a block. All devices refuse some of these writes in the same way.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
     const auto block = static_cast<std::uint16_t>(0x100 * *rc::gen::inRange(0, 3));
@@ -119,9 +119,9 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
-    Ax130751Bench on_time;   // called at each of its deadlines
-    Ax130751Bench late;      // called at events only
-    Ax130751Bench restless;  // called also at odd times between events
+    Ax130751Bench on_time;   // is called at each of its deadlines
+    Ax130751Bench late;      // is called at events only
+    Ax130751Bench restless;  // is also called at odd times between events
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
         bench->start();  // outputs run in operational only

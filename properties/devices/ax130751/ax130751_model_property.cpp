@@ -2,7 +2,7 @@
 // Compares the AX130751 with a naive model that is written from the manual: outputs, process values, TPDOs, emergency
 // messages, 1001h and 1003h, after every step.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of the output blocks of the AX130751 (1.2 to 1.4, 1.8).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -141,7 +141,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
     DelayedState state;
     bool is = false;
     Instant now{};
-    std::uint64_t asked_for = 0;  // ms for which the present command has differed from the state
+    std::uint64_t asked_for = 0;  // time in ms for which the present command has differed from the state
     for (int step = 0; step < 200; ++step) {
         const bool wanted = *rc::gen::arbitrary<bool>();
         const int stay = *rc::gen::inRange(1, 60);

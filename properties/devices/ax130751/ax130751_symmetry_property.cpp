@@ -2,7 +2,7 @@
 // Checks that all channels of the AX130751 are equal: with its outputs and blocks in another order, in parameters and
 // inputs, it behaves the same in that order.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <utility>

@@ -143,7 +143,7 @@ class Math {
     }
 
   private:
-    /// Clamps a loop of products or quotients; the output of the block is clamped at 1.
+    /// Clamps a result, so that a loop of products or quotients stays finite; the output of the block is clamped to 1.
     static double held(double value) { return std::clamp(value, -1.0e9, 1.0e9); }
     double seen(std::size_t function) const {
         return is_cut_.at(function) ? std::max(signed_.at(function), 0.0) : signed_.at(function);

@@ -163,7 +163,7 @@ class Device {
         NaiveRelay relay;
     };
 
-    /// Restarts the communication at each boot-up, and no block.
+    /// Restarts the communication, as at each boot-up; the blocks continue.
     void boot() {
         network_ = Network{};
         short_ = {};
@@ -218,7 +218,7 @@ class Device {
         errors.set(supply_error, blocks_.faults.supply(), now, 0x80 + node_, said);
         errors.set(temperature_error, blocks_.faults.temperature(), now, 0x80 + node_, said);
     }
-    /// Reports communication errors; the first of them changes the state by 1029h:1.
+    /// Reports communication errors. An error that begins changes the state by 1029h:1 (error behaviour).
     void announce() {
         const auto any = [](const std::array<bool, 4>& flags) { return flags[0] || flags[1] || flags[2] || flags[3]; };
         network_.silent = any(silent_);
@@ -301,7 +301,7 @@ class Device {
     Network network_;
     FirstPoints points_;
     std::array<bool, 4> short_{};
-    std::array<std::uint64_t, 4> rpdo_due_{};  ///< 0: not monitored
+    std::array<std::uint64_t, 4> rpdo_due_{};  ///< time at which RPDO n + 1 is overdue; 0: not monitored
     std::array<std::uint64_t, 4> tpdo_due_{};
     std::array<bool, 4> silent_{};
     std::array<bool, 4> silent_before_{};

@@ -127,7 +127,7 @@ class NaiveOutput {
     }
 
   private:
-    /// Returns whether an interlock has a source and no value.
+    /// Returns whether an interlock has a source that gives no value.
     static bool lacks(const Choice& choice, const Signal& signal) { return choice.source != 0 && signal.unused(); }
 
     Decision decide(const Output& output, const Signal& control, const Signal& enable, const Signal& forced,
@@ -279,7 +279,7 @@ class NaiveOutput {
     NaiveRamp ramp_;
     bool logic_{false};
     bool drive_{false};
-    bool memory_{false};  ///< state of the drive after its last cycle under control
+    bool memory_{false};  ///< state of the drive after the last cycle in which the control drove the output
     bool before_{false};
     bool blinks_{false};
     std::uint64_t since_{0};

@@ -136,7 +136,7 @@ struct Pdo {
 /// The parameters of the communication: 3.2.9, 3.2.13 to 3.2.15.
 struct Communication {
     int error_behaviour{1};             ///< 1029h:1
-    std::array<int, 4> heartbeat_ms{};  ///< 1016h:1 to 4, of the nodes 5 to 8; 0: not monitored
+    std::array<int, 4> heartbeat_ms{};  ///< times in 1016h:1 to 1016h:4, for the nodes 5 to 8; 0: not monitored
     std::array<Pdo, 4> receive{{{true, 0}, {false, 0}, {false, 0}, {true, 0}}};
     std::array<Pdo, 4> transmit{{{true, 100}, {false, 0}, {false, 0}, {false, 0}}};
 };
@@ -301,7 +301,7 @@ inline void add_diagnostics(Entries& all, Diagnostics& of) {
     all[{0x5555, 0}] = {&of.starts_self, 1};
 }
 
-/// Returns all entries; `all` must not move afterwards.
+/// Returns all entries. They point into `all`, which must not move afterwards.
 inline Entries entries_of(Parameters& all) {
     Entries entries;
     for (int n = 1; n <= 2; ++n) {

@@ -69,7 +69,7 @@ struct Shown {
 /// Faults of reception.
 struct Network {
     std::array<bool, 4> overdue{};  ///< RPDO 1 to 4
-    bool silent{false};             ///< a heartbeat or the life guarding is lost
+    bool silent{false};             ///< a heartbeat or life guarding was lost
 };
 
 inline bool is_digital(const Output& output) {

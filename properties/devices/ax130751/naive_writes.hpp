@@ -161,7 +161,7 @@ class FirstPoints {
             Table& table = all.tables.at(n);
             const int wanted = place(all, table, sources);
             if (table.x[0] != put_.at(n)) {
-                put_.at(n) = wanted;  // set by the user
+                put_.at(n) = wanted;  // a user has set this point 1
             } else if (wanted <= table.x[1]) {
                 table.x[0] = wanted;
                 put_.at(n) = wanted;

@@ -2,7 +2,7 @@
 // Properties of the whole AX188001: its frames agree with a naive model of limits and delays, and do not depend on when
 // it is advanced (1.1, 3.3.6, 3.4.13 to 3.4.16).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Compares the AX188001 with a naive model of the whole device: after any writes, commands, wiring and heating it sends
 // and shows the same as the model, at every moment (manual, chapters 1 and 3).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -38,7 +38,8 @@ class Pair {
         compare();
     }
 
-    /// Performs an action, then lets time pass. A reading that is due at the next action may be left to that action.
+    /// Performs an action, then lets time pass. A reading that is due at the time of the next action may be left to
+    /// that action.
     void happen(const TcsAction& action, bool leaves_last = false) {
         std::ostringstream text;
         text << rig_.now_ms() << " ms: " << action << "\n";

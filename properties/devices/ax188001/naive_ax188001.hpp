@@ -44,7 +44,7 @@ class Ax188001 {
         if (one_of(specifier, {0x01, 0x02, 0x80, 0x81, 0x82}) != 0) {
             return;
         }
-        others_at_.reset();  // a master is present
+        others_at_.reset();  // a command shows that a master is present
         if (!is_off() && (node == 0 || node == 127)) {
             obey(specifier);
         }

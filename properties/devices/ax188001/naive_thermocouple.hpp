@@ -109,7 +109,7 @@ class Converter {
     unsigned gain() const { return gain_; }
 
   private:
-    static constexpr unsigned readings_ignored = 3;  // the fourth one counts
+    static constexpr unsigned readings_ignored = 3;  // the fourth reading is the first valid one
     static double full_scale_uv(unsigned gain) { return 2.5e6 / gain; }
     void change_gain(unsigned gain) {
         gain_ = gain;

@@ -2,7 +2,7 @@
 // Changes one thing at a time on a running AX188001 and compares it with a device that was switched on with this state.
 // Values computed before the change must not be used for another type, voltage or cold junction (1.1, 3.3, 3.4).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -80,7 +80,7 @@ void settle(TcsRig& rig) {
     rig.bench.pass(13 * TcsBench::period_ms);
 }
 
-/// Starts a device with wide limits and no delays in a state.
+/// Starts a device with wide limits and no delays, and sets the values of the state.
 void start(TcsRig& rig, const TcsState& state) {
     const TcsState shipped{{1, 1}, {1, 1}, {1, 1}, {16, 16}, {4368, 4368}, {125, 125}};
     put(rig.bench, state);

@@ -2,7 +2,7 @@
 // Checks that the channels of the AX188001 are equal and independent (1.1, appendix A): with the parameters and
 // terminals of the two channels exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -101,13 +101,15 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
     verifies<req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_003, req::TCS_VAL_001, req::TCS_ERR_001, req::TCS_PDO_001>(
         "property");
     auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(50, rc::gen::inRange(0U, 1000000U)));
-    setup.reaction[1] = 1;  // otherwise the order of the channels decides which fault of a moment stops the node first
+    setup.reaction[1] =
+        1;  // otherwise the order of the channels would decide which of two simultaneous faults stops the node first
     const auto steps = *rc::gen::resize(
         50,
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     TcsRig rig;
     TcsRig other;
-    bool is_full = false;  // of ten errors the oldest is lost: at one moment that of the channel reported first
+    bool is_full = false;  // of ten errors, the oldest is lost; among simultaneous errors this depends on the order of
+                           // the channels
     const auto happen = [&](const TcsAction& action) {
         play(rig, action);
         play(other, exchanged(action));

@@ -138,7 +138,7 @@ class TcsRig {
         if (bench.device->next_deadline() <= bench.now) {
             bench.device->advance(bench.now);
             note(bench.sent());
-            RC_ASSERT(bench.device->next_deadline() > bench.now);  // due work is done
+            RC_ASSERT(bench.device->next_deadline() > bench.now);  // no work that is due is left
         }
     }
     std::uint64_t now_ms() const { return bench.now.us / 1000; }

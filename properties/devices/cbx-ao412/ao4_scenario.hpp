@@ -22,7 +22,7 @@ struct Ao4Action {
     unsigned index{0};           ///< of a write, or the number of a terminal
     unsigned sub{0};             ///< of a write
     unsigned size{1};            ///< of a write, in bytes
-    std::uint32_t value{0};      ///< of a write or a terminal
+    std::uint32_t value{0};      ///< value of a write, or of a terminal
     std::uint64_t wait_ms{0};
 };
 

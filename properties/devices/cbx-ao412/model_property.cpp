@@ -2,7 +2,7 @@
 // Compares the CAN-CBX-AO412 with a naive model of the whole device: after any writes, frames, switching and failures
 // it sends and shows the same as the model, at every moment (manual, chapters 3 and 7).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/cbx_ao412/requirements.hpp"
@@ -74,7 +74,7 @@ class Pair {
         if (bench_.device->next_deadline() <= bench_.now) {  // nothing is done before its deadline
             bench_.device->advance(bench_.now);
             note(bench_.sent());
-            RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // due work is done
+            RC_ASSERT(bench_.device->next_deadline() > bench_.now);  // no work that is due is left
         }
         model_.pass(now_ms() - model_.now());
     }

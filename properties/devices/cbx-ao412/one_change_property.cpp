@@ -2,7 +2,7 @@
 // Changes one thing at a time on a running CAN-CBX-AO412 and compares its outputs with those of a device that had all
 // values from the start (4.3.1, 7.10, 7.11).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include "generated/cbx_ao412/requirements.hpp"
@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-/// 6411h, 2404h and 2405h of the four outputs.
+/// 6411h, 2404h and 2405h of each of the four outputs.
 using Ao4Values = std::array<std::array<int, 4>, 3>;
 
 void write_value(CbxBench& bench, std::size_t which, std::size_t output, int value) {

@@ -2,7 +2,7 @@
 // Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11): with parameters, values and
 // factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>

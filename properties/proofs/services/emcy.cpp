@@ -12,7 +12,7 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-constexpr std::uint32_t list_length = 10U;  ///< of 1003h in the CAN-CBX-AO412 (7.9.4)
+constexpr std::uint32_t list_length = 10U;  ///< length of 1003h in the CAN-CBX-AO412 (7.9.4)
 
 /// Invariant between two calls: only errors of the table are active or wait, and the list has at most its full length.
 bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
@@ -133,7 +133,7 @@ void at_most_two_messages_of_an_error_wait() {
     const bool cured = any<bool>();
     assume((error < max_errors) && (node.emcy.pending_count_ <= 4U) && !node.emcy.enabled_);
     std::size_t before{0U};
-    bool alternates{true};  // of two waiting messages one reports the beginning, the other the end
+    bool alternates{true};  // of two waiting messages one reports the beginning and the other the end of the error
     bool newest{false};
     for (std::size_t i = 0U; i < 4U; ++i) {
         const bool own = (i < node.emcy.pending_count_) && (node.emcy.pending_[i].error == error);

@@ -66,7 +66,7 @@ void a_heartbeat_begins_a_new_wait() {
     proves<req::CO_HB_002, req::CO_FRAME_001>();
     Watching node{};
     const Frame frame = any_frame();
-    assume(frame.id != 0U);  // NMT's: the node takes it before
+    assume(frame.id != 0U);  // identifier 0 belongs to NMT, which the node handles first
     const Instant now = any_time();
     const auto slot = any<std::uint8_t>();
     assume(slot < producers);

@@ -13,7 +13,7 @@ namespace {
 
 namespace device = generated::ax188001;
 
-/// A device that stores or does not: which, is decided before.
+/// A device that may store or refuse. The choice is open, and is made before the call.
 class AnyApplication final : public LssApplication {
   public:
     explicit AnyApplication(const LssError answer) : answer_{answer} {}

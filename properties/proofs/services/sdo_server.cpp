@@ -11,7 +11,7 @@ namespace {
 
 using State = SdoServer::State;
 
-/// Objects that answer anything that their interface allows; what, is decided before.
+/// Objects that may return anything that their interface allows. The choice is open, and is made before the call.
 class AnyObjects final : public ObjectAccess {
   public:
     AnyObjects() {
@@ -50,8 +50,9 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Invariant between two requests, without block transfer: a transfer is at a place within its value, its toggle bit
-/// is 0 or 10h, and without one no time is due. Beside index and sub-index there is room for the command of an answer.
+/// Invariant between two requests, without block transfer: a transfer is at a place within its value, its toggle bit is
+/// 0 or 10h, and without a transfer no time is due. The stored object leaves room for the command of an answer beside
+/// index and sub-index.
 bool is_consistent(const SdoServer& server) {
     const bool is_idle = server.state_ == State::idle;
     const bool goes_down = server.state_ == State::downloading;

@@ -16,8 +16,8 @@ TransmitQueue any_queue() {
     return queue;
 }
 
-/// Before how many frames of a queue a new one with this identifier does not come: the boot-up message, and those whose
-/// identifier is not higher.
+/// Returns the number of frames in a queue that stay before a new frame with this identifier: the boot-up message, and
+/// the frames whose identifier is not higher.
 std::size_t place_for(const TransmitQueue& queue, const std::uint32_t id) {
     std::size_t place{0U};
     for (std::size_t i = 0U; i < TransmitQueue::capacity; ++i) {

@@ -9,7 +9,7 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Memory for both slots that loses its power after so many bytes: what is written then has no effect.
+/// Memory for both slots whose power fails after a number of bytes; later writes have no effect.
 class CutMemory final : public NonVolatileMemory {
   public:
     std::size_t size() const override { return bytes_.size(); }
@@ -32,7 +32,7 @@ class CutMemory final : public NonVolatileMemory {
     std::size_t left_{1000U};
 };
 
-/// A void marker, 20 bytes, two markers.
+/// A save writes a void marker, 20 bytes and two markers.
 constexpr std::size_t bytes_of_a_save = 23U;
 
 LssConfiguration any_configuration() {

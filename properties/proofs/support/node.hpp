@@ -16,27 +16,28 @@ inline Frame any_frame() {
     return frame;
 }
 
-/// Any time that a clock shows. One that counts microseconds from power-on reaches 2^63 after 292,000 years.
+/// Returns any time that a clock can show. A clock that counts microseconds from power-on reaches 2^63 after 292,000
+/// years.
 inline Instant any_time() {
     const Instant now = any<Instant>();
     assume(now.us < (std::uint64_t{1U} << 63U));
     return now;
 }
 
-/// The dictionary of the CAN-CBX-AO412, which has an object for each service, with any values.
+/// The dictionary of the CAN-CBX-AO412, which has an object for each service. Its values are open.
 struct AnyDictionary {
     std::array<std::uint8_t, generated::cbx_ao412::image_size> image{
         any<std::array<std::uint8_t, generated::cbx_ao412::image_size>>()};
     ObjectDictionary objects{generated::cbx_ao412::tables, MutableBytes{image}, LimitAbort::range};
 };
 
-/// The frame that waits at this place of a queue, from 0 on.
+/// Returns the frame at this place of a queue, counted from 0.
 inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
     return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
 }
 
-/// Invariant of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
-/// that waits can be the boot-up message; identifiers ascend behind it.
+/// Invariant of a transmit queue between two calls: its length is within its bound; a closed queue is empty; only a
+/// waiting frame can be the boot-up message; the identifiers behind that message ascend.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
                  (!queue.boot_up_waits_ || !queue.empty());

@@ -31,7 +31,7 @@ void proves() noexcept {
     (canproof_proves(Requirements::id), ...);
 }
 
-/// Excludes values for which this does not hold. The table of theorems shows the line.
+/// Excludes the values for which the condition is false. The table of theorems shows the line.
 inline void assume(const bool holds, const char* const file = __builtin_FILE(),
                    const unsigned line = __builtin_LINE()) noexcept {
     canproof_assume(holds, file, line);

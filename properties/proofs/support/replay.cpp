@@ -61,7 +61,7 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return bytes == 0 ? memory + room : memory;  // without bytes the first one is outside already
+    return bytes == 0 ? memory + room : memory;  // without bytes, the first byte is already outside
 }
 
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept {

@@ -7,8 +7,8 @@
 
 namespace canproof {
 
-/// Position of the marker: the last letter of the magic word at the start of a bank. The letter itself means that the
-/// bank is committed.
+/// Position of the commit marker: the last letter of the magic word at the start of a bank. A bank with that letter is
+/// committed.
 constexpr std::size_t commit_marker_at = 3U;
 /// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
 constexpr std::uint8_t void_marker = 0x2DU;
@@ -18,11 +18,11 @@ enum class BankState : std::uint8_t {
     unused,    ///< marked void, or blank (all bytes 00h or FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
     sound,     ///<
-    damaged    ///< committed, but its contents have changed since
+    damaged    ///< committed, but its contents have changed since then
 };
 
-/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A doubtful or damaged bank that can be
-/// read and whose CRC is right is sound; the caller checks that.
+/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A doubtful or damaged bank is sound when
+/// it can be read and its CRC is right; the caller checks that.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

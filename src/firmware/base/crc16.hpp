@@ -53,7 +53,7 @@ class Crc16 {
         }
         return rows;
     }
-    static const Table last;          ///< for a byte with none behind it: sixteen zero bits make room for the remainder
+    static const Table last;  ///< for a byte with none behind it: sixteen zero bits are shifted in for the remainder
     static const Table first_of_two;  ///< for the first of two bytes that are added in one step
 
     std::uint32_t swapped_{0U};  ///< the CRC register with its bytes swapped, so that data can be used in memory order

@@ -8,7 +8,7 @@ namespace canproof {
 
 class Crc32 {
   public:
-    /// The value() over any bytes followed by their own CRC, least significant byte first.
+    /// The result of value() over any bytes followed by their own CRC, least significant byte first.
     static constexpr std::uint32_t residue = 0x2144DF1CU;
 
     constexpr void add(const ByteView bytes) noexcept {

@@ -14,7 +14,7 @@ namespace {
 namespace index = generated::canopen::index;
 
 constexpr std::uint32_t error_cured_code = 0x0000U;
-constexpr Duration queue_retry = milliseconds(1U);  ///< when the queue is full, the message is sent later
+constexpr Duration queue_retry = milliseconds(1U);  ///< when the queue is full, the message is sent after this time
 
 }  // namespace
 
@@ -168,7 +168,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     }
     const bool repeats = (waiting > 0U) && (pending_[last].cured == cured);
     if (repeats) {
-        // the same message waits already
+        // the same message is waiting already
     } else if (waiting > 1U) {
         forget(last);
     } else {

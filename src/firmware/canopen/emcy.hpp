@@ -12,9 +12,9 @@
 
 namespace canproof {
 
-/// The contents of the error list 1003h.
+/// The contents of 1003h (error list).
 enum class ErrorList : std::uint8_t {
-    history,  ///< every error that occurred, present or past (CAN-CBX-AO412)
+    history,  ///< every error that has occurred, also those that have ended (CAN-CBX-AO412)
     active    ///< an error is removed from the list when it ends (Axiomatic)
 };
 
@@ -47,7 +47,7 @@ class Emcy {
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
     /// Permits or stops sending. Emergency messages leave in pre-operational and operational only; messages from other
-    /// states wait.
+    /// states wait until then.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {
@@ -78,7 +78,7 @@ class Emcy {
         std::uint8_t error{0U};
         bool cured{false};
     };
-    /// At most two messages wait for each error, see announce().
+    /// At most two messages wait for each error; see announce().
     static constexpr std::size_t pending_capacity = 2U * max_errors;
 
     void send_pending(Instant now) noexcept;

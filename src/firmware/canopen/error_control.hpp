@@ -36,7 +36,7 @@ class ErrorControl {
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 
   private:
-    /// Reads the parameters again: after a reset and after each write to one of them.
+    /// Reads the parameters again, after a reset and after each write to one of them.
     void refresh() noexcept;
     void act(Instant now) noexcept;
     Frame message(std::uint8_t octet) const noexcept;

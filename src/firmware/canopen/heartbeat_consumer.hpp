@@ -46,8 +46,8 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
-        std::uint32_t identifier{0U};  ///< of the producer's heartbeat; 0 watches nobody: 0 is the identifier of NMT,
-                                       ///< which is served elsewhere
+        std::uint32_t identifier{0U};  ///< identifier of the producer's heartbeat; 0 when nobody is watched, because 0
+                                       ///< is the identifier of NMT, which the node serves elsewhere
         Duration time{};
         Instant deadline{never};
     };

@@ -39,21 +39,21 @@ std::uint8_t answer_specifier(const LssCommand command) noexcept {
     return static_cast<std::uint8_t>(command);
 }
 
-/// Returns the distance of a command specifier from the first one of its kind: the position of the number or frame in
-/// its sequence.
+/// Returns the distance of a command specifier from the first one of its service: the position of the number or frame
+/// in its sequence.
 constexpr std::uint32_t offset_from(const LssCommand first, const LssCommand command) noexcept {
     return static_cast<std::uint32_t>(command) - static_cast<std::uint32_t>(first);
 }
 
-/// The condition of one frame of identify remote slave: the number is at least the bound (`lowest`), at most the bound
-/// (`highest`), or both.
+/// The condition of one frame of identify remote slave: the slave's number is at least the bound (`lowest`), at most
+/// the bound (`highest`), or equal to it (both).
 struct IdentityBound {
     LssNumber number;
     bool lowest;
     bool highest;
 };
 
-/// The frames in their order. Vendor-ID and product code must match exactly.
+/// The frames of identify remote slave in their order. Vendor-ID and product code must match exactly.
 constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, true, true},
                                                          {LssNumber::product_code, true, true},
                                                          {LssNumber::revision_number, true, false},

@@ -69,7 +69,7 @@ bool LssStore::write(const std::size_t slot, const Slot& content) noexcept {
     return done;
 }
 
-/// Returns the slot that decides; the second one while nothing is stored.
+/// Returns the slot whose settings apply; the second one while nothing is stored.
 std::size_t LssStore::latest_of(const Slot& first, const Slot& second) noexcept {
     const bool both_sound = (first.state == BankState::sound) && (second.state == BankState::sound);
     const bool is_first = (first.state > second.state) || (both_sound && !is_newer(second.sequence, first.sequence));

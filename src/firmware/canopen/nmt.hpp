@@ -16,7 +16,7 @@ using NmtService = generated::canopen::nmt_services::Service;
 /// The services that work in one state (table CO-T-SERVICES), looked up once when the state is entered.
 class AllowedServices {
   public:
-    /// No service works.
+    /// No service works in this state.
     constexpr AllowedServices() noexcept = default;
     explicit AllowedServices(NmtState state) noexcept;
 

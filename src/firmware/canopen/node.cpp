@@ -62,7 +62,7 @@ void Node::reset_node(const Instant now) noexcept {
     store_.open();
     load_all();
     if (store_.is_damaged()) {
-        load_all();  // a stored value could not be read: no value of the stored set is used
+        load_all();  // a stored value could not be read: the node uses no value of the stored set
     }
     emcy_.reset();
     faults_ = CommunicationFaults{};
@@ -99,8 +99,8 @@ void Node::boot_up(const Instant now) noexcept {
     if (node_id_ == unconfigured_node_id) {
         return;
     }
-    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);  // changes during initialising were
-                                                                                    // not reported
+    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive,
+              now);  // changes during initialising were not reported
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
@@ -124,7 +124,7 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
     } else if (!had_pdos) {
         tpdos_.start(now);
     } else {
-        // the PDOs continue
+        // the PDOs keep running
     }
     sync_.allow(allowed_.has(NmtService::sync), now);
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
@@ -208,7 +208,7 @@ void Node::serve_remote(const Frame& request, const Instant now) noexcept {
         rpdos_.answer(request);
         tpdos_.answer(request, now);
     } else {
-        // a remote frame without an object that answers in this state
+        // a remote frame for an object that does not answer in this state
     }
 }
 

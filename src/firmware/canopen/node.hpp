@@ -18,13 +18,13 @@
 
 namespace canproof {
 
-/// How the four devices differ on the bus, apart from their objects.
+/// The differences between the devices on the bus, apart from their objects.
 struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: a remote frame on RPDO n + 1 reads it back (CAN-CBX-AO412,
-                                                ///< 7.7.2)
+    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: a remote frame on the identifier of RPDO n + 1 reads it back
+                                                ///< (CAN-CBX-AO412, 7.7.2)
     bool saves_in_pre_operational_only{false};  ///< a write to 1010h in another state gets 08000022h (CAN-CBX-AO412,
                                                 ///< 7.9.12)
     bool block_sdo{false};                      ///< the device supports SDO block transfer
@@ -67,7 +67,7 @@ class Application : public LssApplication {
     /// Puts the values of this unit (serial number, calibration) into the dictionary after the defaults of a group were
     /// loaded.
     virtual void put_factory_values(ParameterGroup group) = 0;
-    /// Resets all states of the device: power-on or NMT reset node, after the parameters were loaded.
+    /// Resets all states of the device after power-on or NMT reset node. The parameters are loaded already.
     virtual void restart(Instant now) = 0;
     /// Notifies the device that the boot-up message was queued and the node is pre-operational.
     virtual void booted(Instant now) = 0;
@@ -84,8 +84,8 @@ class Application : public LssApplication {
         static_cast<void>(entry);
         return MutableBytes{};
     }
-    /// Takes the first `length` bytes of the staging memory as the new value of a DOMAIN entry: the whole value, or an
-    /// abort code and the old value stays.
+    /// Takes the first `length` bytes of the staging memory as the new value of a DOMAIN entry. Returns an abort code
+    /// when the device refuses the whole value; the old value then stays.
     virtual AbortCode commit(const EntryRef& entry, const std::size_t length, const Instant now) {
         static_cast<void>(entry);
         static_cast<void>(length);
@@ -149,8 +149,8 @@ class Node final : private ObjectAccess {
     }
     /// Changes the NMT state as 1029h:`subindex` (error behaviour) demands for an error of its class.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Plans the self-start: the node enters operational at `at` unless an NMT command or a communication error comes
-    /// first.
+    /// Sets the state of the CAN controller as a physical input reports it. `state` is the number of a CanState;
+    /// greater numbers count as bus-off.
     void start_at(Instant at) noexcept;
 
     /// Notifies the TPDOs of a new process value. The frame leaves with the next advance().
@@ -242,7 +242,8 @@ class Node final : private ObjectAccess {
 
     /// The present communication faults, as bits.
     struct CommunicationFaults {
-        static constexpr std::uint32_t silent_producers = 0xFFU;  ///< bit n: the heartbeat of 1016h:n + 1 is missing
+        static constexpr std::uint32_t silent_producers =
+            0xFFU;  ///< bit n: the heartbeat of the producer in 1016h:n + 1 is missing
         static constexpr std::uint32_t guarding = 0x100U;
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;
@@ -253,7 +254,7 @@ class Node final : private ObjectAccess {
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
-        /// Whether one of them is a communication error of 1029h:1 (error behaviour).
+        /// Returns whether one of them is a communication error of 1029h:1 (error behaviour).
         bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
     };
 
@@ -303,7 +304,7 @@ class Node final : private ObjectAccess {
     bool overrun_{false};
     bool switching_{false};  ///< LSS changes the bit rate: the node is silent
     Instant start_at_{never};
-    Instant idle_until_{};  ///< until then only TPDOs and SDO segments can be due; wake() resets it
+    Instant idle_until_{};  ///< until then only TPDOs and SDO segments can be due; wake() sets it to 0
 };
 
 }  // namespace canproof

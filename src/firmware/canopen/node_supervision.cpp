@@ -14,7 +14,7 @@ namespace {
 namespace index = generated::canopen::index;
 
 constexpr std::uint32_t communication_error_subindex = 1U;
-// Values of 1029h (CiA 301, 7.5.2.32).
+// Values of 1029h error behaviour (CiA 301, 7.5.2.32).
 constexpr std::uint32_t to_pre_operational = 0U;
 constexpr std::uint32_t no_change = 1U;
 constexpr std::uint32_t to_stopped = 2U;
@@ -101,7 +101,8 @@ void Node::take_note(const Instant now) noexcept {
     faults_ = faults;
     communication_failed_ = failed;
     announce(faults, now);
-    // Each communication error asks for the reaction, also one that begins while another lasts (CO-D-NMT-001).
+    // Each communication error changes the state as 1029h:1 demands, also one that begins while another lasts
+    // (CO-D-NMT-001).
     static_assert(implements<req::CO_NMT_007>);
     if (begun.is_error()) {
         apply_error_behaviour(communication_error_subindex, now);
@@ -134,7 +135,7 @@ static_assert(implements<req::CO_NMT_007> && implements<req::CO_NMT_008>);
 void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {
     const std::uint32_t wanted = error_behaviour(subindex);
     if (wanted != no_change) {
-        start_at_ = never;  // 1029h outranks the self-start
+        start_at_ = never;  // 1029h error behaviour has priority over the self-start
     }
     if ((wanted == to_pre_operational) && (state_ == NmtState::operational)) {
         enter(NmtState::pre_operational, now);

@@ -29,7 +29,7 @@ struct EntryRef {
 /// The abort codes for a value outside its limits; the manuals differ here.
 enum class LimitAbort : std::uint8_t {
     range,    ///< 06090030h for both ends
-    high_low  ///< 06090031h above, 06090032h below
+    high_low  ///< Returns the entry; its exists() is false when it is absent.
 };
 
 /// Parameter groups of 1010h and 1011h (CiA 301, 7.5.2.13).

@@ -8,7 +8,7 @@
 
 namespace canproof {
 
-/// CiA 301 data types (the numbers are CiA's own indices).
+/// Data types of CiA 301. The numbers are the indices that CiA assigns to them.
 enum class DataType : std::uint8_t {
     boolean = 0x01U,
     integer8 = 0x02U,
@@ -32,7 +32,7 @@ constexpr std::uint32_t read = 0x01U;
 constexpr std::uint32_t write = 0x02U;
 constexpr std::uint32_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
 constexpr std::uint32_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
-constexpr std::uint32_t stored = 0x10U;    ///< kept by 1010h
+constexpr std::uint32_t stored = 0x10U;    ///< 1010h store parameters stores the value
 constexpr std::uint32_t node_id = 0x20U;   ///< the node-ID is added to the default
 constexpr std::uint32_t constant = 0x40U;  ///< the value lies in flash: `offset` refers to the constant pool
 }  // namespace rights
@@ -85,7 +85,7 @@ enum class LimitKind : std::uint8_t {
     value,         ///< `bits` is the limit itself, in the entry's type
     entry,         ///< `bits` is index << 8 | sub-index of another entry; `add` is added to its value
     list,          ///< (minimum only) `bits` = first << 16 | count in the allowed-values table
-    value_or_zero  ///< (minimum only, integers) as `value`; 0 is allowed too (it switches a function off)
+    value_or_zero  ///< (minimum only, integers) like `value`, but 0 is allowed too (it switches a function off)
 };
 
 constexpr std::uint32_t same_subindex = 0xFFU;  ///< as the sub-index of a LimitKind::entry: the sub-index of the
@@ -102,7 +102,7 @@ struct LimitRow {
     Limit maximum;
 };
 
-/// A pointer and a count: one generated table.
+/// A pointer and a count, which describe one generated table.
 template <typename Row>
 struct TableView {
     const Row* rows{nullptr};
@@ -125,7 +125,7 @@ struct DictionaryTables {
     TableView<LimitRow> limits;         ///<
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
-    TableView<std::uint8_t> defaults;   ///< the value image as shipped, node-ID terms not yet added
+    TableView<std::uint8_t> defaults;   ///< the value image as shipped, before the node-ID is added
     std::uint32_t layout{0U};           ///< fingerprint of entries and offsets: a stored set is valid for this layout
                                         ///< only
     TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object in a free slot

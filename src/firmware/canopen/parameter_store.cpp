@@ -18,7 +18,7 @@ using generated::canopen::store_signature;
 
 constexpr std::uint32_t bank_magic = 0x53504F43U;  // "COPS" in memory; its last letter is the commit marker
 constexpr std::uint8_t committed_marker = 0x53U;
-constexpr std::size_t longest_value = 64U;  // in bytes, of all stored entries
+constexpr std::size_t longest_value = 64U;  // most bytes of a stored value
 constexpr std::size_t piece_size = 16U;     // in bytes: a bank is checked and copied in pieces of this size
 // Fields of a bank's header.
 constexpr std::size_t magic_at = 0U;
@@ -91,7 +91,7 @@ bool StoredEntries::next() noexcept {
 std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
     StoredEntries stored{tables};
     while (stored.next()) {
-        // goes to the last entry
+        // moves to the last entry
     }
     return stored.end();
 }
@@ -281,7 +281,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (!write_marker(to_bank, committed_marker)) {
         return AbortCode::hardware_error;
     }
-    // If this write fails, two sound banks remain; the sequence number still shows which is newer.
+    // If this write fails, two sound banks remain; the sequence number still shows which one is newer.
     static_cast<void>(write_marker(bank_, void_marker));
     if (!memory_.commit()) {
         return AbortCode::hardware_error;

@@ -100,7 +100,8 @@ class ParameterStore {
     std::uint8_t tag_{0U};      ///< of the next save
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
-    ParameterGroups groups_{no_groups};  ///< in the low three bits, the tag above them; none when nothing is stored
+    ParameterGroups groups_{
+        no_groups};  ///< saved groups in the low three bits, the tag above them; none when nothing is stored
     std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< node-ID at the save of each group
     bool in_use_{false};
     bool damaged_{false};

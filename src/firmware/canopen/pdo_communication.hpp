@@ -58,7 +58,7 @@ struct PdoParameters {
     bool valid{false};           ///< bit 31 of the COB-ID is clear
     bool remote_allowed{false};  ///< bit 30 of the COB-ID is clear
     std::uint8_t type{0U};
-    std::uint8_t sync_start{0U};  ///< counter value of the first SYNC; zero: any SYNC
+    std::uint8_t sync_start{0U};  ///< counter value of the SYNC with which the count begins; zero: any SYNC
     PdoApplied applied{PdoApplied::refused};
     PdoSent sent{PdoSent::refused};
     Duration inhibit{};  ///< least time between two transmissions

@@ -14,8 +14,9 @@ namespace canproof {
 /// unknown type. Zero (nothing mapped) is allowed.
 AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t right, std::uint32_t entry) noexcept;
 
-/// Checks whether the first `count` entries of mapping object `index` make a PDO. Each must be valid and not empty; the
-/// object must have them and they must have at most 64 bits together (otherwise 06040042h).
+/// Checks whether the first `count` entries of mapping object `index` are a valid mapping. Each entry must be valid and
+/// not empty. The object must have that many entries, and they must have at most 64 bits together (otherwise
+/// 06040042h).
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
                               std::uint32_t count) noexcept;
 
@@ -28,7 +29,8 @@ struct PdoLine {
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }
-    /// Returns whether every value is accepted and has no effect beyond the image: no limits and no owner, or a gap.
+    /// Returns whether the PDO may write every value without a check: the values have no limits and no owner, or are
+    /// gaps.
     bool is_free() const noexcept {
         return (row == nullptr) || ((row->limit == no_limit) && (row->service == Service::none));
     }
@@ -52,7 +54,8 @@ class PdoMapping {
         }
         return false;
     }
-    /// Returns the bits of all mapped values, by watch_mark(): they show at once that a value is not mapped here.
+    /// Returns the set of bits of all mapped values, by watch_mark(). A value whose bit is not in the set is not mapped
+    /// here.
     std::uint64_t watch_marks() const noexcept;
 
     /// Returns whether each mapped value is within its limits and its owner accepts it. `frame` has at least length()

@@ -17,8 +17,8 @@ struct PdoMemory {
     Slots<PdoLine> sent_lines{};      ///< the same number for each transmit PDO
 };
 
-/// Memory for `received` and `sent` PDOs of at most `lines` mapped entries each: pdo_count() and pdo_lines() of the
-/// dictionary.
+/// Memory for `received` RPDOs and `sent` TPDOs with at most `lines` mapped entries each. The numbers are pdo_count()
+/// and pdo_lines() of the dictionary.
 template <std::size_t received, std::size_t sent, std::size_t lines>
 struct SizedPdoMemory {
     std::array<ReceivePdo, received> received_pdos{};

@@ -12,7 +12,7 @@ namespace canproof {
 
 /// One receive PDO.
 struct ReceivePdo {
-    static constexpr std::uint32_t nobody = UINT32_MAX;  ///< an identifier that no frame has
+    static constexpr std::uint32_t nobody = UINT32_MAX;  ///< not the identifier of any frame
 
     PdoParameters parameters{};
     PdoMapping mapping{};
@@ -59,7 +59,7 @@ class ReceivePdos {
     /// Returns whether a value of an RPDO was refused and the RPDO has not come with accepted values since (error
     /// 8200h).
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
-    /// Any of these.
+    /// Returns whether one of these three errors is present.
     bool has_failed() const noexcept { return failed_ != 0U; }
     /// The RPDOs that did not come within their event time and have not come since: bit n stands for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }

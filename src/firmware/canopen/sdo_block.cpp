@@ -43,7 +43,7 @@ inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
     ++sent_;
     last_sent_ = rest <= sdo::segment_capacity;
     if (from < checked_) {
-        // a repeated segment does not count again
+        // a repeated segment does not count twice
     } else if (last_sent_) {
         crc_.add(value_.part(from, rest));
         checked_ = value_.size();

@@ -36,7 +36,7 @@ class SdoBlockDownload {
         }
         if (sequence == (in_order_ + 1U)) {
             if (size_ > place_.size()) {
-                return Step::too_long;  // the segment before this one was full, because it was not the last
+                return Step::too_long;  // the segment before this one was not the last, so it was full
             }
             const std::uint64_t data = field_le<0U, max_frame_length>(segment) >> 8U;
             if (checks_crc_ && !last) {

@@ -60,8 +60,8 @@ class SdoServer {
             send_segments(now);
         }
     }
-    /// Returns when advance() is due. A block upload with segments to send is due as soon as the queue has room; the
-    /// driver calls advance() when a frame has left.
+    /// Returns the time at which advance() is due. A block upload with segments to send is due as soon as the queue has
+    /// room; the driver calls advance() when a frame has left.
     Instant next_deadline() const noexcept {
         if (state_ == State::idle) {
             return never;
@@ -111,7 +111,7 @@ class SdoServer {
 
     void select(const sdo::Request& request) noexcept {
         static_assert(implements<req::CO_SDO_012>);
-        abandon();  // a new initiate ends the transfer before it
+        abandon();  // a new initiate ends the previous transfer
         static_assert(implements<req::CO_SDO_041>);
         object_ = sdo::named_object(request);
     }
@@ -121,8 +121,8 @@ class SdoServer {
     AbortCode open_download(bool has_size, std::uint32_t announced) noexcept;
     /// Writes the first `size` downloaded bytes to the entry.
     AbortCode commit(std::size_t size, Instant now) noexcept;
-    /// Returns the value for this transfer: a copy of a short value, so that a change during the transfer cannot mix
-    /// old and new bytes; a long value where it lies.
+    /// Returns the value for this transfer. A short value is copied, so that a change during the transfer cannot mix
+    /// old and new bytes; a long value is read in place.
     ByteView keep(ByteView value) noexcept;
 
     void refuse_command() noexcept;

@@ -131,7 +131,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
         } else if (tpdo.sampled) {
             send(tpdo, tpdo.sample);
         } else {
-            // no values before the first SYNC
+            // there are no values before the first SYNC
         }
     }
 }
@@ -205,7 +205,7 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     } else if (before.event.us != tpdo.parameters.event.us) {
         tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : (now + tpdo.parameters.event);
     } else {
-        // the cycle continues
+        // the present cycle continues
     }
     schedule();
 }

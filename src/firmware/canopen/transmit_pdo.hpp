@@ -30,7 +30,7 @@ struct TransmitPdo {
     bool pending{false};           ///< an event whose frame has not been sent yet
     bool cycle_begun{false};       ///< the SYNC with the start value has come
     std::uint8_t syncs{0U};        ///< SYNCs of the present cycle
-    Instant inhibited_until{};     ///< no event frame is sent before this time
+    Instant inhibited_until{};     ///< no event frame is sent before this time (inhibit time)
     Instant timer_expires{never};  ///< the event timer's next event
     Instant due{never};            ///< when the next event frame is due
 };

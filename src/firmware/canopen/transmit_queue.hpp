@@ -46,8 +46,8 @@ class TransmitQueue {
     /// Takes back a popped frame that could not be sent; it goes before all frames with its identifier. Returns false
     /// when the queue is full. While the queue is closed the frame is lost, as every other.
     bool put_back(const Frame& frame) noexcept;
-    /// Returns whether the next frame to send is the boot-up message. A frame popped earlier must be sent before it or
-    /// dropped.
+    /// Returns whether the next frame to send is the boot-up message. The driver must send or drop a frame that it
+    /// popped earlier before that message.
     bool boot_up_waits() const noexcept { return boot_up_waits_; }
 
     /// Drops waiting frames and refuses new ones until open(): the controller is bus-off or LSS changes the bit rate.

@@ -14,8 +14,8 @@ namespace canproof::host {
 /// write it. Returns an empty text for every other file.
 std::string firmware_path(const std::string& file);
 
-/// Returns the same for a file of src/host/sim/bus or src/host/sim/replay. The system calls of SocketCAN
-/// (linux_can_system) are excluded, because only a kernel answers them.
+/// Returns the relative path in the same way for a file of src/host/sim/bus or src/host/sim/replay. The system calls of
+/// SocketCAN (linux_can_system) are excluded, because only a kernel answers them.
 std::string judged_host_path(const std::string& file);
 
 /// Returns the existing folders of the firmware: `src/firmware`, each `src/devices/NAME/firmware` in alphabetical order

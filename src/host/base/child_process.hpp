@@ -17,7 +17,7 @@ namespace canproof::host {
 struct Streams {
     int in{-1};
     int out{-1};
-    bool apart{false};  ///< in a process group of its own: Ctrl-C at the terminal does not reach it
+    bool apart{false};  ///< runs it in its own process group, so that Ctrl-C at the terminal does not reach it
 };
 
 /// Starts a program. `words` holds a path, or a name to find in PATH, and the arguments. `more_environment` holds
@@ -27,7 +27,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
 /// Waits for the end of a process, also when signals interrupt the wait. Returns its exit status; 128 plus the signal's
 /// number when a signal ended it. Throws InputError when `process` is no child of this program.
 int wait_for_process(pid_t process);
-/// Waits in the same way in a destructor: drops the exit status, and returns at once when `process` is no child.
+/// Waits in a destructor: drops the exit status, and returns at once when `process` is no child of this program.
 void reap_process(pid_t process) noexcept;
 
 /// Returns both ends of a pipe, which started programs do not inherit. Throws InputError.

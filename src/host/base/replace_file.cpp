@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* ending = ".new";
-constexpr mode_t everybody = 0666;  // reduced by the umask
+constexpr mode_t everybody = 0666;  // the process umask reduces these permissions
 constexpr mode_t permissions = 07777;
 
 fs::path folder_of(const fs::path& path) {
@@ -125,7 +125,7 @@ bool FileBeside::create() {
 
 void remove_leftovers(const fs::path& target) {
     const std::string begins = beginning(target);
-    std::error_code ignored;  // a remaining file does no harm
+    std::error_code ignored;  // a remaining temporary file does no harm
     for (const auto& entry : fs::directory_iterator{folder_of(target), ignored}) {
         const std::string name = entry.path().filename().string();
         const bool is_ours = name.size() > begins.size() + std::string_view{ending}.size() &&

@@ -17,19 +17,20 @@ struct Shard {
 
     /// `2/3`
     std::string text() const;
-    /// Whether the element at `place`, counted from 0, belongs to it.
+    /// Returns whether the element at position `place`, counted from 0, belongs to this shard.
     bool holds(std::size_t place) const { return place % count == number - 1; }
 };
 
 constexpr std::size_t max_shards = 10'000;
 
-/// Reads `2/3`. Throws InputError when the text is something else, or the number lies beyond the count.
+/// Parses a text such as `2/3`. Throws InputError for any other text, and for a number beyond the count.
 Shard parse_shard(const std::string& text);
 
-/// Throws InputError unless the shards are 1/n to n/n, each once. `names`: where each comes from, for the message.
+/// Throws InputError unless the shards are 1/n to n/n, each once. `names` contains the origin of each shard, for the
+/// message.
 void require_all_shards(const std::vector<Shard>& shards, const std::vector<std::string>& names);
 
-/// Sorts what was read of shards by its members `shard` and `name`.
+/// Sorts the contents of shards by their members `shard` and `name`.
 template <typename Read>
 void sort_shards(std::vector<Read>& all) {
     std::sort(all.begin(), all.end(), [](const Read& a, const Read& b) {
@@ -37,7 +38,7 @@ void sort_shards(std::vector<Read>& all) {
     });
 }
 
-/// Does the same as the other function for what was read of shards.
+/// Does the same for the contents of shards.
 template <typename Read>
 void require_all_shards(const std::vector<Read>& all) {
     std::vector<Shard> shards;

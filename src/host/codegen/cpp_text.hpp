@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Whether a running program can alter the generated cells; only the test programs of `canproof mutate` can.
+/// Whether a running program can alter the generated cells. Only the test programs of `canproof mutate` can.
 enum class Cells { constant, changeable };
 /// Returns `inline constexpr`; `inline` for changeable cells.
 const char* storage_words(Cells cells);

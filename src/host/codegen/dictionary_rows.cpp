@@ -138,11 +138,12 @@ std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<
 std::size_t attempts_for(std::size_t objects) {
     constexpr std::size_t most = 300;
     constexpr std::size_t least = 4;
-    constexpr std::size_t work = 300000;  // objects to put into a slot, over all attempts
+    constexpr std::size_t work = 300000;  // number of times that an object is put into a slot, over all attempts
     return std::clamp(work / std::max<std::size_t>(objects, 1), least, most);
 }
 
-/// Fills at least twice as many slots as there are objects, with the factor that gives the shortest longest search.
+/// Fills at least twice as many slots as there are objects. Chooses the factor for which the longest search is
+/// shortest.
 void find_slots(DictionaryRows& rows) {
     std::size_t count = 2;
     while (count < 2 * rows.objects.size()) {

@@ -83,7 +83,7 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        // Braces accept a constant that fits into a narrower type, but no variable of a wider type.
+        // Braces accept a constant that fits into a narrower type, but they do not accept a variable of a wider type.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

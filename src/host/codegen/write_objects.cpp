@@ -184,7 +184,7 @@ std::string write_objects(const Part& part, Cells cells) {
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
     const RowTexts texts{objects, entries, limits, allowed};
     const std::string own = table_texts(part, rows, texts, cells);
-    // Sizes that the compiler computes use tables that are constant in every build.
+    // Sizes that the C++ compiler computes use tables that are constant in every build.
     text += cells == Cells::constant
                 ? fmt::format("{}namespace compiled {{\nusing generated::{}::tables;\n}}  // namespace compiled\n\n",
                               own, part.cpp_name())

@@ -16,8 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Several families at consecutive indices: `count` blocks of `step` indices from `first` on, which differ only in the
-/// member's number.
+/// Several families at consecutive indices: `count` blocks of `step` indices from `first` on. The families differ only
+/// in the number of the member.
 struct Stretch {
     unsigned first;
     unsigned step;

@@ -92,7 +92,7 @@ void read_type(Entry& entry, const IniSection& section, bool is_counter, const E
         entry.type = assumed_type(section, given == nullptr ? "" : given->text, is_counter);
         tell.note(given == nullptr ? section.line : given->line,
                   given == nullptr ? fmt::format("[{}] has no DataType", section.name)
-                                   : fmt::format("DataType {} is no number", given->text),
+                                   : fmt::format("DataType {} is not a number", given->text),
                   fmt::format("{} is assumed", entry.type));
         return;
     }

@@ -36,7 +36,8 @@ bool is_hexadecimal(std::string_view text) {
     return text.size() >= 2 && text[0] == '0' && lower_case(text[1]) == 'x';
 }
 
-/// Removes the suffixes of C, as in 10u and 0x10UL, which do not matter here. A text of suffixes alone is not a number.
+/// Removes the suffixes of C, as in 10u and 0x10UL, which have no meaning here. A text of suffixes alone is not a
+/// number.
 std::string_view without_suffix(std::string_view text) {
     while (!text.empty() && (lower_case(text.back()) == 'u' || lower_case(text.back()) == 'l')) {
         text.remove_suffix(1);

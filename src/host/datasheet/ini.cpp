@@ -78,7 +78,7 @@ class IniReader {
         const auto equals = text.find('=');
         const std::string_view key = trimmed_view(text.substr(0, equals), ini_blanks);
         if (skips_) {
-            return;  // the section itself has been reported
+            return;  // the section itself has been reported already
         }
         if (equals == std::string_view::npos || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));

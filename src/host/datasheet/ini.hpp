@@ -52,8 +52,8 @@ struct EdsTelling {
     Faults& notes;
 
     /// Adds a fault: the file cannot be used.
-    void fault(unsigned line, std::string what, std::string mend) const {
-        faults.emplace_back(Place{file, line}, std::move(what), std::move(mend));
+    void fault(unsigned line, std::string what, std::string fix) const {
+        faults.emplace_back(Place{file, line}, std::move(what), std::move(fix));
     }
     /// Adds a note: a defect, and the value that is assumed instead.
     void note(unsigned line, std::string what, std::string assumed) const {

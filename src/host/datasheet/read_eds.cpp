@@ -131,7 +131,7 @@ class EdsReader {
         }
         const auto number = eds_unsigned(value->text);
         if (!number || *number < low || *number > high) {
-            tell_.note(value->line, fmt::format("{} {} is no number from {} to {}", key, value->text, low, high),
+            tell_.note(value->line, fmt::format("{} {} is not a number from {} to {}", key, value->text, low, high),
                        fmt::format("{} is assumed", otherwise));
             return otherwise;
         }
@@ -301,7 +301,7 @@ class EdsReader {
     void add_subs(Object& object) {
         const auto compact_end = static_cast<std::ptrdiff_t>(object.entries.size());
         const auto& subs = subs_[object.index];
-        object.entries.reserve(object.entries.size() + subs.size() + 1);  // and sub-index 0
+        object.entries.reserve(object.entries.size() + subs.size() + 1);  // one more for sub-index 0
         for (const auto& [sub, section] : subs) {
             Entry entry = read_eds_entry(*section, sub, sub == 0, tell_);
             const auto end = object.entries.begin() + compact_end;

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns whether the text is XML, which begins with `<`; no line of an EDS does.
+/// Each of the following functions returns an edit of one line.
 bool is_xml(const std::string& text);
 
 /// Returns the sections. A text that is no device description is a fault; the reader of the sections reports defects of

@@ -163,7 +163,7 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
 
 void HttpRequest::read_length(const std::string& value) {
     if (value.empty() || !std::all_of(value.begin(), value.end(), is_digit)) {
-        return refuse_with(400, "the length of the body is no number");
+        return refuse_with(400, "the length of the body is not a number");
     }
     std::from_chars(value.data(), value.data() + std::min(value.size(), longest_number), length_);
     if (value.size() > longest_number || length_ > longest_body) {

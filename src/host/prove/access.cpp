@@ -32,8 +32,8 @@ std::vector<Place> live_places(const Proof& proof, const State& state, const Ter
     return live;
 }
 
-/// True when the address means one of these places, `count` bytes from there lie in the object, and the alignment is
-/// right. With `writes`, constants do not count.
+/// The condition that the address has one of these places, that `count` bytes from there lie in the object, and that
+/// the alignment is right. With `writes`, constants are excluded.
 Term means_one(Proof& proof, const std::vector<Place>& places, const Term& count, const AccessSite& site, bool writes) {
     std::vector<Term> good;
     for (const Place& one : places) {
@@ -147,8 +147,8 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
 
 namespace {
 
-/// Compares with `alike` where both addresses lie in the same object (it gets the two offsets), and with `apart`
-/// everywhere else (it gets the two places).
+/// Compares two addresses. Where both lie in the same object, `alike` gets the two offsets; elsewhere `apart` gets the
+/// two places.
 template <typename Alike, typename Apart>
 Term compared(const Proof& proof, const Term& a, const Term& b, const Alike& alike, const Apart& apart) {
     std::vector<Term> cases;

@@ -22,12 +22,12 @@ void store(Proof& proof, State& state, const Term& address, const Term& word, co
 /// Does what memmove and memcpy do. `count` has 64 bits.
 void copy(Proof& proof, State& state, const Term& to, const Term& from, const Term& count, const std::string& where);
 void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Term& count, const std::string& where);
-/// Returns the address plus `by` bytes. With `within_object`, it adds the obligation that the result stays in the
-/// object of the address or is one past its end.
+/// Returns the address plus `by` bytes. With `within_object`, adds the obligation that the result stays in the object
+/// of the address or is one past its end.
 Term moved(Proof& proof, const State& state, const Term& address, const Term& by, bool within_object,
            const std::string& where);
-/// The comparisons of two addresses: are they equal, does the first lie below the second? Addresses of two different
-/// objects are never equal; the object with the smaller number lies below the other.
+/// The comparisons of two addresses: are they equal, and is the first one lower? Addresses of two different objects are
+/// never equal; the address in the object with the smaller number is lower.
 Term equal_addresses(const Proof& proof, const Term& a, const Term& b);
 Term below(const Proof& proof, const Term& a, const Term& b);
 

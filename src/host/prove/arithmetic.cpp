@@ -29,8 +29,8 @@ Term widened(const Term& term, unsigned by, bool is_signed) {
     return is_signed ? z3::sext(term, by) : z3::zext(term, by);
 }
 
-/// The instruction is defined only where it does not overflow in the ways that its flags rule out ("no signed wrap",
-/// "no unsigned wrap").
+/// The instruction is defined only when it does not overflow in the ways that its flags exclude ("no signed wrap", "no
+/// unsigned wrap").
 Computed flagged(const llvm::BinaryOperator& instruction, Operation operation, const Term& a, const Term& b) {
     const auto* flags = llvm::cast<llvm::OverflowingBinaryOperator>(&instruction);
     Term defined = yes(a);

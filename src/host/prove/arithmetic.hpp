@@ -11,19 +11,21 @@
 
 namespace canproof::host::prove {
 
-/// The result of an instruction, and the condition under which the instruction has one: otherwise it is undefined
-/// behaviour.
+/// The result of an instruction, and the condition under which the result is defined; otherwise the behaviour is
+/// undefined.
 struct Computed {
     Term value;
     Term defined;
 };
 
-/// These three return nothing for an operation that the prover does not model, such as one on floating-point numbers.
+/// Each of these three functions returns nothing for an operation that the prover does not model, such as one on
+/// floating-point numbers.
 std::optional<Computed> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
 std::optional<Term> compared(llvm::CmpInst::Predicate predicate, const Term& a, const Term& b);
 std::optional<Term> converted(const llvm::CastInst& cast, const Term& from, unsigned width);
 
-/// The result of `a + b`, `a - b` or `a * b` cut to the width of `a`, and whether it is exact: nothing was cut off.
+/// The result of `a + b`, `a - b` or `a * b` cut to the width of `a`, and whether it is exact, that is, no bits were
+/// cut off.
 struct Checked {
     Term value;
     Term exact;

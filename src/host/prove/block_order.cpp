@@ -13,7 +13,8 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// The successors of a block, those that leave the most loops first: a reversed post-order visits them last.
+/// Returns the successors of a block, beginning with those that leave the most loops, because a reversed post-order
+/// visits them last.
 std::vector<const llvm::BasicBlock*> successors_of(const llvm::BasicBlock& block, const llvm::LoopInfo& loops) {
     std::multimap<unsigned, const llvm::BasicBlock*> by_depth;
     for (const llvm::BasicBlock* one : llvm::successors(&block)) {

@@ -11,9 +11,9 @@ class Function;
 
 namespace canproof::host::prove {
 
-/// The position of each block in that order: a block comes after all blocks that lead to it (except those that jump
-/// back to the start of a loop), and what follows a loop comes after the whole loop. Every order gives the same
-/// verdict; in this one all passes of a loop are merged before what follows the loop is executed, once.
+/// Computes the position of each block. A block comes after all blocks that lead to it, except those that jump back to
+/// the start of a loop. The blocks behind a loop come after the whole loop. Every order gives the same verdict; in this
+/// one all passes of a loop are merged before the blocks behind the loop are executed, once.
 std::map<const llvm::BasicBlock*, unsigned> block_order(const llvm::Function& function);
 
 }  // namespace canproof::host::prove

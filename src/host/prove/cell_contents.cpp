@@ -22,8 +22,8 @@ void refuse_large(std::size_t size) {
     }
 }
 
-/// The size in bytes of the word that fills the cells from `at` on, from its first byte to its last; 0 when these cells
-/// do not hold one whole word.
+/// Returns the size in bytes of the word that fills the cells from `at` on, from its first byte to its last. Returns 0
+/// when these cells do not hold one whole word.
 unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     const unsigned bytes = width_of(cells[at].word) / byte_width;
     if (cells[at].byte != 0 || at + bytes > cells.size()) {
@@ -37,7 +37,7 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
-/// The places from 0 to `last` that an offset may mean: an element of an array lies at each so many bytes.
+/// The places from 0 to `last` that an offset may mean. The elements of an array have such places at equal distances.
 class Places {
   public:
     Places(const Term& offset, std::size_t last) : last_{last} {
@@ -57,7 +57,7 @@ class Places {
     std::size_t last_;
 };
 
-/// Chooses between the words of all places by the bits of the offset.
+/// Chooses between the words at all places by the bits of the offset.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)
@@ -72,8 +72,7 @@ class Choice {
     Term word() const { return from(0, bits_.size()); }
 
   private:
-    /// The choice between the offsets whose upper bits are those of `low`; the lowest `count` bits are still to be
-    /// chosen.
+    /// Chooses between the offsets whose upper bits are those of `low`; the lowest `count` bits are still open.
     Term from(std::size_t low, std::size_t count) const {
         if (count == 0) {
             return word_at(cells_, low, bytes_);
@@ -132,7 +131,7 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes) const {
-    if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of the access fails here
+    if (cells_.size() < bytes) {  // does not happen on a proven path, because the obligation of the access fails here
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
     if (const auto at = number(offset)) {
@@ -201,7 +200,7 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    std::set<std::uint64_t> starts{0};  // where a word begins in any of the places that `from` may mean
+    std::set<std::uint64_t> starts{0};  // the offsets at which a word begins in any of the places that `from` may mean
     const Places places{from, source.cells_.size() - count};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         for (std::uint64_t i = 1; i < count; ++i) {

@@ -8,8 +8,8 @@
 
 namespace canproof::host::prove {
 
-/// One byte of an object: byte number `byte` of `word`. The cells remember the whole word, so that a word that was
-/// stored in one piece (an address, say) is read back as the same term.
+/// One byte of an object: byte number `byte` of `word`. The cells keep the whole word, so that a word that was stored
+/// in one piece, such as an address, is read back as the same term.
 struct Cell {
     Term word;
     unsigned byte{0};
@@ -18,7 +18,7 @@ struct Cell {
 class CellContents : public Contents, public std::enable_shared_from_this<CellContents> {
   public:
     explicit CellContents(std::vector<Cell> cells) : cells_{std::move(cells)} {}
-    /// `size` bytes with unknown values.
+    /// Makes `size` bytes with unknown values.
     static std::shared_ptr<const CellContents> unknown(std::uint64_t size, const MakeFresh& fresh);
 
     Term read(const Term& offset, unsigned bytes) const override;
@@ -38,7 +38,7 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
 
 /// Puts the bytes of a word into the cells from `at` on.
 void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word);
-/// The `bytes` cells from `at` on, as one word.
+/// Returns the `bytes` cells from `at` on as one word.
 Term word_at(const std::vector<Cell>& cells, std::size_t at, unsigned bytes);
 
 }  // namespace canproof::host::prove

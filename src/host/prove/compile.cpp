@@ -60,9 +60,9 @@ void wait_for_clang(pid_t process, const std::string& what, const std::string& m
     }
 }
 
-/// The sources with what a header of the firmware declares: `src/firmware/canopen/sdo_server.cpp` of
-/// `…/src/firmware/canopen/sdo_server.hpp`, and those that begin with its name and have no header, such as
-/// `sdo_server_block.cpp`. None for a header of somebody else.
+/// Returns the sources that define what a header of the firmware declares. For `…/src/firmware/canopen/sdo_server.hpp`
+/// these are `src/firmware/canopen/sdo_server.cpp` and the sources that begin with its name and have no header, such as
+/// `sdo_server_block.cpp`. Returns none for any other header.
 std::vector<std::filesystem::path> sources_of_header(const std::string& header) {
     std::vector<std::filesystem::path> all;
     for (const std::string folder : {"src/firmware/", "src/devices/"}) {

@@ -27,8 +27,8 @@ class Compiler {
     /// Compiles these proofs, and every source of the firmware whose header one of them includes, directly or through
     /// other headers. Throws InputError with the messages of the compiler.
     void compile(const std::vector<std::filesystem::path>& proofs);
-    /// The bitcode files of a proof that compile() has compiled: first the proof's own, then those of the sources it
-    /// needs.
+    /// Returns the bitcode files of a proof that compile() has compiled: first the proof's own, then those of the
+    /// sources that it needs.
     std::vector<std::filesystem::path> bitcode(const std::filesystem::path& proof) const;
     /// Compiles a program that runs one theorem natively under sanitizers, and returns its path. Throws InputError when
     /// it does not compile.

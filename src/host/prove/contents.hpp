@@ -20,15 +20,16 @@ class Contents {
     Contents& operator=(const Contents&) = delete;
     virtual ~Contents() = default;
 
-    /// The `bytes` bytes from `offset` on as one word, the least significant byte first.
+    /// Returns the `bytes` bytes from `offset` on as one word, the least significant byte first.
     virtual Term read(const Term& offset, unsigned bytes) const = 0;
-    /// These contents, but with the bytes of `word` from `offset` on.
+    /// Returns these contents with the bytes of `word` from `offset` on.
     virtual ContentsPointer written(const Term& offset, const Term& word) const = 0;
-    /// These contents, but from `offset` on with `count` bytes that `source` has from `from` on. `source` may be these
-    /// contents themselves.
+    /// Returns these contents with `count` bytes from `offset` on replaced by those of `source` from `from` on.
+    /// `source` may be these contents themselves.
     virtual ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
                                    const Term& count) const = 0;
-    /// These contents where the condition holds, and `otherwise` where it does not. Both belong to the same object.
+    /// Returns these contents where the condition holds, and `otherwise` where it does not. Both belong to the same
+    /// object.
     virtual ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const = 0;
 };
 

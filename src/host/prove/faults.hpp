@@ -11,7 +11,7 @@
 
 namespace canproof::host::prove {
 
-/// One textual replacement in one source.
+/// A fault: one textual replacement in one source.
 struct Fault {
     std::string name;
     std::string file;
@@ -23,9 +23,9 @@ struct Fault {
 /// Reads the table of faults from a TOML file. Throws InputError.
 std::vector<Fault> read_faults(const std::filesystem::path& table);
 
-/// Tries every `every`-th fault: is its theorem refuted, and does the counterexample fail in the native program too?
-/// Prints two lines for each. Returns 0 when both hold for all faults that were tried (without replays, when all are
-/// refuted), else 1.
+/// Tries every `every`-th fault: is its theorem refuted, and does the counterexample also fail in the native program?
+/// Prints two lines for each fault. Returns 0 when both are true for all tried faults (without replays, when all
+/// theorems are refuted), otherwise 1.
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options);
 
 }  // namespace canproof::host::prove

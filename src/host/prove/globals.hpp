@@ -15,7 +15,7 @@
 
 namespace canproof::host::prove {
 
-/// The value of an instruction, as the list of its scalars. Most types have one; structures and arrays may have
+/// The value of an instruction as a list of its scalars. Most types have one scalar; structures and arrays may have
 /// several.
 using Value = std::vector<Term>;
 
@@ -24,9 +24,9 @@ class Globals {
     Globals(Proof& proof, const llvm::DataLayout& layout) : proof_{proof}, layout_{layout} {}
 
     Value value(const llvm::Constant& constant);
-    /// The function whose object has this number; nullptr when that object is not a function.
+    /// Returns the function whose object has this number; nullptr when that object is not a function.
     const llvm::Function* function(ObjectId id) const;
-    /// The text that a constant address points to.
+    /// Returns the text that a constant address points to.
     std::string text(const Term& address);
 
   private:

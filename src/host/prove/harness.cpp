@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint64_t most_input_bytes = 65536;
 constexpr unsigned address_bytes = address_width / byte_width;
 
-/// The object that an address points into, with its cells, and the offset of the address, which must be a known number.
+/// The object that an address points into, with its cells, and the offset of the address. The offset must be a
+/// constant.
 struct Target {
     ObjectId object;
     std::uint64_t offset;
@@ -90,7 +91,7 @@ void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     proof.inputs.push_back(std::move(input));
 }
 
-/// New memory with any contents. Its size need not be a known number.
+/// Makes new memory with any contents. Its size need not be a constant.
 Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     const Term size = call.arguments[0];
     const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },

@@ -11,8 +11,8 @@
 namespace canproof::host::prove {
 
 enum class HarnessEffect {
-    none,       ///< the function is not one of these
-    goes_on,    ///< it is done; the path goes on
+    none,       ///< the function is not one of the harness functions
+    goes_on,    ///< the function was executed; the path continues
     path_ends,  ///< an assumption excludes this path
 };
 

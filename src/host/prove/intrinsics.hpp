@@ -10,9 +10,9 @@
 namespace canproof::host::prove {
 
 enum class CallEffect {
-    none,       ///< the function is not known here
-    goes_on,    ///< it is done; its value is in `result`
-    path_ends,  ///< nothing follows on this path
+    none,       ///< the function is not modelled here
+    goes_on,    ///< the function was executed; `result` holds its value
+    path_ends,  ///< this path does not continue
 };
 
 CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call, const Value& arguments,

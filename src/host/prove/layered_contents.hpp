@@ -17,18 +17,18 @@ class LayeredContents : public Contents, public std::enable_shared_from_this<Lay
                            const Term& count) const override;
     ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const override;
 
-    /// The byte at an offset.
+    /// Returns the byte at an offset.
     virtual Term at(const Term& offset) const = 0;
 };
 
-/// One byte of unknown memory that somebody has read.
+/// One byte of unknown memory that was read.
 struct AskedByte {
     Term offset;
     Term value;
 };
 
-/// The bottom layer: each offset holds an unknown byte. That equal offsets hold equal bytes is given to the solver as a
-/// fact, through `know`.
+/// The bottom layer: each offset holds an unknown byte. `know` passes the fact to the solver that equal offsets hold
+/// equal bytes.
 class UnknownBytes : public LayeredContents {
   public:
     UnknownBytes(MakeFresh fresh, std::function<void(const Term&)> know)

@@ -11,7 +11,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Counts one more open call for as long as this object lives.
+/// Counts one more open call during the lifetime of this object.
 class Deeper {
   public:
     explicit Deeper(unsigned& depth) : depth_{depth} { ++depth_; }
@@ -168,7 +168,8 @@ void Machine::choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival 
 }
 
 void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival) {
-    std::vector<std::pair<const llvm::Value*, Value>> taken;  // all are read before any is set: one phi may use another
+    std::vector<std::pair<const llvm::Value*, Value>>
+        taken;  // all values are read before any is set, because one phi may use another
     for (const llvm::PHINode& phi : to.phis()) {
         taken.emplace_back(&phi, operand(phi.getIncomingValueForBlock(&from), arrival));
     }

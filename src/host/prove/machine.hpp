@@ -33,14 +33,14 @@ class Machine {
     Machine(Proof& proof, const llvm::Module& module)
         : proof_{proof}, layout_{module.getDataLayout()}, globals_{proof, layout_} {}
 
-    /// Executes a call. Empty when no path returns from it. Throws Unknown.
+    /// Executes a call. Returns nothing when no path returns from it. Throws Unknown.
     std::optional<Return> call(const llvm::Function& function, const std::vector<Value>& arguments, State state);
 
   private:
     struct Frame;
 
     void run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival);
-    /// Executes one instruction. False when the path ends there.
+    /// Executes one instruction. Returns false when the path ends there.
     bool run(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival);
     void leave(Frame& frame, const llvm::Instruction& terminator, Arrival arrival);
     void branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival);

@@ -114,7 +114,7 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A byte of an open state that a value can be, with the condition for it.
+/// A byte of an open state that a value may be, with the condition for it.
 struct OpenByte {
     Term when;
     Term byte;
@@ -132,8 +132,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM marks what is read as a bool with a range. A byte of an object left open is assumed to lie in it, to be 0 or 1,
-/// when the program reads it so; for every other byte this becomes an obligation.
+/// LLVM marks a value that is read as a bool with a range. When the program reads a byte of an object left open in this
+/// way, the byte is assumed to be 0 or 1. For every other byte this becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {
@@ -148,7 +148,7 @@ void Machine::check_range(const llvm::LoadInst& read, const Term& value, const A
     };
     std::vector<OpenByte> open;
     collect_inputs(proof_, value, proof_.context.bool_val(true), open);
-    for (const OpenByte& one : open) {  // only where it is that byte: elsewhere nothing is known of it
+    for (const OpenByte& one : open) {  // applies only where the value is that byte; elsewhere nothing is assumed
         proof_.solver.know(
             z3::implies(all_of(proof_.context, arrival.state.path) && one.when, fits(one.byte)).simplify());
     }

@@ -37,7 +37,7 @@ struct Arguments {
     unsigned every{1};
 };
 
-/// The options of prove_options.hpp, each with where its value goes.
+/// The options of prove_options.hpp, each with the variable that receives its value.
 class Options {
   public:
     explicit Options(CLI::App& app) : app_{app} {}

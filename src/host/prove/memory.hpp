@@ -20,7 +20,7 @@ struct Object {
     ContentsPointer initial{};  ///< of a global variable; empty for an object that a function makes
 };
 
-/// All objects that a proof has met so far; none is ever removed.
+/// All objects of a proof so far; none is ever removed.
 class Objects {
   public:
     ObjectId add(Object object);
@@ -32,12 +32,13 @@ class Objects {
     std::vector<Object> all_;
 };
 
-/// Contents of the objects on one path. An object without contents does not exist on it, or no longer.
+/// The contents of the objects on one path. An object without contents does not exist on this path, or no longer
+/// exists.
 class Memory {
   public:
     void set(ObjectId id, ContentsPointer contents) { changed_[id] = std::move(contents); }
     void remove(ObjectId id) { changed_.erase(id); }
-    /// Empty when the object does not exist on this path.
+    /// Returns the contents; nothing when the object does not exist on this path.
     ContentsPointer contents(const Objects& objects, ObjectId id) const;
     /// Merges the memory of another path into this one: each object holds its contents from here where `condition` is
     /// true, and its contents from there where it is false.
@@ -47,7 +48,7 @@ class Memory {
     std::map<ObjectId, ContentsPointer> changed_;
 };
 
-/// True when `count` bytes from `offset` on lie in the object.
+/// Returns the condition that `count` bytes from `offset` on lie in the object.
 Term in_bounds(const Object& object, const Term& offset, const Term& count);
 
 }  // namespace canproof::host::prove

@@ -12,7 +12,7 @@ namespace canproof::host::prove {
 enum class Verdict { proven, refuted, unknown };
 std::string name_of(Verdict verdict);
 
-/// `holds` must be true wherever all of `path` is true.
+/// An obligation: `holds` must be true wherever all of `path` is true.
 struct Obligation {
     std::vector<Term> path;
     Term holds;
@@ -24,7 +24,7 @@ class Obligations {
   public:
     Obligations(z3::context& context, Solver& solver) : context_{context}, solver_{solver} {}
 
-    /// Adds an obligation. One that is true after simplification counts as proven at once.
+    /// Adds an obligation. An obligation that is true after simplification counts as proven at once.
     void add(const std::vector<Term>& path, const Term& holds, const std::string& what, const std::string& where);
     std::size_t size() const { return count_; }
 
@@ -38,8 +38,8 @@ class Obligations {
     Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:
-    /// Decides the obligations from `first` up to, but without, `last`. True when one was refuted, which ends the
-    /// search.
+    /// Decides the obligations from `first` up to `last`, without `last`. Returns true when one was refuted, which ends
+    /// the search.
     bool settle_range(std::size_t first, std::size_t last, unsigned milliseconds, Outcome& outcome);
     Term broken(const Obligation& one) const;
 

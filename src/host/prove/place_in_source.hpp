@@ -11,11 +11,13 @@ class Instruction;
 
 namespace canproof::host::prove {
 
-/// The name as a reader of the source knows it: `canproof::ByteView::part(unsigned long, unsigned long) const`.
+/// Returns the name in the form of the source: `canproof::ByteView::part(unsigned long, unsigned long) const`.
 std::string readable_name(const llvm::Function& function);
-/// The function, file and line of an instruction: `canproof::ByteView::part(…) const, src/firmware/base/bytes.hpp:64`.
+/// Returns function, file and line of an instruction: `canproof::ByteView::part(…) const,
+/// src/firmware/base/bytes.hpp:64`.
 std::string where_is(const llvm::Instruction& instruction);
-/// The source file of a function, as its path was given to the compiler; empty when the bitcode has no line tables.
+/// Returns the source file of a function, with the path that the compiler was given; empty when the bitcode has no line
+/// tables.
 std::string file_of(const llvm::Function& function);
 unsigned line_of(const llvm::Function& function);
 

@@ -15,13 +15,13 @@
 
 namespace canproof::host::prove {
 
-/// How much a proof may use. Beyond any of these the theorem is unknown.
+/// The resources that a proof may use. A theorem that exceeds one of them is unknown.
 struct Limits {
     unsigned seconds{3600};               ///< for one question about obligations; the bound of processor time
                                           ///< (ProveOptions::seconds) is usually reached before
     unsigned branch_milliseconds{20000};  ///< for the question whether a branch can be taken
     unsigned visits{2000};                ///< of one block in one call: bounds the passes of loops
-    unsigned depth{64};                   ///< of calls inside calls
+    unsigned depth{64};                   ///< of nested calls
 };
 
 /// One value, object or memory that the harness leaves open: its bytes in the order in which the harness asked for
@@ -35,7 +35,7 @@ struct Input {
 struct Proof {
     explicit Proof(const Limits& bounds) : limits{bounds} {}
 
-    /// A new unknown value with `width` bits.
+    /// Makes a new unknown value with `width` bits.
     Term fresh(unsigned width) { return context.bv_const(("v" + std::to_string(unknowns++)).c_str(), width); }
 
     Limits limits;
@@ -47,10 +47,10 @@ struct Proof {
     std::vector<Input> inputs{};
     std::set<unsigned> state_bytes{};         ///< of open states, by number of the term
     std::string statement{};                  ///< the statement of the harness
-    std::vector<std::string> requirements{};  ///< that it names
-    std::function<void()> noted{};            ///< after each of both
+    std::vector<std::string> requirements{};  ///< requirements that the harness names
+    std::function<void()> noted{};            ///< called after each change of the statement or the requirements
     std::set<std::string> assumptions{};      ///< `file:line` of each
-    std::set<std::string> functions{};        ///< of the firmware, that were executed
+    std::set<std::string> functions{};        ///< executed functions of the firmware
 };
 
 }  // namespace canproof::host::prove

@@ -89,7 +89,7 @@ class Task {
 
     void save() const { write_file(place_, json_of(result_).dump()); }
 
-    /// The work of the child process. Does not return.
+    /// Does the work of the child process. Does not return.
     [[noreturn]] void run(Compiler& compiler, const ProveOptions& options) {
         try {
             bound_processor_time(options.seconds);

@@ -19,15 +19,15 @@ struct ProveOptions {
     std::filesystem::path overlay{};  ///< changed sources, by their path; empty: none
     std::string area{};               ///< only proofs of this folder; empty: all
     std::string theorem{};            ///< only this one; empty: all
-    std::optional<Shard> shard{};     ///< only this part of the theorems that fit
+    std::optional<Shard> shard{};     ///< only this part of the selected theorems
     unsigned seconds{60};             ///< of processor time for one theorem; it is unknown after that
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< runs each counterexample as a native program
 };
 
-/// The results of the theorems, in the order of the files and then in the order within a file. Paths are relative to
-/// the project's folder, which must be the current one. Throws InputError when something does not compile or no theorem
-/// fits the options.
+/// Returns the results of the theorems, in the order of the files and then in the order within a file. Paths are
+/// relative to the project's folder, which must be the current one. Throws InputError when a source does not compile or
+/// no theorem fits the options.
 std::vector<TheoremResult> prove_all(const ProveOptions& options);
 
 }  // namespace canproof::host::prove

@@ -15,7 +15,7 @@ namespace canproof::host::prove {
 std::string shard_text(const Shard& shard, const std::vector<TheoremResult>& results);
 
 /// Returns the results of all theorems, in the order of one machine, from the shards' files `*.json` in `folder`.
-/// Throws InputError when a shard is missing, stands there twice, or is of another set of theorems.
+/// Throws InputError when a shard is missing, is there twice, or belongs to another set of theorems.
 std::vector<TheoremResult> merge_shards(const std::filesystem::path& folder);
 
 }  // namespace canproof::host::prove

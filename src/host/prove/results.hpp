@@ -11,11 +11,11 @@
 namespace canproof::host::prove {
 
 nlohmann::json json_of(const TheoremResult& result);
-/// The reverse of json_of(). Throws nlohmann's exceptions.
+/// Converts the JSON of json_of() back to results. Throws nlohmann's exceptions.
 TheoremResult result_of(const nlohmann::json& json);
 
 std::size_t count(const std::vector<TheoremResult>& results, Verdict verdict);
-/// A count of paths; from a million on its order of magnitude.
+/// Returns a count of paths as text; from a million on only its order of magnitude.
 std::string paths_text(double paths);
 
 std::string table_of(const std::vector<TheoremResult>& results);

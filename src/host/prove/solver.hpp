@@ -17,14 +17,16 @@ class Solver {
 
     /// Adds a fact, which every later question takes as true.
     void know(const Term& fact) { facts_.push_back(fact); }
-    /// Can all of these be true at the same time? `unknown` when z3 needs more than `milliseconds` to decide it.
+    /// Returns whether all of these can be true at the same time. Returns `unknown` when z3 needs more than
+    /// `milliseconds` to decide it.
     Answer satisfiable(const std::vector<Term>& truths, unsigned milliseconds);
-    /// Values that make the last question true that was answered with `yes`.
+    /// Returns values for which the last question with the answer `yes` is true.
     const z3::model& model() const { return models_.front(); }
     std::size_t questions() const { return questions_; }
 
   private:
-    /// True when one of the last models makes all of these, and all facts, true; z3 need not be asked then.
+    /// Returns whether one of the last models makes all of these, and all facts, true. Then z3 does not have to be
+    /// asked.
     bool known_to_hold(const std::vector<Term>& truths);
 
     z3::context& context_;

@@ -6,8 +6,8 @@
 
 namespace canproof::host::prove {
 
-/// `place` is `file:line`, from the current folder: the text from that line to its first semicolon, in one line. Empty
-/// where there is no such line.
+/// Returns the text from the line `place` (`file:line`, from the current folder) to its first semicolon, as one line.
+/// Returns an empty text when there is no such line.
 std::string statement_at(const std::string& place);
 
 }  // namespace canproof::host::prove

@@ -12,16 +12,16 @@ struct State {
     double paths{1.0};  ///< the number of paths through the program that are merged in it
 };
 
-/// How two paths meet: `first_holds` is true on the first path and false on the second, and chooses between their
-/// values; `path` is what is true on the merged path.
+/// The condition under which two paths meet: `first_holds` is true on the first path and false on the second, and
+/// chooses between their values. `path` is the condition of the merged path.
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 
-/// Merges `second` into `first`. The returned condition chooses what was true on `first` alone, for values that are not
-/// in memory.
+/// Merges `second` into `first`. Returns the condition that chooses the values of `first`, for values that are not in
+/// memory.
 Term merge(z3::context& context, const Objects& objects, State& first, const State& second);
 
 }  // namespace canproof::host::prove

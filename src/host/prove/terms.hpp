@@ -16,31 +16,31 @@ using Term = z3::expr;
 constexpr unsigned byte_width = 8U;
 constexpr unsigned address_width = 64U;
 
-/// True when both are the same node of z3. Different nodes may still have equal values.
+/// Returns whether both are the same node of z3. Different nodes may still have equal values.
 bool same(const Term& a, const Term& b);
 bool is_true(const Term& truth);
 bool is_false(const Term& truth);
-/// The value of a constant of at most 64 bits; empty for any other term.
+/// Returns the value of a constant of at most 64 bits; nothing for any other term.
 std::optional<std::uint64_t> number(const Term& term);
-/// The number of bits of a term; a truth value has one.
+/// Returns the number of bits of a term; a truth value has one.
 unsigned width_of(const Term& term);
 
 Term constant(z3::context& context, std::uint64_t value, unsigned width);
-/// Turns a truth value into a bit vector of one bit, and back; other terms stay as they are.
+/// Converts a truth value to a bit vector of one bit, and back; other terms stay as they are.
 Term as_bits(const Term& term);
 Term as_truth(const Term& term);
-/// Brings a bit vector to a width: cuts off the upper bits, or adds zeros.
+/// Converts a bit vector to a width: cuts off the upper bits, or adds zeros.
 Term resized(const Term& term, unsigned width);
-/// Byte number `at` of a word; byte 0 is the least significant one.
+/// Returns byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
-/// The lowest `count` bits of a term, where they are the same for all values; no more than 64.
+/// Returns those of the lowest bits of a term that are the same for all values; at most `count` bits and at most 64.
 struct KnownBits {
     unsigned count{0};
     std::uint64_t bits{0};
 };
-/// Returns the lowest bits that are known: a sum of products by powers of two has its remainder there.
+/// Returns the lowest bits that are known. In a sum of products with powers of two, the remainder is there.
 KnownBits low_bits(const Term& term);
-/// `condition ? a : b`, without a choice where there is none.
+/// Returns `condition ? a : b`, without a choice when the condition is constant or both are the same.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
 Term all_of(z3::context& context, const std::vector<Term>& truths);

@@ -46,7 +46,8 @@ std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Inpu
     return all;
 }
 
-/// The wish that each memory of any size is small, so that the counterexample can be written to a file and run.
+/// Returns the preference that each memory of any size is small, so that the counterexample can be written to a file
+/// and run.
 std::vector<Term> small_memory(Proof& proof) {
     constexpr std::uint64_t small = 64;
     std::vector<Term> all;
@@ -58,7 +59,7 @@ std::vector<Term> small_memory(Proof& proof) {
     return all;
 }
 
-/// Refutes a theorem whose end no values reach: its assumptions contradict each other, and it would prove nothing.
+/// Refutes a theorem whose end no values reach: its assumptions contradict each other, so that it would prove nothing.
 void refuse_vacuous(Proof& proof, const std::optional<Return>& end, TheoremResult& result) {
     const Answer reached = end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
     if (reached == Answer::no) {

@@ -11,8 +11,8 @@
 
 namespace canproof::host::prove {
 
-/// One value that a theorem left open, as the counterexample has it: a number for each byte, and -1 for a byte that
-/// keeps its value.
+/// One value that a theorem left open, as in the counterexample: a number for each byte, and -1 for a byte that keeps
+/// its value.
 using InputBytes = std::vector<int>;
 
 struct TheoremResult {
@@ -27,10 +27,11 @@ struct TheoremResult {
     std::vector<std::string> assumptions{};  ///< assumptions of the harness, each with its place
     double paths{0.0};
     std::size_t obligations{0};
-    std::size_t questions{0};  ///< questions to z3
+    std::size_t questions{0};  ///< number of questions to z3
     double seconds{0.0};
-    std::vector<InputBytes> inputs{};  ///< of the counterexample, in the order in which the harness asks for them
-    std::string replay{};              ///< result of the native program with these inputs
+    std::vector<InputBytes>
+        inputs{};          ///< inputs of the counterexample, in the order in which the harness asks for them
+    std::string replay{};  ///< result of the native program with these inputs
 };
 
 /// Executes the theorem and decides its obligations. A theorem whose end no path reaches is refuted: its assumptions

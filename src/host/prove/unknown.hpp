@@ -6,8 +6,8 @@
 
 namespace canproof::host::prove {
 
-/// Something that the prover does not model, or a bound that was reached; the text names the function and the line in
-/// the source. The theorem is unknown then, never proven.
+/// Thrown for something that the prover does not model, or at a bound that was reached; the text names the function and
+/// the line in the source. The theorem is then unknown, never proven.
 class Unknown : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -9,8 +9,8 @@
 
 namespace canproof::host::prove {
 
-/// A test case for each theorem that names a requirement, with a claim of the kind `proof` for each of these. One that
-/// is refuted has failed; one that is unknown is left out: it shows nothing.
+/// Returns a test case for each theorem that names a requirement, with a claim of the kind `proof` for each
+/// requirement. A refuted theorem has failed. An unknown theorem is left out, because it shows nothing.
 std::string verdict_xml(const std::vector<TheoremResult>& results);
 
 }  // namespace canproof::host::prove

@@ -62,9 +62,9 @@ class HazardCheck {
     }
 
     void require(const std::set<std::string>& known, const std::string& id, const Place& place, const char* what,
-                 const char* mend) {
+                 const char* fix) {
         if (known.count(id) == 0) {
-            faults_.push_back({place, fmt::format("{} is {}", id, what), mend});
+            faults_.push_back({place, fmt::format("{} is {}", id, what), fix});
         }
     }
 

@@ -17,7 +17,7 @@ namespace {
 struct End {
     std::optional<double> value;
     std::string words;  ///< description for a message: "4020h:1 default 2500 - 100"
-    std::string mend;   ///< the other value that can be changed: "4020h:1" or "the limit"
+    std::string fix;    ///< the other value that can be changed: "4020h:1" or "the limit"
 };
 
 class LimitCheck {
@@ -42,8 +42,8 @@ class LimitCheck {
     }
 
   private:
-    void fault(const Place& place, const std::string& what, const std::string& mend) {
-        faults_.push_back({place, fmt::format("{} {}", where_, what), mend});
+    void fault(const Place& place, const std::string& what, const std::string& fix) {
+        faults_.push_back({place, fmt::format("{} {}", where_, what), fix});
     }
 
     void check(const Entry& entry) {
@@ -93,12 +93,12 @@ class LimitCheck {
         const std::string text = (entry.node_id ? "$NODEID+" : "") + to_text(entry.value);
         if (high.value && *given > *high.value) {
             fault(entry.default_place, fmt::format("default {} exceeds its limit ({})", text, high.words),
-                  fmt::format("lower it or raise {}", high.mend));
+                  fmt::format("lower it or raise {}", high.fix));
         }
         const bool off = entry.range.zero && *given == 0.0;
         if (low.value && *given < *low.value && !off) {
             fault(entry.default_place, fmt::format("default {} is below its limit ({})", text, low.words),
-                  fmt::format("raise it or lower {}", low.mend));
+                  fmt::format("raise it or lower {}", low.fix));
         }
         const auto& values = entry.range.values;
         const auto same = [&](const Value& value) { return number_of(value) == given; };
@@ -153,7 +153,7 @@ class LimitCheck {
         if (limit.add != 0) {
             result.words += fmt::format(" {} {}", limit.add < 0 ? "-" : "+", std::abs(limit.add));
         }
-        result.mend = name;
+        result.fix = name;
         if (const auto value = number_of(other.value)) {
             result.value = *value + static_cast<double>(limit.add);
         }

@@ -40,8 +40,8 @@ class LiteralCheck {
     }
 
   private:
-    void fault(const Place& place, const std::string& what, const std::string& mend) {
-        faults_.push_back({place, what, mend});
+    void fault(const Place& place, const std::string& what, const std::string& fix) {
+        faults_.push_back({place, what, fix});
     }
 
     void check_name(const Item& item, const std::string& name, std::map<std::string, unsigned>& taken) {

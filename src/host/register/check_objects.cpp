@@ -69,8 +69,8 @@ void check_kind(const Object& object, Faults& faults) {
 }
 
 void check_use(const Object& object, const Entry& entry, Faults& faults) {
-    const auto fault = [&](const std::string& what, const std::string& mend) {
-        faults.push_back({entry.place, fmt::format("{} {}", name(object, entry), what), mend});
+    const auto fault = [&](const std::string& what, const std::string& fix) {
+        faults.push_back({entry.place, fmt::format("{} {}", name(object, entry), what), fix});
     };
     const bool sized = type_size(entry.type) > 0;
     if (entry.type == "REAL64") {

@@ -58,8 +58,8 @@ class ReferenceCheck {
     }
 
   private:
-    void fault(const Place& place, const std::string& what, const std::string& mend) {
-        faults_.push_back({place, what, mend});
+    void fault(const Place& place, const std::string& what, const std::string& fix) {
+        faults_.push_back({place, what, fix});
     }
 
     void check_manuals() {

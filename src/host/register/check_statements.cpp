@@ -69,9 +69,9 @@ class StatementCheck {
         std::set<std::string> seen;
         for (const auto& item : statement.covered) {
             const auto found = known_.find(item);
-            const auto fault = [&](const std::string& why, const char* mend) {
+            const auto fault = [&](const std::string& why, const char* fix) {
                 faults_.emplace_back(statement.covered_place, fmt::format("{} is covered by {}, {}", id, item, why),
-                                     mend);
+                                     fix);
             };
             if (!seen.insert(item).second) {
                 fault("which it names twice", "name it once");

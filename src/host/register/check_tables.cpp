@@ -61,8 +61,8 @@ class TableCheck {
     }
 
   private:
-    void fault(const Place& place, const std::string& what, const std::string& mend) {
-        faults_.push_back({place, what, mend});
+    void fault(const Place& place, const std::string& what, const std::string& fix) {
+        faults_.push_back({place, what, fix});
     }
 
     void resolve(Column& column) {
@@ -174,7 +174,7 @@ class TableCheck {
         for (const auto& [words, first] : pieces_[i]) {
             steps_ += rows.size() + 1;
             if (told_ >= 5 || steps_ > most_steps) {
-                return;  // a table with a gap usually has many; five suffice in the report
+                return;  // a table with a gap usually has many gaps; five suffice in the report
             }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {

@@ -102,7 +102,7 @@ class TopicCheck {
   private:
     void take(const Part& part, const Item& item, const Answer& answer) {
         if (answer.topic.empty() || answer.choice.empty()) {
-            return;  // no topic, or the reader reports it
+            return;  // there is no topic, or the reader reports it
         }
         Stands& stands = topics_[answer.topic];
         if (stands.empty() || stands.back().part != &part) {
@@ -111,8 +111,8 @@ class TopicCheck {
         stands.back().items.push_back({&item, &answer});
     }
 
-    void fault(const Stand& stand, const std::string& what, const std::string& mend) {
-        faults_.push_back({stand.items.front().answer->place, what, mend});
+    void fault(const Stand& stand, const std::string& what, const std::string& fix) {
+        faults_.push_back({stand.items.front().answer->place, what, fix});
     }
 
     /// Checks that all items of one folder give the same answer; no reason excuses a difference within a folder.

@@ -17,11 +17,11 @@ struct Place {
 
 struct Fault {
     Fault(Place at, std::string wrong, std::string remedy)
-        : place{std::move(at)}, what{std::move(wrong)}, mend{std::move(remedy)} {}
+        : place{std::move(at)}, what{std::move(wrong)}, fix{std::move(remedy)} {}
 
     Place place;
     std::string what;
-    std::string mend;
+    std::string fix;
 
     /// Returns `file:line: what; fix`.
     std::string text() const;
@@ -40,8 +40,8 @@ class Faults {
             ++left_out_;
         }
     }
-    void emplace_back(Place at, std::string what, std::string mend) {
-        push_back(Fault{std::move(at), std::move(what), std::move(mend)});
+    void emplace_back(Place at, std::string what, std::string fix) {
+        push_back(Fault{std::move(at), std::move(what), std::move(fix)});
     }
 
     bool empty() const { return kept_.empty(); }

@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Return eight hexadecimal digits over the content of an item. Titles, sources, places and the spacing of its text do
-/// not count.
+/// Each function returns eight hexadecimal digits over the content of an item. Titles, sources, places and the spacing
+/// of the text have no effect.
 std::string fingerprint(const Requirement& requirement);
 std::string fingerprint(const Object& object);
 std::string fingerprint(const Table& table);

@@ -36,8 +36,8 @@ LoadResult load_register(const SpecFiles& files) {
         check_objects(part, result.faults);
     }
     std::sort(result.faults.begin(), result.faults.end(), [](const Fault& a, const Fault& b) {
-        return std::tie(a.place.file, a.place.line, a.what, a.mend) <
-               std::tie(b.place.file, b.place.line, b.what, b.mend);
+        return std::tie(a.place.file, a.place.line, a.what, a.fix) <
+               std::tie(b.place.file, b.place.line, b.what, b.fix);
     });
     // The elements of an array share their place: equal faults are reported once.
     const auto same = [](const Fault& a, const Fault& b) {

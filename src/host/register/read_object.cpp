@@ -107,7 +107,7 @@ Range read_range(TomlItem& item) {
 }
 
 void set_default(Entry& entry, const toml::node& node) {
-    // A list in place of a value becomes an invalid default, which the check of defaults reports.
+    // A list in place of a value becomes an invalid default, which the check of the defaults reports.
     const bool list = !node.is_value() && !is_string_type(entry.type);
     const Value value = list ? Value{std::string{"[list]"}} : literal(node);
     const auto* text = std::get_if<std::string>(&value);
@@ -164,8 +164,8 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     if (table == nullptr) {
         return node;
     }
-    // check_family_default() reports a member without a value. Here it gets the value of another member, so that it is
-    // reported only once.
+    // check_family_default() reports a member without a value. Here the member gets the value of another member, so
+    // that the fault is reported only once.
     const toml::node* own = table->get(std::to_string(n));
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
@@ -374,7 +374,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     }
     check_family_default(item, Member{first, first, last});
     std::vector<Object> all;
-    // All members of a family would have the same faults: only those of the first member are kept.
+    // All members of a family would have the same faults, so only those of the first member are kept.
     const std::size_t faults_before = item.faults().size();
     std::size_t faults_after = faults_before;
     for (std::int64_t n = first; n <= last; ++n) {

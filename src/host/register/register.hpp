@@ -24,7 +24,8 @@ struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
-    std::string derived;  ///< reason for an item without a sentence in a manual; empty: a source contains the sentence
+    std::string
+        derived;  ///< reason of an item that no sentence of a manual demands; empty: a source contains the sentence
     Place place;
     Place id_place;      ///< place of `id`, or of an object's `index`
     Place source_place;  ///< place of `source`, or of `derived`
@@ -163,7 +164,7 @@ struct Table : Item {
         Place place;
     };
     std::vector<Row> rows;
-    bool complete{true};  ///< false when a row could not be read; gaps are not checked then
+    bool complete{true};  ///< false when a row could not be read; then gaps are not checked
 };
 
 struct Enumeration : Item {

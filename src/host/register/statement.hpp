@@ -10,10 +10,11 @@
 
 namespace canproof::host {
 
-/// The demand of one sentence of a manual, and the items that cover it. Without items and without a reason it is a gap.
+/// The demand of one sentence of a manual, and the items that cover it. A statement with neither items nor a reason is
+/// a gap.
 struct Statement {
     std::string section;               ///< a section, table, figure or object of its manual
-    unsigned number{0};                ///< among the statements of that section, counted from 1
+    unsigned number{0};                ///< number among the statements of that section, counted from 1
     std::string text;                  ///< our words
     std::vector<Mark> marks;           ///< marks of the passages that contain it
     std::vector<std::string> covered;  ///< ids of items and decisions

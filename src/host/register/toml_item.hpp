@@ -47,10 +47,8 @@ class TomlItem {
     std::vector<TomlItem> items(const std::string& key);
     std::optional<TomlItem> item(const std::string& key);
 
-    void fault(const std::string& what, const std::string& mend) { fault(place(), what, mend); }
-    void fault(const Place& at, const std::string& what, const std::string& mend) {
-        faults_.push_back({at, what, mend});
-    }
+    void fault(const std::string& what, const std::string& fix) { fault(place(), what, fix); }
+    void fault(const Place& at, const std::string& what, const std::string& fix) { faults_.push_back({at, what, fix}); }
     /// Reports each key that was never requested.
     void finish();
 

@@ -13,7 +13,7 @@ struct NavigationEntry {
     std::string title;
 };
 
-/// The parts around the body of each page.
+/// The parts of a page around its body.
 struct PageFrame {
     std::vector<NavigationEntry> navigation;  ///< empty when there are no other pages
     std::string origin;                       ///< plain text below the page and on each printed sheet; may be empty

@@ -10,7 +10,8 @@
 
 namespace canproof::target {
 
-/// `Inputs` and `Outputs` are the device's generated signal groups; their visitors are found in their namespace.
+/// Powers the device on. Then repeats: read inputs, receive frames, do the work that is due, send frames, write
+/// outputs.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 class Bridge {
   public:
@@ -114,7 +115,7 @@ bridge::Message greeting(const char* const name) {
     return message;
 }
 
-/// Does all that an image does: greets the program, takes the size of the parameter memory, and serves.
+/// Executes commands until the program has ended or sends an invalid command.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 void serve(Channel& channel, const char* const name) {
     bridge::Message message = greeting<Inputs, Outputs>(name);

@@ -11,9 +11,9 @@ class Channel {
     Channel(const Channel&) = delete;
     Channel& operator=(const Channel&) = delete;
 
-    /// Sends a message. False when it is unsound or the program has ended.
+    /// Makes the first message of an image. `name` is the name of the device, at most 32 characters.
     bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
-    /// Waits for the next message. False when the program has ended, or sends what is no message.
+    /// Runs the image: greets the program, takes the size of the parameter memory, and serves commands.
     bool receive(bridge::Message& message) {
         message = bridge::Message{};
         bool done = read(message.buffer(), bridge::Message::head);
@@ -26,7 +26,7 @@ class Channel {
     Channel() = default;
     ~Channel() = default;
 
-    /// Reads all `count` bytes; waits for them.
+    /// Sends a message. Returns false when it is unsound or the program has ended.
     virtual bool read(std::uint8_t* to, std::size_t count) = 0;
     virtual bool write(ByteView bytes) = 0;
 };

@@ -18,7 +18,7 @@ class HostMemory final : public NonVolatileMemory {
     bool commit() override;
 
   private:
-    /// Requests an access and returns whether it was done; `message` becomes the program's answer.
+    /// Waits for the next message. Returns false when the program has ended or sends an invalid message.
     bool ask(bridge::Message& message) const;
 
     Channel& channel_;

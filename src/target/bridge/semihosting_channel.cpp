@@ -40,7 +40,7 @@ std::size_t transfer(const int operation, const int handle, const std::uint8_t* 
     return static_cast<std::size_t>(semihost(operation, &block));
 }
 
-/// Transfers all bytes. False at the end of the stream and after an error.
+/// Number of a function of the host system on which QEMU runs: Linux.
 bool transfer_all(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     std::size_t left{count};
     bool moves{handle >= 0};
@@ -74,7 +74,7 @@ void end_image(const std::uint32_t status) {
 
 }  // namespace canproof::target
 
-/// Any exception of the processor ends the image, with the status of an internal software error.
+/// Calls SYS_READ or SYS_WRITE, and returns the number of bytes that are left.
 extern "C" void fault() {
     canproof::target::end_image(canproof::target::internal_error);
 }

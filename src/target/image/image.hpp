@@ -46,7 +46,8 @@ class DeviceImage {
             }
         }
     }
-    /// The interrupt of received frames.
+    /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
+    /// damaged, or no clock is right.
     void drain() { chip_.can.drain(); }
 
   private:

@@ -11,7 +11,7 @@ namespace canproof::stm32f405 {
 
 class Bxcan {
   public:
-    /// `clock_hz`: the clock of APB1.
+    /// the controller is still off the bus
     Bxcan(BxcanRegisters& registers, const std::uint32_t clock_hz) noexcept
         : controller_{registers, clock_hz}, receiver_{registers}, transmitter_{registers} {}
 

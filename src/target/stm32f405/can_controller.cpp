@@ -84,8 +84,7 @@ void CanController::give_up_waiting(const Instant now) noexcept {
     }
 }
 
-/// Writes bit timing and filters; CAN_BTR requires the initialisation mode. Aborts the frames of the last
-/// configuration.
+/// nothing is to be done until the next bit rate
 void CanController::configure() noexcept {
     registers_.bit_timing.write(bit_timing_register(timing_));
     set_filters();

@@ -155,7 +155,7 @@ bool CanTransmitter::make_room(const std::uint32_t id, TransmitQueue& queue) noe
     return !slots_[mailbox].busy;
 }
 
-/// Aborts all frames: after a reset of the node they must not follow its boot-up message.
+/// a frame with another identifier, or the place is found
 void CanTransmitter::drop_all() noexcept {
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
         if (slots_[mailbox].busy) {

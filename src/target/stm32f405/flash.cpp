@@ -22,7 +22,7 @@ void Flash::begin() noexcept {
     }
 }
 
-/// Locks the flash and clears the data cache, which may hold old words. It must be off for that (RM0090 3.5.2).
+/// a wrong period of the watchdog does not stop the device
 void Flash::finish() noexcept {
     registers_.control.write(flash_cr::lock);
     registers_.access_control.set(flash_acr::reset_data);

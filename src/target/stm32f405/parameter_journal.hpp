@@ -86,7 +86,7 @@ class ParameterJournal final : public NonVolatileMemory {
     std::uint32_t number_{0U};  ///< of the last commit, complete or not
 };
 
-/// The RAM of a journal of `Size` bytes.
+/// Returns how many sectors were started so far; each of the two sectors was erased half as often.
 template <std::size_t Size>
 struct JournalRam {
     static_assert(((Size % ParameterJournal::line_size) == 0U) && (Size <= 10240U), "a sector holds every line once");

@@ -10,8 +10,7 @@ namespace canproof::stm32f405 {
 
 class ReceiveRing {
   public:
-    /// 32 of the shortest frames (47 µs at 1 Mbit/s) are 1.5 ms of a full bus; the longest cycle of a device takes less
-    /// than 1 ms.
+    /// number of the last commit, complete or not
     static constexpr std::uint32_t capacity = 32U;
 
     /// Called by the interrupt. Without room the frame is lost, and take_overrun() reports it.

@@ -35,7 +35,7 @@ static_assert(sizeof(Register) == sizeof(std::uint32_t), "registers lie one behi
 template <std::size_t Count>
 using Reserved = std::array<std::uint32_t, Count>;
 
-/// Returns bit `position` (0…31) of a register.
+/// Not used where a test provides its own read() and write().
 constexpr std::uint32_t bit(const std::uint32_t position) noexcept {
     return std::uint32_t{1U} << position;
 }

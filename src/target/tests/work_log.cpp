@@ -42,7 +42,7 @@ bool is_command(const std::string& text) {
     return resets || stores || index == "1010" || index == "1110";
 }
 
-/// Returns the fewest bits of a frame on the bus: 44 and its data, no stuff bits, three between frames (ISO 11898-1).
+/// the figure by which works are compared
 std::uint32_t bits_of(const Frame& frame) {
     const std::uint32_t data = frame.remote ? 0 : 8U * frame.length;
     return 47 + data + (frame.extended ? 20 : 0);
@@ -94,7 +94,8 @@ void finish() {
     }
     note(kind, last.instructions, last);
     if (kind == frame) {
-        constexpr std::uint32_t parts = 256;  // fractions of an instruction
+        constexpr std::uint32_t parts =
+            256;  // The last counted work; the frames that the device sends because of it follow.
         note(share, last.instructions * parts / last.bits, last);
     }
 }

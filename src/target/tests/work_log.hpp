@@ -16,10 +16,9 @@ void work_begins();
 void work_stops();
 /// Names the work that has stopped: `what` is a frame or "-", `where` the test or input that it belongs to.
 void note_work(test::Work work, const std::string& what, const std::string& where);
-/// Names the work of a received frame.
+/// Stops counting. Call it first, so that the naming of the work is not counted.
 void note_frame(const Frame& frame, const std::string& what, const std::string& where);
-/// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against the next such
-/// frame, its bits are added.
+/// Gives a name to the work that was stopped: `what` is a frame or "-", `where` the test or input to which it belongs.
 void note_answer(const Frame& frame);
 /// Writes lines `kind count instructions bits what where` to `path`. For power-ons, frames, ticks and commands (frames
 /// that reset the node or store its parameters) it is the one with most instructions; for `share` it is the frame with

@@ -80,7 +80,7 @@ class Floor final : public Server {
     static constexpr std::uint32_t response_id = 0x585;
     static constexpr std::size_t expedited = 4;
     static constexpr std::size_t words = 4;
-    static constexpr std::uint32_t crowded = 0x0607'0010;  ///< another length than that of the entry
+    static constexpr std::uint32_t crowded = 0x0607'0010;  ///< refused: the entry has another length
     enum class State { idle, uploading, block_downloading, block_ending, block_uploading, block_sent };
 
     /// `name` is 0 in a free slot.

@@ -22,7 +22,7 @@ Distortion has_dictionary(std::function<void(host::Part&)> alter);
 /// Drops frames to the slave, or frames of the slave.
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
-/// Changes an answer of the SDO server; segments of a block upload are not changed.
+/// Changes an answer of the SDO server. Segments of a block upload stay unchanged.
 Distortion answers_otherwise(FrameChange change);
 /// Changes a request to the SDO server.
 Distortion takes_requests_as(FrameChange change);
@@ -30,7 +30,7 @@ Distortion takes_requests_as(FrameChange change);
 Distortion aborts_with(std::uint32_t code, std::uint32_t other);
 /// Confirms downloads of these objects that the correct slave refuses with `code`; nothing is written.
 Distortion confirms_refused(ObjectTest which, std::uint32_t code);
-/// Uses another value than was written, and reads back the written value. Expedited transfers.
+/// Uses another value than was written, but reads back the written value. Expedited transfers only.
 Distortion works_with(ObjectTest which, ValueChange change);
 
 inline ObjectTest object(std::uint16_t index) {

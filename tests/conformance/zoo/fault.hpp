@@ -19,8 +19,8 @@ using FrameHook = std::function<void(WrongSlave&, const Frame&)>;
 /// state of a hook is in WrongSlave::notes.
 struct Distortion {
     std::function<void(host::Part&)> part;  ///< alters the dictionary before the slave is made
-    FrameHook hear;                         ///< replaces WrongSlave::pass: a frame of the bus
-    FrameHook say;                          ///< replaces WrongSlave::say: a frame of the correct slave
+    FrameHook hear;                         ///< replaces WrongSlave::pass, which gets each frame of the bus
+    FrameHook say;                          ///< replaces WrongSlave::say, which gets each frame of the correct slave
 };
 
 /// One fault of the zoo.
@@ -30,8 +30,8 @@ struct Fault {
     std::string what;     ///< the fault of the slave; begins with a verb
     /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
     std::string talk;
-    std::string
-        right;  ///< frames that only the correct slave sends in that exchange; after a wait with its time: `100:705#7F`
+    std::string right;  ///< frames that only the correct slave sends in that exchange; after a wait, each with its
+                        ///< time: `100:705#7F`
     std::string wrong;  ///< frames that only the wrong slave sends
     Distortion distortion;
 };

@@ -61,7 +61,8 @@ Distortion packs(Packing packing) {
     });
 }
 
-/// After a change of the mapping, sends the bytes of the previous mapping in the first TPDO. bytes: of that TPDO.
+/// After a change of the mapping, sends the bytes of the previous mapping in the first TPDO. `bytes` are those of that
+/// TPDO.
 Distortion sends_stale_data() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool maps =

@@ -110,7 +110,7 @@ void say_without_last_mark(WrongSlave& slave, const Frame& frame) {
     slave.say(slave.says_segment() ? with_command(frame, command_of(frame) & 0x7FU) : frame);
 }
 
-/// Acknowledges the newest segment of a download even when one was lost. notes[1]: a download is open.
+/// Acknowledges the newest segment of a download even when one was lost. notes[1] is not 0 while a download is open.
 Distortion misses_no_segment() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = command_of(frame) & 0x7FU;

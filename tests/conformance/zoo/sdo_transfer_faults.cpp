@@ -79,7 +79,7 @@ void keep_aborted(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
 }
 
-/// Refuses an initiate during a transfer. notes[0]: a segmented upload is open.
+/// Refuses an initiate during a transfer. notes[0] is not 0 while a segmented upload is open.
 Distortion refuses_initiate_inside() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool initiates = is_sdo_request(slave, frame) && (specifier_of(frame) == 1 || specifier_of(frame) == 2);

@@ -84,7 +84,7 @@ class ShownFault : public testing::TestWithParam<std::size_t> {};
 
 }  // namespace
 
-TEST_P(ShownFault, WrongSlaveDiffersByTheListedFrames) {
+TEST_P(ShownFault, WrongSlaveDiffersFromTheCorrectOneInTheListedFrames) {
     const Fault& fault = all_faults()[GetParam()];
     const Texts right = Talk{{}}.hold(fault.talk);
     const Texts wrong = Talk{fault.distortion}.hold(fault.talk);

@@ -40,7 +40,7 @@ const Distortion& fault(const std::string& id) {
 
 }  // namespace
 
-TEST(StartOfARun, NoTroubleIsReportedWithACorrectSlave) {
+TEST(StartOfARun, CorrectSlaveCausesNoReportAtTheStart) {
     EXPECT_THAT(run_one_case({}, "sdo-device-type").troubles, IsEmpty());
 }
 

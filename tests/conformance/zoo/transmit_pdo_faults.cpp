@@ -67,7 +67,7 @@ void answer_forbidden(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Sends nothing at the start command. notes[0]: its time.
+/// Sends nothing at the start command. notes[0] is the time of that command.
 Distortion starts_silently() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_data(frame, 0) && frame.data[0] == 1) {

@@ -33,9 +33,9 @@ class WrongSlave final : public host::SimulatedDevice {
     std::uint32_t bit_rate() const override { return inner_->bit_rate(); }
     const ObjectDictionary* objects() const override { return inner_->objects(); }
 
-    // For the hooks.
+    // The functions for the hooks.
 
-    /// Hands a frame to the correct slave.
+    /// Passes a frame to the correct slave.
     void pass(const Frame& frame) { inner_->receive(frame, now_); }
     /// Sends a frame.
     void say(const Frame& frame);

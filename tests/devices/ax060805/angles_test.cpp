@@ -349,7 +349,7 @@ class RangedAngles : public Angles {
 
 }  // namespace
 
-TEST_F(RangedAngles, FullTurnGivesPitchAndRollFrom0To360Degrees) {
+TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, 2700, 900}));
@@ -360,7 +360,7 @@ TEST_F(RangedAngles, FullTurnGivesPitchAndRollFrom0To360Degrees) {
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after the conversion to its range
 }
 
-TEST_F(RangedAngles, RightAngleGivesTheDistanceFromLevel) {
+TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{300, 0, 300}));
@@ -368,7 +368,7 @@ TEST_F(RangedAngles, RightAngleGivesTheDistanceFromLevel) {
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));
 }
 
-TEST_F(RangedAngles, HalfTurnIsAsShippedAndNoObjectShowsTheRange) {
+TEST_F(RangedAngles, RangeAsShippedIsPlusMinus180DegreesAndNoObjectShowsIt) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
     angle_digits(10);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, -900, 900}));

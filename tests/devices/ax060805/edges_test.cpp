@@ -23,7 +23,8 @@ class InclinometerEdges : public InclinometerTest {
         pass(5);
         return read(0x4020);
     }
-    /// Returns the figure of merit with the X axis that many degrees from the vertical and the rest along Y.
+    /// Returns the figure of merit with the X axis that many degrees from the vertical, and the rest of gravity along
+    /// Y.
     std::uint32_t merit_beside_the_vertical(double degrees) {
         turn(90.0 - degrees, 90.0);
         pass(5);

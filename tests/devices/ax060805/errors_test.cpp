@@ -66,7 +66,7 @@ TEST_F(Ax060805Errors, SensorTemperatureOutsideItsRangeOf165DegreesIs4200h) {
     EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, WorseConditionDeterminesTheFigureOfMerit) {
+TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
     heat(130.0F);
     fail_accelerometer();
@@ -110,7 +110,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no sample was taken since
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no sample has been taken since then
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -292,7 +292,7 @@ TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, MissingGuardingRequestIs1000h) {
+TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs1000h) {
     verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);

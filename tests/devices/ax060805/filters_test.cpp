@@ -67,7 +67,7 @@ TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     EXPECT_EQ(value(0x4000, 1), 145);  // 1 - exp(-2 pi 5 0.005) = 0.1454
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 270);  // 1 - 0.85464^2 = 0.2696
-    write(0x2003, 0, 50, 1);           // continues from there
+    write(0x2003, 0, 50, 1);           // the filter continues from its present value
     EXPECT_EQ(value(0x4000, 1), 270);
     pass(5);
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
@@ -157,7 +157,7 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     pass(30);
     EXPECT_EQ(pitch(), 2000);  // no third sample
     write(0x2051, 1, 8, 2);
-    EXPECT_EQ(pitch(), 2000);  // the restart has no sample yet
+    EXPECT_EQ(pitch(), 2000);  // no third sample was taken
 }
 
 TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {

@@ -244,7 +244,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStart) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Network, SelfStartYieldsToABusOffUnless1029hLeavesTheState) {
+TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
     verifies<req::INC_START_001>();
     const auto state_after_power_on_in_bus_off = [this] {
         store_all();

@@ -24,7 +24,7 @@ class IncPending : public testing::Test, public InclinometerBench {
     struct Case {
         std::string name;
         std::function<void()> happens;
-        Shown shown;  ///< from the event on
+        Shown shown;  ///< each value and the time in ms, from the event on
     };
 
     /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters, which

@@ -138,7 +138,7 @@ TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
     write(0x1029, 1, 1, 1);  // stays operational
     send("000#0100");
     send("27F#E80300000000");
-    pass(100);  // RPDO1 is late and stays late
+    pass(100);  // RPDO1 is overdue and stays overdue
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("37F#D007");  // RPDO2 brings 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);

@@ -78,7 +78,7 @@ class Ax130751Bench : public UnitBench<ax130751::Device, ax130751::Inputs, ax130
         return text;
     }
 
-    unsigned node{127};  ///< the node-ID that the client uses
+    unsigned node{127};  ///< the node-ID to which the client sends
 };
 
 /// A bench whose device has booted.

@@ -64,7 +64,7 @@ class Ax130751Blocks : public Ax130751Test {
     static std::string place(std::uint16_t index, int sub) { return fmt::format("{:04X}h:{}", index, sub); }
     static std::size_t at(int output) { return static_cast<std::size_t>(output - 1); }
 
-    // Control sources of Table 4A.
+    // Numbers of the control sources in Table 4A.
     static constexpr int not_used = 0;
     static constexpr int canopen = 1;
     static constexpr int lookup_source = 3;

@@ -226,7 +226,7 @@ TEST_F(Ax130751Diagnostics, UnderAndOverVoltageCountAsOneFault) {
     EXPECT_EQ(supply(24.0F).size(), 1U);
 }
 
-TEST_F(Ax130751Diagnostics, ErrorFieldCodesFollowTable23) {
+TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
     verifies<req::AOR_DIAG_010, req::AOR_T23>();
     start();
     set16(0x1400, 5, 50);
@@ -249,7 +249,7 @@ TEST_F(Ax130751Diagnostics, ErrorFieldCodesFollowTable23) {
     EXPECT_EQ(read(0x1003, 0), 0U) << "each until it ends";
 }
 
-// 3.4.86 with 1.8: such a fault affects the outputs, not the state
+// 3.4.86 with 1.8: such a fault affects the outputs, not the NMT state
 TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheNmtState) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);

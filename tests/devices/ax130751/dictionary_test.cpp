@@ -51,7 +51,7 @@ TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
 }
 
 // 3.2.7
-TEST_F(Ax130751Dictionary, WhatIsWritableIsStoredButCommands) {
+TEST_F(Ax130751Dictionary, AllWritableEntriesExceptCommandsAreStored) {
     verifies<req::AOR_STORE_004>();
     // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h take no values; 5B50h and 5B51h lie where LSS stores
     const std::set<unsigned> left_out{0x2500, 0x6220, 0x7300, 0x1003, 0x1010, 0x1011, 0x5B50, 0x5B51};
@@ -170,7 +170,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
 }
 
 // 3.3.5
-TEST_F(Ax130751Dictionary, OutputTypeTakesTheValuesOfTable3AndOfSection1_2) {
+TEST_F(Ax130751Dictionary, OutputTypeAcceptsTheValuesOfTable3AndOfSection1_2) {
     verifies<req::AOR_OD_6310>();
     check_count(0x6310, 2);
     for (int sub = 1; sub <= 2; ++sub) {

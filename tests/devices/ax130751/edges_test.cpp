@@ -31,7 +31,8 @@ class Ax130751Edges : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// Returns the code of the emergency message that a supply voltage causes in the next cycle; "" when there is none.
+    /// Returns the code of the emergency message that a supply voltage causes in the next cycle; "" when the device
+    /// sends none.
     std::string supply(float volts_supplied) {
         inputs.supply = volts_supplied;
         set_inputs();
@@ -208,7 +209,7 @@ TEST_F(Ax130751Edges, EachTypeIsDrivenWithinItsRange) {
     struct Case {
         int type;
         int integer;    ///< 2300h, written while it is within the range
-        int digits;     ///< 6332h from then on
+        int digits;     ///< value of 6332h from then on
         double driven;  ///< V, mA, %, Hz
     };
     override_always();

@@ -119,7 +119,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 1), 0U);
     EXPECT_EQ(read(0x1001, 0), 1U);
     pass(1000);
-    EXPECT_EQ(read(0x1003, 0), 0U);  // it has not occurred again
+    EXPECT_EQ(read(0x1003, 0), 0U);  // the error has not occurred again
     send("721#05");
     EXPECT_EQ(read(0x1001, 0), 0U);
     pass(100);
@@ -159,7 +159,7 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
 }
 
 // 3.2.9: the answer to each of the four modules that falls silent
-TEST_F(Ax130751Errors, EachCommunicationErrorActsBy1029hAlsoWhileAnotherLasts) {
+TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     for (int slot = 1; slot <= 4; ++slot) {

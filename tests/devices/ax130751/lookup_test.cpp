@@ -180,7 +180,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
     EXPECT_EQ(write_x(2, 3, 9), "06090032") << "within the limits, but below point 2";
-    set8(0x3020, 0, canopen);  // 2500h:1, whose default limits are 0 and 0
+    set8(0x3020, 0, canopen);  // 2500h:1, both of whose default limits are 0
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);
@@ -218,7 +218,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
     EXPECT_EQ(output(1), 0) << "60 of 0 to 100 is not ON";
     pass(10);
     set16(0x3027, 11, -10);  // table 2 gives 60 of -10 to 60 now
-    pass(2 + 50);            // the next cycle sets its limits, the following one uses them
+    pass(2 + 50);            // the next cycle sets the limits of table 2, and the following cycle uses them
     EXPECT_EQ(output(1), 25);
 }
 
@@ -237,7 +237,7 @@ TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
     extra(1, 40);
     pass(10);
     EXPECT_EQ(output(3), 0) << "still OFF: between the limits 0 and 100";
-    extra(1, 100);  // starts in the previous cycle
+    extra(1, 100);  // the profile started in the previous cycle
     EXPECT_EQ(output(3), 0);
     pass(50);
     EXPECT_EQ(output(3), 25);
@@ -368,7 +368,7 @@ TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     pass(60);
     EXPECT_EQ(output(1), 40) << "keeps its value";
     EXPECT_FLOAT_EQ(volts(1), 2.0F) << "but the output takes its fault value";
-    // In time response it stops.
+    // In time response the output stops.
     send("37F#640000000000");
     set8(0x3015, 1, 1);
     set32(0x3016, 2, 20);

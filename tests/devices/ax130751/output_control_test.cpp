@@ -199,7 +199,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);
     connect(0x2350, 1);
-    set8(0x2352, 1, 5);  // enabled when OFF, else it keeps its state
+    set8(0x2352, 1, 5);  // enabled when OFF, otherwise it keeps its state
     extra(1, 0);
     EXPECT_TRUE(is_on(1));
     extra(1, 100);

@@ -100,7 +100,7 @@ TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     EXPECT_EQ(get16(0x3108, 0), 70);
     EXPECT_EQ(get16(0x3098, 0), 0);
     now = now + milliseconds(8);
-    device->advance(now);  // no event requires a cycle
+    device->advance(now);  // no event has requested a cycle
     EXPECT_EQ(get16(0x3028, 0), 70);
     EXPECT_EQ(get16(0x3018, 0), 0);
     pass(1);
@@ -196,7 +196,7 @@ TEST_F(Ax130751Output, LateCallPerformsAllMissedCycles) {
     EXPECT_EQ(sent(), (Frames{"1FF#EF010000", "1FF#E3030000", "1FF#D7050000"}));  // 495, 995 and 1495 mV
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
-    now = now + milliseconds(300);  // nothing changes any more
+    now = now + milliseconds(300);  // nothing changes after this
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"1FF#88130000", "1FF#88130000", "1FF#88130000"}));
 }

@@ -284,7 +284,7 @@ TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
-// The control is source 6, the target of the output itself: what it was under the old type is gone before it is read.
+// The control is source 6, the target of the output itself. Its value under the old type is cleared before it is read.
 TEST_F(Ax130751Output, AnOutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023>();
     set8(0x5550, 0, 0);

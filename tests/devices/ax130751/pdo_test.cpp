@@ -111,7 +111,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
 TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
     verifies<req::AOR_PDO_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
-    EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // its timer is 0
+    EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // the event timer is 0
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");
     start();
     send("27F#E803D00700");
@@ -226,7 +226,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, AnyWriteStateButZeroIsOn) {
+TEST_F(Ax130751Pdo, WriteStateOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();

@@ -131,13 +131,13 @@ TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     EXPECT_EQ(answers(1, true), (Pair{false, true}));
     EXPECT_EQ(answers(2, true), (Pair{false, true}));
     EXPECT_EQ(answers(3, true), (Pair{true, false}));
-    // 4: enabled when ON, else kept
+    // response 4: enabled when ON, otherwise it keeps its state
     EXPECT_EQ(answers(4, true), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";
     extra(1, 100);
     EXPECT_FALSE(relay_on());
-    // 5: enabled when OFF, else kept
+    // response 5: enabled when OFF, otherwise it keeps its state
     EXPECT_EQ(answers(5, false), (Pair{true, true}));
     control(0);
     EXPECT_TRUE(relay_on()) << "kept";

@@ -102,7 +102,7 @@ TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfRelayInputs) {
         const bool unlatched = relay_on();
         set8(0x6220, 3, 1);
         pass(1);
-        set8(0x6220, 3, 0);  // back at rest, which is ON
+        set8(0x6220, 3, 0);  // the relay is at rest again, which is ON
         pass(1);
         return unlatched;
     });

@@ -58,7 +58,7 @@ TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysSendsBootUp) {
     verifies<req::AOR_LSS_001>();
     send("7E5#0401");
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));
-    EXPECT_EQ(send("7E5#0400"), Frames{});  // it was waiting already
+    EXPECT_EQ(send("7E5#0400"), Frames{});  // the device was in LSS waiting already
 }
 
 // Table 22, by the index of configure bit timing
@@ -246,7 +246,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     }
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     power_on();
-    EXPECT_EQ(read(0x5032, 0), 85U);  // not stored: lost
+    EXPECT_EQ(read(0x5032, 0), 85U);  // the value was not stored, so it is lost
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     EXPECT_EQ(store(), (Frames{"5FF#6010100100000000"}));
     power_on();
@@ -299,7 +299,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     EXPECT_EQ(read(0x5032, 0), 90U);
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5032, 0), 85U);
-    EXPECT_EQ(read(0x6340, 2), 0U);  // another group
+    EXPECT_EQ(read(0x6340, 2), 0U);  // a value of another group
 }
 
 // 3.4.86

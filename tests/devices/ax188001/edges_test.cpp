@@ -30,7 +30,7 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below it.
+/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below that tenth.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -204,7 +204,8 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
         const auto first = static_cast<std::int32_t>(read(0x2010, 1).value);
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
-        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv, 2.0);  // one on each side, in steps of 0.6 uV
+        EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv,
+                    2.0);  // the two readings are on opposite sides, in steps of 0.6 uV
     }
 }
 

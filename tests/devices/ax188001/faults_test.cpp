@@ -13,7 +13,7 @@ using Faults = TcsTest;
 
 }  // namespace
 
-TEST_F(Faults, FieldValuesAreInTenths) {
+TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
     verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
              req::TCS_S_SUPPLY>();
     EXPECT_EQ(read(0x5040, 1).real(), 350.0F);

@@ -13,7 +13,7 @@ using Limits = TcsTest;
 
 }  // namespace
 
-// One step of the converter is 0.012 degC here: tests so close to a threshold are decisive.
+// One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_011, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030>();

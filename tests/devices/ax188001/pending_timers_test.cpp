@@ -147,7 +147,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
 
 TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_006>();
-    // Read at 165, detected at 165 + 1320 = 1485.
+    // The voltage is read at 165 ms, and the open circuit is detected at 165 + 1320 = 1485 ms.
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 1485 + 1000},
         {"mended before it is known", [&] { cut(2, false); }, never_told},

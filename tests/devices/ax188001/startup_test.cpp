@@ -63,7 +63,7 @@ TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
     EXPECT_EQ(pass(60000), (Frames{"1500:000#0100"}));
 }
 
-TEST_F(Ax188001Startup, CommandOfAMasterCancelsTheStartOfTheOthers) {
+TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     verifies<req::TCS_START_003>();
     start_with(2);
     power_on();

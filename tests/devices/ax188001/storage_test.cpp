@@ -97,7 +97,7 @@ TEST_F(Storage, SavedParametersAreKept) {
             EXPECT_EQ(read(one.index, one.sub).size, one.size) << fmt::format("{:04X}:{}", one.index, one.sub);
         }
     };
-    expect_all();  // each entry has its own place
+    expect_all();  // each entry is stored in its own place
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     power_on();
     expect_all();

@@ -183,7 +183,7 @@ TEST_F(Values, DisabledChannelReadsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
+TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);
@@ -196,7 +196,7 @@ TEST_F(Values, OpenCircuitShowsAtOnceAndKeepsTheLastVoltage) {
     inputs.cold_junction = 60.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(read(0x2010, 1).value, before);  // not the previous reading with another compensation
+    EXPECT_EQ(read(0x2010, 1).value, before);  // not the previous reading with the new compensation
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
@@ -286,7 +286,7 @@ TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     EXPECT_EQ(read(0x2130).value, 0xFFFFU);
     cut(2);
     settle();
-    EXPECT_EQ(read(0x2130).value, 0xFFFFU);  // the channel is disabled: its wire does not matter
+    EXPECT_EQ(read(0x2130).value, 0xFFFFU);  // the channel is disabled, so its wire has no effect
     write(0x6112, 2, 1, 1);
     EXPECT_EQ(read(0x2100).value, not_a_number);
     EXPECT_EQ(read(0x2130).value, 0xFE00U);
@@ -295,7 +295,7 @@ TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     settle();
     write(0x6112, 1, 1, 1);
     write(0x6112, 2, 1, 0);
-    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // that of the first channel too
+    EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the wire of the first channel is broken too
 }
 
 TEST_F(Values, ColdJunctionHasItsOwnValues) {

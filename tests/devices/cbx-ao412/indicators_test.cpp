@@ -108,7 +108,7 @@ TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
     inputs.can_overrun = false;
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // until the next reset
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // two flashes until the next reset
     send("000#8103");
     EXPECT_EQ(watch(m, 40), dark);
 }
@@ -119,7 +119,7 @@ TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
     send("000#8103");
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // it is still active
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // the failure is still active
     inputs.hardware_fault = false;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));

@@ -20,7 +20,7 @@ class Output : public CbxTest {
 
 }  // namespace
 
-TEST_F(Output, ManualExamplesOfFiveVoltsAreMet) {
+TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     verifies<req::AO4_AOUT_001, req::AO4_K_REFERENCE, req::AO4_K_FEEDBACK, req::AO4_K_INPUT_RESISTOR, req::AO4_S_AOUT,
              req::AO4_OD_6411>();
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
@@ -152,7 +152,7 @@ TEST_F(OutputInError, SecondErrorDuringTheFirstChangesNoOutput) {
     verifies<req::AO4_AOUT_006>();
     inputs.internal_fault = true;
     set_inputs();
-    write("603#2344640200000060");  // for the next error
+    write("603#2344640200000060");  // the new error value applies from the next error on
     inputs.can_state = 3;
     set_inputs();
     expect_error_outputs();
@@ -230,7 +230,7 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     write("603#2B04240100000000");
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // still the error value, changed by at most a step
+    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // the output still has the error value, changed by at most a step
     write("603#2B04240108000000");
     EXPECT_NEAR(volts(1), error_value, 0.0026F);
 }
@@ -334,7 +334,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
-    set(1, "0010");  // the heartbeat is still missing
+    set(1, "0010");  // the heartbeat of the producer is still missing
     expect_error_outputs();
     send("000#8103");
     set(1, "0010");  // 1000h = 4096: 512 steps
@@ -352,7 +352,7 @@ TEST_F(OutputInError, InternalFailureOutlastsACommunicationError) {
     inputs.internal_fault = true;
     set_inputs();
     send("731#05");
-    pass(300);  // the heartbeat is missing
+    pass(300);  // the heartbeat is missing by then
     send("731#05");
     write("603#2B11640100100000");
     write("603#2B11640300100000");

@@ -32,7 +32,7 @@ class CbxPending : public testing::Test, public CbxBench {
         write("603#2310100173617665");
         power_on();
     }
-    /// Returns when the node becomes operational; never_started when it does not within two seconds.
+    /// Returns the time at which the node becomes operational; never_started when this takes more than two seconds.
     int started_after(int gone) {
         for (int i = gone; i < 2000; ++i) {
             if (device->state() == NmtState::operational) {

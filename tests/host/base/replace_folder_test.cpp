@@ -23,7 +23,7 @@ TEST(ReplaceFolder, ReplacedFolderHasTheNewFilesOnly) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, MayBeNamedFromTheCurrentFolder) {
+TEST(ReplaceFolder, FolderMayHaveARelativePath) {
     const ScratchFolder folder;
     const auto before = std::filesystem::current_path();
     std::filesystem::current_path(folder / ".");

@@ -27,7 +27,7 @@ std::string complaint_about(const std::vector<Shard>& shards) {
     return "";
 }
 
-TEST(Shard, IsReadAndWrittenAsNumberOfCount) {
+TEST(Shard, ShardIsReadAndWrittenAsNumberAndCount) {
     const Shard shard = parse_shard("2/3");
     EXPECT_EQ(shard.number, 2U);
     EXPECT_EQ(shard.count, 3U);
@@ -35,14 +35,14 @@ TEST(Shard, IsReadAndWrittenAsNumberOfCount) {
     EXPECT_EQ(parse_shard("1/1").text(), "1/1");
 }
 
-TEST(Shard, OtherTextsAreRefused) {
+TEST(Shard, InvalidShardTextIsRefused) {
     for (const char* text : {"", "2", "/3", "2/", "0/3", "4/3", "1/0", "-1/3", "1/3 ", " 1/3", "1/3/5", "a/b",
                              "1/10001", "1/99999999999999999999"}) {
         EXPECT_THROW(parse_shard(text), InputError) << text;
     }
 }
 
-TEST(Shard, HoldsEachCountthElement) {
+TEST(Shard, ShardOfNHoldsEveryNthElement) {
     const std::vector<int> all{0, 1, 2, 3, 4, 5, 6};
     EXPECT_THAT(share_of(all, {1, 3}), ElementsAre(0, 3, 6));
     EXPECT_THAT(share_of(all, {2, 3}), ElementsAre(1, 4));

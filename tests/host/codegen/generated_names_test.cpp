@@ -53,7 +53,7 @@ TEST(GeneratedNames, ObjectsOfOneNameAreDistinguishedByTheirIndex) {
     EXPECT_THAT(text, Not(HasSubstr(" gain = ")));
 }
 
-TEST(GeneratedNames, SharedPartNamesObjectsOfTheStandard) {
+TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
     const std::string listed = "[[standard_object]]\nindex = 0x1003\nname = \"Error list\"\n";
     const LoadResult loaded = load_register(with(shared_file, listed));
     EXPECT_EQ(all_faults(loaded), "");
@@ -89,7 +89,7 @@ TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
                 HasSubstr("inline const NodeProfile profile{"));
 }
 
-TEST(GeneratedNames, ProfileWithoutServicesIsThatOfAPlainNode) {
+TEST(GeneratedNames, ProfileWithoutServicesEqualsThatOfAPlainNode) {
     SpecFiles files = small_register();
     std::string& device = files[device_file];
     device.replace(device.find("lss = true"), 10, "lss = false");

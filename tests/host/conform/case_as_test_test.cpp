@@ -18,7 +18,7 @@ class CaseAsTest : public testing::TestWithParam<const char*> {};
 
 }  // namespace
 
-TEST_P(CaseAsTest, PassesOnTheConformanceSlave) {
+TEST_P(CaseAsTest, CasePassesOnTheConformanceSlave) {
     const std::vector<Case>& cases = built_in_cases().cases;
     const auto one = std::find_if(cases.begin(), cases.end(), [](const Case& any) { return any.id == GetParam(); });
     ASSERT_NE(one, cases.end()) << GetParam();

@@ -72,7 +72,7 @@ class BusLikeTarget final : public Target {
     }
     /// Simulates Ctrl-C at that time.
     void interrupt_at(Instant time) { interrupt_at_ = time; }
-    /// The tester runs on so much later each time that it waits.
+    /// Makes the tester late by this time whenever it waits.
     void be_late_by(Duration delay) { delay_ = delay; }
     SimulatedDevice& device() { return inner_.device(); }
 

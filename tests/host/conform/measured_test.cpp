@@ -12,7 +12,7 @@
 
 namespace canproof::host::conform::test {
 
-TEST(ConformSpread, IsSmallestMedianMeanAndLargest) {
+TEST(ConformSpread, SpreadIsSmallestMedianMeanAndLargest) {
     const Spread spread = spread_of({10, 40, 25});
     EXPECT_EQ(spread.count, 3U);
     EXPECT_EQ(spread.smallest, 10U);
@@ -30,25 +30,25 @@ TEST(ConformSpread, NinetyNineOfAHundredTimesAreNotAboveThePercentile) {
     EXPECT_EQ(spread_of(times).median, 50U);
 }
 
-TEST(ConformHistogram, CountsEachTimeInOneOfFortyBins) {
+TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     const Histogram histogram = histogram_of({{100, 205, 209, 500}, {}, {}});
     EXPECT_EQ(histogram.low, 100.0);
     EXPECT_EQ(histogram.width, 10.0);  // 400 µs in 40 bins
     std::vector<std::size_t> wanted(40, 0U);
     wanted[0] = 1;
     wanted[10] = 2;
-    wanted[39] = 1;  // the largest stands in the last bin
+    wanted[39] = 1;  // the largest time is in the last bin
     EXPECT_EQ(histogram.counts, wanted);
 }
 
-TEST(ConformHistogram, ReachesToTheLimitsThatAreNear) {
+TEST(ConformHistogram, HistogramReachesToTheLimitsThatAreNear) {
     const Histogram histogram = histogram_of({{100}, TimeLimits{80.0, 120.0}, {}});
     EXPECT_EQ(histogram.low, 80.0);
     EXPECT_EQ(histogram.width, 1.0);
     EXPECT_EQ(histogram.counts[20], 1U);
 }
 
-TEST(ConformHistogram, LeavesOutLimitsThatAreFarAway) {
+TEST(ConformHistogram, HistogramLeavesOutLimitsThatAreFarAway) {
     const Histogram far = histogram_of({{100}, {}, TimeLimits{0.0, 1000000.0}});
     EXPECT_EQ(far.low, 0.0);
     EXPECT_EQ(far.width, 2.5);  // 0 to 100
@@ -60,11 +60,11 @@ TEST(ConformHistogram, LeavesOutLimitsThatAreFarAway) {
 
 TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     const Histogram histogram = histogram_of({{7, 7, 7}, {}, {}});
-    EXPECT_EQ(histogram.counts[20], 3U);  // the middle of 6.5 to 7.5
+    EXPECT_EQ(histogram.counts[20], 3U);  // the middle of the bin from 6.5 to 7.5
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, KeepsTheGreatestLimit) {
+TEST(ConformMeasured, GreatestLimitOfATimeIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);
@@ -73,9 +73,9 @@ TEST(ConformMeasured, KeepsTheGreatestLimit) {
     EXPECT_EQ(measured.of_each->most, 2000.0);
 }
 
-TEST(ConformBusUse, AddsUpFramesAndFindsTheBusiestSecond) {
+TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     const Frame frame = parse_frame("605#4000100000000000", "test");
-    const std::uint64_t bits = frame_bits(frame) + 3U;  // and the intermission
+    const std::uint64_t bits = frame_bits(frame) + 3U;  // and the bits of the intermission
     BusUse use;
     use.add({Instant{100}, frame, true});
     use.add({Instant{1200000}, frame, false});

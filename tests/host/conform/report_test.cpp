@@ -64,7 +64,7 @@ TEST(ConformReportFiles, JsonHasVerdictsAndTimes) {
 }
 
 // Eleven gaps of a heartbeat of 100 ms, of which the case accepts 95 to 105 ms in the mean and 80 to 120 ms each.
-TEST(ConformReportFiles, DrawMeasuredTimesWithTheLimitsOfTheCase) {
+TEST(ConformReportFiles, ReportDrawsMeasuredTimesWithTheLimitsOfTheCase) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
         run_on(target, case_text("heartbeat", "write 1017:00 = 100\nperiod 700+N = 100 ms +- 5 % over 11 jitter 20 %"));
@@ -85,7 +85,7 @@ TEST(ConformReportFiles, DrawMeasuredTimesWithTheLimitsOfTheCase) {
 }
 
 // 80 % of 125 kbit/s for two seconds.
-TEST(ConformReportFiles, ShowTheMeasuredLoadOfTheBus) {
+TEST(ConformReportFiles, ReportShowsTheMeasuredBusLoad) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
         run_on(target, case_text("full", "traffic 80 % high\nwait 2 s\ntraffic off\nwait 8 s\nread 1000:00"));
@@ -96,7 +96,7 @@ TEST(ConformReportFiles, ShowTheMeasuredLoadOfTheBus) {
     EXPECT_GT(nlohmann::json::parse(write_json(report))["bus"]["tester_frames"], 1000);
 }
 
-TEST(ConformReportFiles, GiveNoLoadWithoutABitRate) {
+TEST(ConformReportFiles, ReportGivesNoBusLoadWithoutABitRate) {
     ConformReport report = some_report();
     report.bit_rate = 0;
     EXPECT_FALSE(report.mean_load().has_value());

@@ -41,7 +41,7 @@ TEST(ConformRun, SkippedCaseHasItsReason) {
     EXPECT_EQ(left_out.why, "not this one");
 }
 
-TEST(ConformRun, CaseWithoutACheckIsBroken) {
+TEST(ConformRun, CaseWithoutACheckIsReportedAsBroken) {
     EXPECT_EQ(run_steps_on_slave("wait 1 ms").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("wait $unknown").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("while 1 {\nwait 1 us\n}").verdict, Verdict::broken);
@@ -149,7 +149,7 @@ TEST(ConformRun, SilentSlaveIsDistinguishedFromAFailingSlave) {
     EXPECT_EQ(report.exit_status(), 1);
 }
 
-TEST(ConformRun, AbsentSlaveIsAnErrorAndNoVerdict) {
+TEST(ConformRun, AbsentSlaveIsAnErrorWithoutAVerdict) {
     BusLikeTarget target{hooked_slave([](Frame&) { return false; })};
     EXPECT_THROW(run_on(target, case_text("some", "read 1000:00")), InputError);
 }
@@ -174,8 +174,9 @@ TEST(ConformRun, FailingCaseOnABusRunsFourTimes) {
     EXPECT_EQ(report.results.at(0).runs, 4U);
 }
 
-// A producer of 100 ms that the slave may miss for 120 ms: a tester that is 30 ms late is the one that fails.
-TEST(ConformRun, FailureNamesATesterThatIsLate) {
+// The slave is a producer of 100 ms that may be late up to 120 ms. A tester that is 30 ms late must report itself, not
+// the slave.
+TEST(ConformRun, FailureReportStatesThatTheTesterWasLate) {
     const std::string steps =
         "write 1016:01 = ($other << 16) | 120\nproduce 700+$other: 05 every 100 ms\nwait 50 ms\nclear\n"
         "silence 080+N for 1 s";

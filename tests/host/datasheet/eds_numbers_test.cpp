@@ -21,7 +21,7 @@ TEST(EdsNumbers, NumberBasesAreThoseOfC) {
     EXPECT_EQ(value_of("0XfF", "UNSIGNED32"), "255");
     EXPECT_EQ(value_of("010", "UNSIGNED32"), "8");
     EXPECT_EQ(value_of("0", "UNSIGNED32"), "0");
-    EXPECT_EQ(value_of("0x10UL", "UNSIGNED32"), "16");  // the C notation
+    EXPECT_EQ(value_of("0x10UL", "UNSIGNED32"), "16");  // the notation of C, with suffixes
     EXPECT_EQ(value_of("10u", "UNSIGNED32"), "10");
     EXPECT_EQ(value_of("-5L", "INTEGER64"), "-5");
     EXPECT_EQ(value_of("0x1234567890ABCDEFLL", "INTEGER64"), "1311768467294899695");
@@ -38,7 +38,7 @@ TEST(EdsNumbers, ValuesMustFitTheirType) {
     EXPECT_EQ(value_of("-128", "INTEGER8"), "-128");
     EXPECT_EQ(value_of("-129", "INTEGER8"), "none");
     EXPECT_EQ(value_of("-9223372036854775808", "INTEGER64"), "-9223372036854775808");
-    EXPECT_EQ(value_of("0xFFFFFFFFFFFFFFFF", "UNSIGNED64"), "-1");  // the same 64 bits
+    EXPECT_EQ(value_of("0xFFFFFFFFFFFFFFFF", "UNSIGNED64"), "-1");  // the bit pattern of the same 64 bits
     EXPECT_EQ(value_of("1", "BOOLEAN"), "true");
     EXPECT_EQ(value_of("2", "BOOLEAN"), "none");
 }

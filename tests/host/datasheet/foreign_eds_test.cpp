@@ -90,7 +90,7 @@ TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
                 HasSubstr("[1018sub1] has no DataType; UNSIGNED32 is assumed"));
     EXPECT_THAT(told("DataType=0x0009\n", ""), HasSubstr("[2001] has no DataType; VISIBLE_STRING is assumed"));
     EXPECT_THAT(told("DataType=0x0003\n", "DataType=INTEGER16\n"),
-                HasSubstr("DataType INTEGER16 is no number; INTEGER16 is assumed"));
+                HasSubstr("DataType INTEGER16 is not a number; INTEGER16 is assumed"));
     EXPECT_THAT(told("Highest sub-index\nDataType=0x0005", "Highest sub-index"),
                 HasSubstr("[1018sub0] has no DataType; UNSIGNED8 is assumed"));
     EXPECT_THAT(told("AccessType=rw\nDefaultValue=-5", "DefaultValue=-5"),
@@ -103,7 +103,7 @@ TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
     EXPECT_THAT(told("ObjectType=0x9\nSubNumber=2", "SubNumber=2"),
                 HasSubstr("[1018] is a single value without DataType; a RECORD of its sub-objects is assumed"));
     EXPECT_THAT(told("CompactSubObj=2", "CompactSubObj=300"),
-                HasSubstr("CompactSubObj 300 is no number from 0 to 254; 0 is assumed"));
+                HasSubstr("CompactSubObj 300 is not a number from 0 to 254; 0 is assumed"));
     EXPECT_THAT(told("CompactSubObj=2\n", ""), HasSubstr("[6200] has no sub-objects; a VAR is assumed"));
     EXPECT_THAT(told("CompactSubObj=2\nDataType=0x0005\n", ""),
                 HasSubstr("[6200] has no sub-objects; object 6200h does not exist"));
@@ -117,13 +117,13 @@ TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
 TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
     const EdsResult read = read_eds(box + "[DeviceComissioning]\nNodeID=0xff\nBaudrate=0\n", "x");
     EXPECT_EQ(texts(read.faults), "");
-    EXPECT_THAT(texts(read.notes), HasSubstr("NodeID 0xff is no number from 1 to 127; 1 is assumed"));
-    EXPECT_THAT(texts(read.notes), HasSubstr("BaudRate 0 is no number from 10 to 1000; 125 is assumed"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("NodeID 0xff is not a number from 1 to 127; 1 is assumed"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("BaudRate 0 is not a number from 10 to 1000; 125 is assumed"));
     EXPECT_EQ(read.part.info.node_id, 1);
     EXPECT_EQ(read.part.info.bit_rate, 125000);
 }
 
-TEST(ForeignEds, ObjectInNoListExists) {
+TEST(ForeignEds, ObjectThatNoListNamesExists) {
     const EdsResult read = read_eds(replaced(box, "3=0x2002\n", ""), "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists; the object exists"));
@@ -133,7 +133,7 @@ TEST(ForeignEds, ObjectInNoListExists) {
     EXPECT_EQ(to_text(entry(none.part, 0x2000, 0).value), "7");
 }
 
-TEST(ForeignEds, CobIdsAreNeverTheNmtIdentifier) {
+TEST(ForeignEds, CobIdWithoutAUsableValueIsNeverTheNmtIdentifier) {
     const std::string rest = "DataType=7\nAccessType=rw\n";
     std::string text = "[1005]\n" + rest + "[100E]\n" + rest + "DefaultValue=0\n[1014]\n" + rest;
     for (const char* index : {"1400", "1403", "1404", "1800", "1803", "1804"}) {
@@ -226,7 +226,7 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
     EXPECT_THAT(told, HasSubstr("bytes; at most 65535 can be run"));
 }
 
-TEST(BrokenEds, EveryPrefixOfAFileIsReadWithoutHarm) {
+TEST(BrokenEds, TruncatedFilesOfEveryLengthAreReadWithoutACrash) {
     for (std::size_t length = 0; length < box.size(); length += 7) {
         EdsResult read = read_eds(box.substr(0, length), "x");
         if (read.faults.empty()) {

@@ -133,7 +133,7 @@ TEST_F(RunningBox, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
     EXPECT_THAT(send("605#2B0020009BFF0000"), ElementsAre("585#8000200032000906"));  // -101 is too low
 }
 
-TEST_F(RunningBox, PdoOfTheNodeIdSetsItsObject) {
+TEST_F(RunningBox, RpdoOnItsDefaultCobIdSetsItsObject) {
     send("000#0105");
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_THAT(send("205#11"), IsEmpty());

@@ -49,7 +49,7 @@ std::vector<std::string> advice_on_statement(const std::string& place, const std
 
 }  // namespace
 
-TEST(RegisterAdvice, NoAdviceForOneDemandInOneSentence) {
+TEST(RegisterAdvice, OneDemandInOneSentenceGivesNoAdvice) {
     EXPECT_THAT(advice_on_text("When bit 3 of 1.5 V is set, e.g. by a master, the box shall blink (see 2000h)."),
                 IsEmpty());
 }
@@ -63,7 +63,7 @@ TEST(RegisterAdvice, RequirementOfSeveralDemandsIsReported) {
                 ElementsAre(HasSubstr("2 sentence(s)")));
 }
 
-TEST(RegisterAdvice, NoAdviceForARetiredRequirement) {
+TEST(RegisterAdvice, RetiredRequirementGivesNoAdvice) {
     const std::string text = requirement("The box blinks. It is silent.") + "retired = \"merged\"\n";
     EXPECT_THAT(advice_of(with(items_file, text)), IsEmpty());
 }

@@ -13,11 +13,11 @@ namespace canproof::host::test {
 
 struct Broken {
     std::string name;
-    std::string file;  ///< of the small register, replaced or added
+    std::string file;  ///< name of a file of the small register, which is replaced or added
     std::string text;
     unsigned line;
     std::string what;  ///< texts that the fault must contain
-    std::string mend;
+    std::string fix;
 };
 
 inline void PrintTo(const Broken& broken, std::ostream* out) {

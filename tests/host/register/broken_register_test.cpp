@@ -253,7 +253,7 @@ TEST_P(BrokenRegister, BrokenRegisterIsRefusedWithPlaceReasonAndFix) {
     EXPECT_EQ(fault.place.file, other_file ? "spec/devices/lid/device.toml" : broken.file);
     EXPECT_EQ(fault.place.line, broken.line) << fault.text();
     EXPECT_THAT(fault.what, testing::HasSubstr(broken.what));
-    EXPECT_THAT(fault.mend, testing::HasSubstr(broken.mend));
+    EXPECT_THAT(fault.fix, testing::HasSubstr(broken.fix));
 }
 
 INSTANTIATE_TEST_SUITE_P(Requirements, BrokenRegister, testing::ValuesIn(requirement_cases), case_name);

@@ -70,7 +70,7 @@ constexpr bool turned(const unsigned mutant) {
     return is(mutant);
 }
 
-/// `a OP b` with both values computed. The mutant returns the second.
+/// `a OP b` with both values computed. The mutant returns the second value.
 template <typename T, typename U>
 constexpr T either(const unsigned mutant, const T value, const U other) {
     if (__builtin_is_constant_evaluated()) {

@@ -126,7 +126,7 @@ const std::vector<Expected> expected{
     {"a -> variable b", apart, [](unsigned a, unsigned b) { return a * 10U + b; }},
     {"logs.kept.first -> variable logs.kept.second", apart, [](unsigned, unsigned) { return 0U; }},
     {"list[a] -> [0]", [](unsigned a, unsigned) { return element(a); }, [](unsigned, unsigned) { return 10U; }},
-    // A variable that a condition declares is no mutant; the rest of the statement is.
+    // The declaration of a variable in a condition has no mutants; the rest of the statement has.
     {"kept -> variable a", [](unsigned a, unsigned) { return declared(a); },
      [](unsigned a, unsigned) { return a != 0U ? a : 9U; }},
     {"9U -> +1", [](unsigned a, unsigned) { return declared(a); },

@@ -137,7 +137,7 @@ void BxcanModel::follow_request() {
     if (!answers_ || wanted == initialising_) {
         return;
     }
-    if (wanted && !on_bus_) {  // a frame on the bus is completed first
+    if (wanted && !on_bus_) {  // a frame on the bus is completed before this
         initialising_ = true;
         recovers_ = false;
     } else if (!wanted && !dominant_) {

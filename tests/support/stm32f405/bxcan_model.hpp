@@ -18,8 +18,8 @@ class BxcanModel final : public Peripheral {
 
     stm32f405::BxcanRegisters& registers() { return block_; }
 
-    // Behaviour of the hardware.
-    void answer_initialisation(bool answers) { answers_ = answers; }  ///< whether INAK ever follows INRQ
+    // Settings for the behaviour of the hardware.
+    void answer_initialisation(bool answers) { answers_ = answers; }  ///< sets whether INAK ever follows INRQ
     void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< without 11 recessive bits, INAK stays set
     void release_slowly(bool slowly) { releases_slowly_ = slowly; }   ///< RFOM stays set until finish_release()
     void finish_release();

@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-/// Registers without side effects.
+/// Models a peripheral whose registers have no side effects.
 template <typename Registers>
 class PlainModel final : public Peripheral {
   public:

@@ -22,7 +22,7 @@ std::int64_t to_units(const float degrees) noexcept {
     return static_cast<std::int64_t>((scaled < 0.0F) ? (scaled - 0.5F) : (scaled + 0.5F));
 }
 
-/// Returns the same direction with -half_turn < units <= half_turn.
+/// Returns the same direction as an angle with -half_turn < units <= half_turn.
 std::int64_t wrapped(const std::int64_t units) noexcept {
     std::int64_t rest = units % full_turn;
     if (rest > half_turn) {
@@ -57,7 +57,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    seen_ = 0;  // mean_of_window() ignores all older runs
+    seen_ = 0;  // mean_of_window() then ignores all older runs
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;

@@ -44,8 +44,8 @@ class AngleFilter {
     std::array<std::int64_t, run_capacity> runs_{};  ///< sums of whole runs, a ring
     std::size_t newest_{0U};                         ///< position of the latest whole run
     std::int64_t sum_{0};                            ///< sum of the present run or block
-    std::int32_t collected_{0};                      ///< samples in it
-    std::int32_t seen_{0};                           ///< samples so far, at most `samples_`
+    std::int32_t collected_{0};                      ///< number of samples in this sum
+    std::int32_t seen_{0};                           ///< number of samples so far, at most `samples_`
     std::int64_t turned_{0};                         ///< latest sample including whole turns, microdegrees
     float output_{0.0F};
     std::int32_t samples_{1};

@@ -15,7 +15,7 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h error behaviour
-constexpr std::uint32_t no_state_change = 1U;     // value of 1029h (4.2.13)
+constexpr std::uint32_t no_state_change = 1U;     // value of 1029h error behaviour (4.2.13)
 
 static_assert(implements<req::INC_T21>);
 constexpr const NodeProfile& profile = own::profile;
@@ -100,7 +100,7 @@ void Device::put_factory_values(const ParameterGroup group) {
         objects_.set(field::o2400_calibrated_pitch_angle_data, factory_.calibration.pitch);
         objects_.set(field::o2401_calibrated_roll_angle_data, factory_.calibration.roll);
     } else {
-        // no application parameters
+        // the device has no application parameters
     }
 }
 
@@ -126,8 +126,8 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001>);
 void Device::booted(const Instant now) {
-    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below would not stop
-    // the self-start.
+    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below would not
+    // prevent the self-start.
     const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
     const bool keeps_out =
         failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);

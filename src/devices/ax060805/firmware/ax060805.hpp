@@ -64,7 +64,7 @@ class Device final : private Application {
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 
-    // In the order in which they process a sample.
+    // The blocks, in the order in which they process a sample.
     void restart_sensor(Instant now) noexcept;
     void measure_due(Instant now) noexcept;
     void take_sample() noexcept;

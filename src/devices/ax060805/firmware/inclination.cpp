@@ -38,7 +38,7 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
     } else if (settings.euler) {
         angles.roll = last_roll(settings);
     } else {
-        // tilt angles have no gimbal lock
+        // only Euler angles have gimbal lock
     }
     angles_ = {angles.pitch, angles.roll, gravity_angle(gravity)};
 }

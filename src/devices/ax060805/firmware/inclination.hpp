@@ -17,11 +17,11 @@ struct InclinationSettings {
     PitchRoll calibration{};       ///< of the sensor in the unit, degrees
     PitchRoll installation{};      ///< of the unit on the machine, degrees
     bool euler{false};             ///< pitch and roll as Euler angles; otherwise as tilt angles
-    float gimbal_lock_cone{0.0F};  ///< degrees from the vertical; within it the Euler roll is unreliable
+    float gimbal_lock_cone{0.0F};  ///< degrees from the vertical; within this angle the Euler roll is unreliable
     float least_gravity{0.0F};     ///< g; a smaller acceleration has no measurable direction
 };
 
-/// Positions of the angles in the array that angles() returns.
+/// Positions of the three angles in the array that angles() returns.
 constexpr std::size_t pitch_angle = 0U;
 constexpr std::size_t roll_angle = 1U;
 constexpr std::size_t gravity_tilt = 2U;

@@ -19,7 +19,7 @@ using namespace ax060805;
 constexpr double pi = 3.14159265358979323846;
 constexpr double turn_seconds = 20.0;
 constexpr double tumble_seconds = 3.0 * turn_seconds;
-constexpr double counts_per_degree = 50.0;  // 180 degrees are 9000 counts
+constexpr double counts_per_degree = 50.0;  // 1/50 degree per count: 180 degrees are 9000 counts
 
 struct Quaternion {
     double w, x, y, z;
@@ -137,7 +137,7 @@ LinePlot angle_error_plot() {
         const double seconds = tumble_seconds * i / steps;
         const auto exact = gravity_at(attitude_at(seconds));
         const Vector3 single{static_cast<float>(exact[0]), static_cast<float>(exact[1]), static_cast<float>(exact[2])};
-        // Both computations use the same input.
+        // Both computations use the same acceleration as input.
         const double x = static_cast<double>(single.x);
         const double y = static_cast<double>(single.y);
         const double z = static_cast<double>(single.z);

@@ -19,7 +19,7 @@ namespace own = generated::ax060805;
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Returns the decimal number as the requirements register contains it: 0.7, not 0.699999988.
+/// Returns the number in double precision as the requirements register contains it: 0.7, not 0.699999988.
 double as_written(float value) {
     return std::stod(fmt::format("{}", value));
 }

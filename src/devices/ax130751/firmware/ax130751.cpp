@@ -95,7 +95,7 @@ void Device::advance(const Instant now) noexcept {
         }
         node_.advance(due);
         watch_network(due);
-        // A deadline that is still due waits for something else, such as room in the queue.
+        // A deadline that is still due after the call waits for another event, such as room in the queue.
         due = earliest(if_later(node_.next_deadline(), due), if_later(next_cycle_, due));
     }
     node_.advance(now);
@@ -110,7 +110,7 @@ static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
     const bool quiet = !run_blocks(now);
     tell_errors(now);
-    // After two such cycles in a row, all further cycles would be the same until a new event.
+    // After two such cycles in a row, all further cycles would have the same result until a new event.
     const bool rests = quiet && was_quiet_;
     was_quiet_ = quiet;
     next_cycle_ = rests ? next_change() : (now + cycle_time);
@@ -154,8 +154,8 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Watches what makes CANopen messages faulty as sources, and the state of the node, in which outputs run: a second
-/// fault changes it while the sources stay as they are.
+/// Observes the causes of errors in CANopen messages as sources, and the NMT state, because outputs work in operational
+/// only. A second fault can change the state although the sources stay the same.
 static_assert(implements<req::AOR_OUT_026>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);

@@ -81,7 +81,7 @@ class Device final : private Application {
     LssConfiguration lss_stored_{};  ///< the settings that LSS last stored, without the values of 5B50h and 5B51h
     std::uint32_t bit_rate_{0U};
 
-    // In the order in which a cycle evaluates them.
+    // The blocks, in the order in which a cycle evaluates them.
     Supervision supervision_{};
     Sources sources_;
     std::array<FirstPoint, table_count> first_points_{};
@@ -96,9 +96,10 @@ class Device final : private Application {
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
-    bool runs_{false};  ///< the node was operational when watch_network() looked
-    /// The last cycle changed nothing: after two of that kind blocks are not evaluated. Keys: frames, inputs and writes
-    /// (each ends in wake()), what watch_network() sees, what run_blocks() tells, and the times in next_change().
+    bool runs_{false};  ///< the node was operational at the last call of watch_network()
+    /// The last cycle changed nothing. After two such cycles the blocks are not evaluated. This cache depends on
+    /// frames, inputs and writes (each calls wake()), on the state that watch_network() reads, on the result of
+    /// run_blocks(), and on the times in next_change().
     bool was_quiet_{false};
 };
 

@@ -25,7 +25,7 @@ class TableBlock {
   private:
     SourceChoice source_{};
     LookupTable table_{};
-    // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each move of point 1, calls
+    // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each change of point 1, calls
     // reread().
     LookupConfig config_{};  ///< as last read
     LookupLimits limits_{};  ///< limits of its output, for other blocks
@@ -74,7 +74,7 @@ class CalculationBlock {
                    const Sources& sources) noexcept;
 
     /// An input with the values computed from its parameters. This cache depends on source and number, each scaling and
-    /// the digits, and the gain in `gain_parameter`.
+    /// its digits, and the gain in `gain_parameter`.
     struct Input {
         SourceChoice choice{};
         KeptPhysicalValue scaling_1{};

@@ -116,7 +116,7 @@ struct ConditionFields {
 struct LogicFields {
     ArrayField<std::uint8_t, 3U> tables;
     ArrayField<std::uint8_t, 3U> operators;
-    std::array<ConditionFields, 9U> conditions;  ///< A1, A2, A3, B1, …
+    std::array<ConditionFields, 9U> conditions;  ///< A1, A2, A3, B1, B2, B3, C1, C2, C3
 };
 
 inline constexpr std::array<LogicFields, logic_count> logic_fields{{

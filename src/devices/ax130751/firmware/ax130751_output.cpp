@@ -61,7 +61,7 @@ bool UniversalOutput::follow_type() noexcept {
     }
     reset();
     constexpr std::int16_t off = 0;
-    return show(off, off);  // before the inputs are read: one of them may be the value of this output
+    return show(off, off);  // before the inputs are read, because one of them may be the value of this output
 }
 
 bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {
@@ -114,7 +114,7 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
                             : EnableAction::run;
     const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
     if (digital && runs && (!signals.control.is_available())) {
-        conditions.enable = EnableAction::shut_off;  // without a control signal the output is off, whatever the
+        conditions.enable = EnableAction::shut_off;  // without a control signal the output is OFF, whatever the
                                                      // polarity
     }
     return choose_drive(conditions);

@@ -43,14 +43,15 @@ class UniversalOutput {
   private:
     using Kind = generated::ax130751::output_type::Kind;
 
-    /// The present control, enable and override signals.
+    /// The present control, enable and override signals of the output.
     struct InputSignals {
         BlockSignal control{};
         BlockSignal enable{};
         BlockSignal override_input{};
     };
 
-    /// Starts from OFF when 6310h (AO output type) has changed. True when 7330h or 2370h changed with it.
+    /// Switches the output OFF first when 6310h output type has changed. Returns true when 7330h or 2370h changed as a
+    /// result.
     bool follow_type() noexcept;
     InputSignals read_inputs() noexcept;
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;

@@ -30,7 +30,7 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
     }
 }
 
-/// Returns whether the unit has the relay. Polarity 0 means that it does not: nothing drives it.
+/// Returns whether the unit has the relay. Polarity 0 means that it has none, so that nothing drives the relay.
 bool is_implemented(const std::uint8_t value) noexcept {
     using Drive = own::relay_polarity::Drive;
     return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=
@@ -105,7 +105,7 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
                             ? enable_action(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
                             : EnableAction::run;
     if ((!control.is_available()) && (conditions.enable == EnableAction::run)) {
-        conditions.enable = EnableAction::shut_off;  // without a control signal the relay is off, whatever the polarity
+        conditions.enable = EnableAction::shut_off;  // without a control signal the relay is OFF, whatever the polarity
     }
     return choose_drive(conditions);
 }

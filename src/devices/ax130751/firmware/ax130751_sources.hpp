@@ -45,7 +45,7 @@ class SourceChoice {
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
-    static constexpr std::uint8_t not_yet = 0xFFU;  // not the number of any source
+    static constexpr std::uint8_t not_yet = 0xFFU;  // a value that no source has
 
     std::uint8_t source_{not_yet};
     std::uint8_t number_{not_yet};
@@ -68,8 +68,8 @@ class Sources {
     /// Returns the signal without its limits, for callers that do not need them: the limits take more time than the
     /// rest.
     BlockSignal reading(const SourceRef& ref) const noexcept;
-    /// Returns only the lower limit, even when there is no value. Not for a lookup table: the points determine its
-    /// limits.
+    /// Returns only the lower limit, even when there is no value. It must not be called for a lookup table, whose
+    /// limits depend on its points.
     double minimum(const SourceRef& ref) const noexcept;
 
   private:
@@ -99,7 +99,7 @@ class Sources {
 
     const ObjectDictionary& objects_;
     // Many blocks read the same quantities, which rarely change. These members are caches, not state: they depend on
-    // the entry's integer and its digits, which each reading compares. There is one of each per channel.
+    // the entry's integer and its digits, and each reading compares both. Each channel has its own caches.
     mutable std::array<KeptPhysicalValue, output_count> commands_{};
     mutable std::array<KeptPhysicalValue, output_count> field_values_{};
     mutable std::array<KeptPhysicalValue, output_count> feedbacks_{};

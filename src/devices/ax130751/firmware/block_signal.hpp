@@ -41,7 +41,7 @@ constexpr double power_of_ten(const std::uint8_t digits) noexcept {
 constexpr double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
     const double whole = static_cast<double>(integer);
     return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // avoids a slow division: the FPU of a Cortex-M4F
-                                                                     // has none for doubles
+                                                                     // cannot divide doubles
 }
 
 /// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change;

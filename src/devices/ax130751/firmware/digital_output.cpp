@@ -35,7 +35,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
         blinking_ = false;  // blinking starts again with ON
         next_blink_ = never;
     }
-    control_before_ = demand.control;  // an edge during another drive does not count later
+    control_before_ = demand.control;  // an edge while something else drives the output does not count later
     return state_;
 }
 

@@ -20,7 +20,7 @@ class DigitalReading {
             } else if (signal.value >= signal.upper) {
                 on_ = true;
             } else {
-                // within the hysteresis
+                // between the limits the state stays
             }
         } else {
             // in error

@@ -74,7 +74,7 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
     if (config.axis == LookupAxis::time) {
         value_ = follow_time(input, config, now);
     } else {
-        start_ = DigitalReading{};  // a profile selected later begins with its input OFF
+        start_ = DigitalReading{};  // a profile that is selected later begins with its input OFF
         running_ = false;
         under_way_ = false;
         value_ = input.is_valid() ? lookup(input.value, config.points) : value_;

@@ -143,7 +143,7 @@ double MathBlock::input_value(const MathInput& input) const noexcept {
         return math_fraction(input) * input.gain;
     }
     const MathFunction& fed_back = results_[input.own_function - 1U];
-    const bool is_inverted = input.gain < 0.0;  // only then a negative difference keeps its sign (1.7)
+    const bool is_inverted = input.gain < 0.0;  // a negative difference keeps its sign only then (1.7)
     return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
 }
 

@@ -38,7 +38,7 @@ struct MathResult {
 /// The result of one function.
 struct MathFunction {
     double value{0.0};
-    double with_sign{0.0};  ///< the same, but a negative difference keeps its sign
+    double with_sign{0.0};  ///< the same result, but a negative difference keeps its sign
 };
 
 class MathBlock {
@@ -47,8 +47,8 @@ class MathBlock {
     /// scale, values outside 0…1 are possible.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
-    /// Returns whether the last cycle gave the same results as the one before; with the same inputs the next one does
-    /// too.
+    /// Returns whether the last cycle gave the same results as the previous one; with the same inputs the next cycle
+    /// then gives them too.
     bool is_settled() const noexcept { return settled_; }
 
   private:

@@ -34,7 +34,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge during another drive does not count later
+    control_before_ = demand.control;  // an edge while something else drives the relay does not count later
     return state_;
 }
 
@@ -82,7 +82,7 @@ static_assert(implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013>);
 bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Instant now) noexcept {
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
-    // While a change to OFF is delayed, the relay continues as before: steady or toggling.
+    // While a change to OFF is delayed, the relay continues in its mode: steady or toggling.
     static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {

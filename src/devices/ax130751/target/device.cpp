@@ -7,7 +7,7 @@ namespace {
 
 using namespace canproof;
 
-// Its table of bit rates has 666.667 kbit/s and not 800.
+// The table of bit rates of this device contains 666.667 kbit/s and not 800.
 target::DeviceImage<ax130751::Device, ax130751::Wiring, ax130751::FactoryData, 8192> image{stm32f405::core_168_mhz};
 
 }  // namespace

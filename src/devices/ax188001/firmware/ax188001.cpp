@@ -22,7 +22,7 @@ static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>)
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// Most readings that are caught up when the caller comes late; earlier missed ones are skipped.
+// Largest number of missed readings that a late call performs; earlier missed readings are skipped.
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4>);
@@ -55,7 +55,7 @@ constexpr ErrorTable make_error_table() noexcept {
         told.code = static_cast<std::uint16_t>(row.code);
         told.register_bits = generic_error;
         told.sent = true;
-        told.listed = row.error != ErrorId::bus_off_recovered;  // it is over when it is reported
+        told.listed = row.error != ErrorId::bus_off_recovered;  // a bus-off is over when it is reported
         told.detail = static_cast<std::uint16_t>((description << 8U) | row.channel);
         put_error(table, row.error, told);
     }
@@ -152,7 +152,7 @@ void Device::tell_faults(const Instant now) noexcept {
     const std::uint32_t channel_reaction = reaction_to(own::error_reaction::Errors::tc_input);
     const std::uint32_t unit_reaction = reaction_to(own::error_reaction::Errors::fault_detection);
     if (node_.state() == NmtState::initialising) {
-        return;  // booted() reports the faults
+        return;  // booted() reports the faults instead
     }
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         for (std::size_t i = 0U; i < channel_fault_count; ++i) {
@@ -178,7 +178,7 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     const own::Written change = own::written(entry.index, entry.row->subindex);
-    // The sub-index is the channel, counted from 1. For a parameter without a channel the value is not used.
+    // The sub-index is the channel, counted from 1. The value has no meaning for a parameter without a channel.
     const std::size_t channel = (std::uint32_t{change.subindex} == channel_count) ? 1U : 0U;
     scanner_.reevaluate(change.parameter, channel, now);
     tell_faults(now);
@@ -211,8 +211,8 @@ void Device::booted(const Instant now) {
     obey_lasting_faults(now);
 }
 
-/// Applies 1029h error behaviour to faults that last beyond a reset of the communication, as when they were first
-/// reported. 1029h has priority over the self-start.
+/// Applies 1029h error behaviour to faults that last beyond a reset of the communication, in the same way as when they
+/// were first reported. 1029h has priority over the self-start.
 static_assert(implements<req::TCS_START_005>);
 void Device::obey_lasting_faults(const Instant now) noexcept {
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {

@@ -39,8 +39,8 @@ constexpr ConverterCircuit make_circuit() noexcept {
 }
 const ConverterCircuit circuit = make_circuit();
 
-// Conversions to go from the highest gain to the lowest and settle after each change; the module waits for them at
-// start.
+// Conversions for the way from the highest gain to the lowest, with settling after each change; the module waits for
+// them at start.
 const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
 
@@ -92,7 +92,8 @@ void Scanner::read(const Inputs& inputs) noexcept {
 }
 
 /// Returns the voltage at the converter. The detection current pulls the input of a broken wire beyond the range of
-/// every gain. Residual hum alternates in sign between readings, the worst case of a beat with them.
+/// every gain. Residual hum changes its sign from reading to reading, which is the worst case of a beat between hum and
+/// readings.
 static_assert(implements<req::TCS_IN_006>);
 double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
     if (inputs.tc_open[channel]) {

@@ -40,7 +40,8 @@ class Scanner {
     void read(const Inputs& inputs) noexcept;
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
-    /// Converts and evaluates again what depends on a written parameter, of this channel (0 or 1) if it has one.
+    /// Converts and evaluates again the values that depend on a written parameter, of this channel (0 or 1) if the
+    /// parameter has one.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Reports the faults whose delay has passed.
     void advance(Instant now) noexcept;
@@ -103,8 +104,8 @@ class Scanner {
 
     ObjectDictionary& objects_;
     std::array<GainRanging, channel_count> converters_{};
-    std::array<Kept<double>, channel_count> compensations_{};    ///< µV, by the °C of the cold junction
-    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< by the µV of the input
+    std::array<Kept<double>, channel_count> compensations_{};    ///< in µV; the key is the °C of the cold junction
+    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< the key is the µV of the input
     std::array<Measurement, channel_count> measurements_{};
     std::array<std::array<DelayedFault, channel_fault_count>, channel_count> faults_{};
     std::array<DelayedFault, unit_fault_count> unit_faults_{};

@@ -70,8 +70,8 @@ struct FixedPolynomial {
         return Offset{is_within ? (distance << (spare_bits - reach)) : UINT64_MAX, x < centre};
     }
 
-    /// Returns the value by Horner's scheme. Each sum has an error of at most 2^-38, which the following
-    /// multiplications by a fraction reduce.
+    /// Returns the value by Horner's scheme. Each sum has an error of at most 2^-38; the following multiplications by a
+    /// fraction reduce this error.
     constexpr Fixed value(const Offset& at) const noexcept {
         Fixed sum{0};
         for (std::size_t i = terms; i > 0U; --i) {

@@ -31,7 +31,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
     static_assert(implements<req::TCS_IN_004>);
     for (std::size_t finer = 0U; finer < step_; ++finer) {
         if (size <= (circuit.gains[finer].full_scale_uv * circuit.raise_fraction)) {
-            choose(finer, circuit);  // ends the search, because step_ is now `finer`
+            choose(finer, circuit);  // ends the search, because step_ is `finer` now
         }
     }
 }

@@ -7,7 +7,7 @@ namespace {
 
 using namespace canproof;
 
-// Its table of bit rates has 800 kbit/s.
+// The table of bit rates of this device contains 800 kbit/s.
 target::DeviceImage<ax188001::Device, ax188001::Wiring, ax188001::FactoryData, 1024> image{stm32f405::core_160_mhz};
 
 }  // namespace

@@ -33,7 +33,7 @@ class Wiring {
         inputs.cpu_temperature = chip_.analog_in.chip_temperature();
     }
 
-    /// Does nothing: gain and filter belong to converters that this board does not have.
+    /// Does nothing, because gain and filter belong to converters that this board does not have.
     void drive(const Outputs&) {}
 
   private:

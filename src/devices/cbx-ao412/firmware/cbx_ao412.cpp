@@ -145,7 +145,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::program_control:
         case Parameter::analogue_output_error_mode:
         case Parameter::analogue_output_error_value:
-            break;  // no output changes at once
+            break;  // no output changes immediately
         default:
             break;  // -Wswitch-enum demands a label for each parameter
     }

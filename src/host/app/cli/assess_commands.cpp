@@ -71,7 +71,7 @@ class FuzzCommand : Command {
   private:
     CampaignOptions options_;
     std::string shard_;
-    double hours_{0.0};  ///< 0: --minutes counts
+    double hours_{0.0};  ///< duration of the campaign in hours; 0: --minutes sets the duration
 };
 
 class AuditCommand : Command {

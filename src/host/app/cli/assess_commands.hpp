@@ -12,7 +12,7 @@ class App;
 
 namespace canproof::host {
 
-/// Adds the commands to `app`. The result owns their options: keep it until the chosen command has run.
+/// Adds the commands to `app`. The returned object owns their options: keep it until the chosen command has run.
 std::shared_ptr<void> add_assess_commands(CLI::App& app, Chosen& chosen);
 
 }  // namespace canproof::host

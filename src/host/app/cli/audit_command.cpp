@@ -53,7 +53,7 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// Items and statements that pass a filter, and how many of them are not shown.
+/// The items and statements that pass a filter, and the number of those that are not shown.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;
@@ -139,7 +139,7 @@ void print_conditions(const std::vector<ConditionOfUse>& conditions, const bool 
     fmt::print("{} condition(s) of use\n", conditions.size());
 }
 
-/// Returns the audits of this device and of the shared rules on which it rests; all audits without a name.
+/// Returns the audits of this device and of the shared rules that it uses. Without a name, returns all audits.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
         return !device.empty() && one.part->is_device() && one.part->name != device;
@@ -148,8 +148,8 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Returns which items are shown by tests that notice a mutant, and how much of the record no longer holds. Returns
-/// nothing for a project without a record.
+/// Returns which items are shown by tests that notice a mutant, and how many lines of the record no longer apply.
+/// Returns nothing for a project without a record.
 std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
                                   const Evidence& evidence) {
     const KillRecord record = read_kill_record(root / "reports" / "kills.csv");

@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Each prints to standard output and returns the exit status. Throws InputError for a device that is not in the
-/// catalogue.
+/// Each function prints to standard output and returns the exit status. It throws InputError for a device that is not
+/// in the catalogue.
 int list_devices();
 int list_signals(const std::string& device);
 struct EdsOptions {

@@ -16,7 +16,7 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has no part
+    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has no part in the requirements register
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
     std::string notice;         ///< message for the user before the run; empty: no message
 };
@@ -30,10 +30,11 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file
 /// without folder and extension. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
-/// FILE or FILE@NODE: a device of the catalogue whose image runs on the emulated microcontroller; its name is the
-/// device's, with @NODE. Throws InputError and ImageFailed.
+/// Returns the device for FILE or FILE@NODE, where FILE is the image of a device of the catalogue for the emulated
+/// microcontroller. Its name is that of the device, with @NODE. Throws InputError and ImageFailed.
 ChosenDevice choose_image(const std::string& text);
-/// Every device of the catalogue that runs; one whose node-ID as shipped is taken gets the lowest that is free.
+/// Returns every device of the catalogue for a run. When the node-ID of a device as shipped is taken, the device gets
+/// the lowest free node-ID.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 

@@ -83,7 +83,7 @@ class CatalogueCommands : Command {
         });
         eds->callback([this, check, &chosen] {
             if (check->parsed()) {
-                return;  // the subcommand has set `chosen`
+                return;  // the subcommand has set `chosen` already
             }
             if (printed_.device.empty()) {
                 throw CLI::RequiredError{"DEVICE"};

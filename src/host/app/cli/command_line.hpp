@@ -4,7 +4,7 @@
 
 namespace canproof::host {
 
-/// Runs the command that the arguments name. Returns the exit status: 0 done, 1 the checked thing has faults, 2 wrong
+/// Runs the command that the arguments name. Returns the exit status: 0 done, 1 the checked object has faults, 2 wrong
 /// use or unreadable input.
 int run_command_line(int argc, char** argv);
 

@@ -9,10 +9,10 @@
 namespace canproof::host {
 
 struct ConformCommandOptions {
-    std::string device;               ///< of the catalogue; empty: `eds` or `arm`
+    std::string device;               ///< name in the catalogue; empty: `eds` or `arm` is given
     std::string eds;                  ///< file
-    std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: it runs here
-    std::optional<std::string> node;  ///< as shipped without it
+    std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: no image
+    std::optional<std::string> node;  ///< node-ID; without it, the node-ID as shipped
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
     std::vector<std::string> only;   ///< services to run
@@ -26,7 +26,7 @@ struct ConformCommandOptions {
     bool allow_lss{false};
     bool by_hand{false};           ///< the user switches the slave off and on
     bool no_remote_frames{false};  ///< the user's adapter does not carry them
-    double traffic{0.0};  ///< per cent of the bus
+    double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
 };
 
 /// Prints the verdicts and writes the report. Returns the exit status: 0 all passed, 1 a case failed, 2 the run could

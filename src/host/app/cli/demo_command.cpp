@@ -47,7 +47,7 @@ void play(const DeviceModel& model) {
             advance_device(*device, scene.title, now);
         }
         while (!device->queue().empty()) {
-            device->queue().pop();  // frames that the device sends unasked are not the answer
+            device->queue().pop();  // the device sends these frames by itself; they are not the answer
         }
         device->receive(parse_frame(example.frame, example.section), now);
         fmt::print("  {:<10}{:<36}{:<24}{}\n", example.section, example.what, example.frame, next_frame(*device));

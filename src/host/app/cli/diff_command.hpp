@@ -14,7 +14,7 @@ struct DiffOptions {
     bool json{false};
 };
 
-/// Prints the affected items, code, tests and verdicts. Returns the exit status.
+/// Prints the items, code, tests and verdicts that a change affects. Returns the exit status.
 int diff(const DiffOptions& options);
 
 }  // namespace canproof::host

@@ -98,7 +98,7 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
 
 /// Returns the sources that an exhibit is about.
 std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
-    if (key == "code-mutation") {  // tests notice a mutant
+    if (key == "code-mutation") {  // for an exhibit about mutants, tests are sources too: they notice a mutant
         return firmware_and_tests(root);
     }
     return key == "proofs" ? proof_sources(root) : firmware_sources(root);

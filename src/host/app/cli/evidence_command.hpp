@@ -9,7 +9,7 @@ namespace canproof::host {
 struct EvidenceOptions {
     std::string root{"."};
     std::string out{"reports/out"};
-    std::string verdicts;  ///< folders and files; empty: where the builds write them
+    std::string verdicts;  ///< folders and files of the evidence; empty: where the builds write them
     std::string coverage;
     std::string exhibits;
     std::string key;   ///< file of a private key that signs the manifest; empty: no signature

@@ -36,7 +36,7 @@ class FactoryOptions {
   private:
     struct Given {
         std::string whole;
-        std::string device;  ///< empty: every device
+        std::string device;  ///< device of KEY=VALUE options; empty: every device
         std::string key;
         std::string value;
         bool used{false};

@@ -28,7 +28,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Removes the cells of shared rules that come with an installed canproof: its own tests cover them.
+/// Removes the cells of shared rules that come with an installed canproof: the tests of canproof cover them.
 void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     const auto inherited = [&](const AlteredCell& cell) {
         return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
@@ -130,7 +130,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Judges alterations with the test programs. `count`: how many there are in all.
+/// Judges alterations with the test programs. `count` is the number of alterations.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
@@ -143,7 +143,7 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` and leaves its outcomes for `--merge`.
+/// Judges one shard of `cells` and writes its outcomes for `--merge`.
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto share = share_of(cells, *options.shard);

@@ -14,7 +14,7 @@ class OutputFile {
     explicit OutputFile(std::string path) : path_{std::move(path)} {}
 
     bool is_wanted() const { return !path_.empty(); }
-    /// Returns the stream to write to; nullptr when the user asked for no file.
+    /// Returns the stream to write to; nullptr when the user requested no file.
     std::ostream* stream() { return is_wanted() ? &out_ : nullptr; }
     /// Writes the buffered text to the file.
     void flush();

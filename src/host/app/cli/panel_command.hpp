@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct PanelOptions {
     RunOptions run;            ///< `plain` and `seconds` have no effect here
-    std::uint16_t port{8404};  ///< 0: any free port
+    std::uint16_t port{8404};  ///< port number; 0: any free port
 };
 
 /// Runs the panel until it is interrupted. Returns the exit status.

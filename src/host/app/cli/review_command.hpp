@@ -15,7 +15,7 @@ struct ReviewOptions {
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
     bool mark{false};      ///< renews the marks of code and tests of existing reviews, without a new review
-    bool wording{false};   ///< only the items were read; their code and tests are marked in their present form
+    bool wording{false};   ///< records that only the items were read; the marks of code and tests are the present ones
     std::string date;      ///< YYYY-MM-DD; empty: today
 };
 

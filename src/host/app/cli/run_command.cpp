@@ -80,7 +80,7 @@ class Run {
             static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(passed).count())};
     }
 
-    /// Prints the node-IDs; the table already contains them.
+    /// Prints the node-IDs of the devices. With a table this is not needed, because the table contains them.
     void name_devices() const {
         if (!is_table_) {
             tell(fmt::format("{}", fmt::join(node_id_lines(session_.nodes()), "\n")));
@@ -112,7 +112,7 @@ class Run {
         while (!lines_.empty()) {
             try {
                 if (!session_.put(parse_frame(lines_.front(), "standard input"))) {
-                    return;  // the bus is busy: the line waits, and no further input is read
+                    return;  // the bus is busy: the line waits, and the program reads no further input
                 }
             } catch (const InputError& error) {
                 take_notice(error.what());
@@ -132,7 +132,7 @@ class Run {
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
-        // A pipe is watched only for its end: the reader has closed it.
+        // A pipe is watched only for its end, which shows that the reader has closed it.
         output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {
@@ -172,7 +172,7 @@ class Run {
     Pace pace_{[this] { return now(); }, [this](const std::string& text) { take_notice(text); }};
     std::deque<std::string> lines_;
     Instant end_{never};
-    Instant next_table_{never};  ///< never: no table
+    Instant next_table_{never};  ///< never: the run shows no table
     EventLoop loop_;
     LineInput input_{STDIN_FILENO};
     std::chrono::steady_clock::time_point start_;

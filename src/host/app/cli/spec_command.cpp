@@ -115,8 +115,7 @@ void print_check(const Faults& faults, const Faults& advice, std::size_t items, 
 nlohmann::ordered_json json_of(const Faults& faults, const char* what) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const auto& fault : faults) {
-        all.push_back(
-            {{"file", fault.place.file}, {"line", fault.place.line}, {what, fault.what}, {"fix", fault.mend}});
+        all.push_back({{"file", fault.place.file}, {"line", fault.place.line}, {what, fault.what}, {"fix", fault.fix}});
     }
     return all;
 }

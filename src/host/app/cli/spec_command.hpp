@@ -8,7 +8,7 @@ namespace canproof::host {
 
 struct SpecCheckOptions {
     std::string spec{"spec"};
-    bool strict{false};  ///< a warning leads to exit status 1, as a fault does
+    bool strict{false};  ///< a warning causes exit status 1, as a fault does
     bool json{false};    ///< faults and warnings as JSON instead of lines
 };
 

@@ -179,7 +179,7 @@ std::map<std::string, std::string> project_files(const NewProject& project) {
     std::map<std::string, std::string> files;
     for (const auto& [path, text] : project_templates()) {
         const std::string place = filled(path, words);
-        // Files of a corpus are binary: they stay as they are.
+        // Files of a corpus are binary, so they are copied unchanged.
         files[place] = path.find("/corpus/") == std::string::npos ? filled(text, words) : text;
     }
     if (project.eds) {

@@ -149,8 +149,7 @@ void HttpFront::accept_clients(Instant now) {
     }
 }
 
-/// Closes one connection. It chooses among those whose response is sent, otherwise among all, and takes the one with
-/// the earliest deadline.
+/// Closes one connection: among those whose response is sent, or else among all, the one with the earliest deadline.
 void HttpFront::make_place() {
     const auto rank = [](const auto& one) { return std::pair{!one->closing, one->deadline.us}; };
     const auto first = std::min_element(connections_.begin(), connections_.end(),

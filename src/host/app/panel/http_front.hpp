@@ -22,9 +22,9 @@ class HttpFront {
     static constexpr std::size_t most_connections = 32;
     /// Longest time from the connection of a client until its request is complete.
     static constexpr Duration request_limit = milliseconds(2000);
-    /// Longest time from then until the client has received the response.
+    /// Longest time from the complete request until the client has received the response.
     static constexpr Duration response_limit = milliseconds(5000);
-    /// Longest time from then until the client has closed the connection.
+    /// Longest time from the received response until the client has closed the connection.
     static constexpr Duration close_limit = milliseconds(1000);
 
     /// Starts to listen. Port 0 selects any free port. Throws InputError when the port cannot be opened.
@@ -35,7 +35,7 @@ class HttpFront {
     HttpFront& operator=(const HttpFront&) = delete;
 
     std::vector<Watch> watches() const;
-    /// Reads, answers and writes as far as possible without waiting. `now` never decreases.
+    /// Reads, answers and writes as much as possible without waiting. `now` never decreases.
     void turn(Instant now);
     Instant next_deadline() const;
 

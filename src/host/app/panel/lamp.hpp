@@ -32,7 +32,7 @@ class LampHistory {
     std::deque<LampEdge> edges_;
 };
 
-/// Returns the pattern of the green run LED of CiA 303-3 for a state.
+/// Returns the pattern of the green run LED by CiA 303-3 for an NMT state.
 IndicatorPattern run_lamp(NmtState state);
 
 }  // namespace canproof::host

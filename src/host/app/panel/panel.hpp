@@ -21,7 +21,7 @@ class Panel {
 
     using Clock = std::function<Instant()>;
 
-    /// `clock` returns the time of the session.
+    /// `clock` is a function that returns the time of the session.
     Panel(const Register& content, Clock clock);
 
     /// Returns the observer to pass to the session; valid as long as the panel.

@@ -134,7 +134,7 @@ void Recorder::add(const std::string& name, const SimulatedDevice& device, const
     }
     add_entries(device, part, face, one.channels);
     one.values.assign(one.channels.size(), std::nan(""));  // NaN differs from every value, so the first value is
-                                                           // recorded as a change
+                                                           // so that the first value is recorded as a change
     one.first_channel = devices_.empty() ? 0U : devices_.back().first_channel + devices_.back().channels.size();
     devices_.push_back(std::move(one));
 }

@@ -19,7 +19,7 @@ namespace canproof::host {
 struct Channel {
     enum class Kind {
         output,    ///< a physical output, with exact times of change
-        lamp,      ///< an LED that the panel draws for a device without LEDs
+        lamp,      ///< an LED that the panel adds for a device without LEDs
         measured,  ///< an entry of the dictionary that the device updates
         setting    ///< an entry that the page marks on a scale, such as a limit
     } kind{Kind::output};
@@ -50,14 +50,14 @@ struct ChannelChange {
 struct RecordedFrame {
     Instant time{};
     Frame frame{};
-    std::string sender;  ///< empty: sent from outside
+    std::string sender;  ///< name of the sending device; empty: the frame came from outside
     FrameWords words;
 };
 
 struct LastEmergency {
     Instant time{};
     std::string text;
-    bool error{false};  ///< false: the code reports that an error has gone
+    bool error{false};  ///< false: the code reports the end of an error
 };
 
 class Recorder final : public SessionObserver {

@@ -13,7 +13,7 @@ namespace canproof::host {
 struct ItemChange {
     enum class Kind { added, removed, changed } kind{Kind::changed};
     std::string id;
-    std::string word;                  ///< requirement, object, table …, decision, statement
+    std::string word;                  ///< kind of the item: requirement, object, table, decision, statement …
     std::vector<std::string> details;  ///< `sub 1 default: 5 -> 6`; empty for an added or removed item
 };
 

@@ -32,7 +32,7 @@ struct CoverageGap {
 struct FileCoverage {
     std::string file;
     std::map<unsigned, unsigned long long> lines;  ///< executions by line number; only lines with code
-    /// Covered branches and all branches, by line number.
+    /// Numbers of covered and of all branches, by line number.
     std::map<unsigned, CoverageCount> line_branches;
     CoverageCount functions;
     CoverageCount branches;

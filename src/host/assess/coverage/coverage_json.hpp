@@ -11,7 +11,7 @@
 namespace canproof::host {
 
 /// Returns JSON with lines, branches and MC/DC conditions of the firmware, in total and by file. It lists every place
-/// that no run reached with its recorded reason, and whether the verdict holds.
+/// that no run reached, with its recorded reason, and the verdict.
 std::string coverage_json(const std::vector<FileCoverage>& files, const CoverageVerdict& verdict);
 
 }  // namespace canproof::host

@@ -11,7 +11,8 @@
 
 namespace canproof::host {
 
-/// A known gap and the reason why it stays. The record matches gaps of this kind and code in a file or below a folder.
+/// A known gap and the reason why no test closes it. The record matches gaps of this kind and code in a file or below a
+/// folder.
 struct CoverageRecord {
     std::string file;
     std::string kind;

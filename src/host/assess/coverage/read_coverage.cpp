@@ -236,7 +236,7 @@ class FileReader {
 
     const nlohmann::json& source_;
     std::vector<std::string> lines_;
-    std::vector<Region> silent_;  ///< bodies of functions that were never called
+    std::vector<Region> silent_;  ///< regions of functions that were never called
     FileCoverage made_;
 };
 

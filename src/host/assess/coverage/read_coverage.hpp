@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// How a changed source is detected: by the times of files, or the caller has already compared the contents.
+/// The way in which a changed source is detected: by the times of files, or not at all because the caller has already
+/// compared the contents.
 enum class SourceAge { by_time, compared };
 
 /// Reads a file that `llvm-cov export --format=text` wrote. Returns the files of the firmware and the files of the host

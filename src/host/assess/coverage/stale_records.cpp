@@ -39,7 +39,8 @@ std::vector<fs::path> sources_of(const fs::path& place) {
     return files;
 }
 
-/// Returns the text that must occur in the source: the code of the record; for a function `canproof::curve`, `curve(`.
+/// Returns the text that must occur in the source: the code of the record, or `curve(` for a function
+/// `canproof::curve`.
 std::string written(const CoverageRecord& record) {
     if (record.kind != "function") {
         std::istringstream code{record.code};

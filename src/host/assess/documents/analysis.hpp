@@ -15,7 +15,7 @@ namespace canproof::host {
 /// One failure mode of a signal or a message.
 struct FailureMode {
     std::vector<std::string> devices;
-    std::vector<std::string> signals;  ///< ids; empty: `at` names the failing element
+    std::vector<std::string> signals;  ///< ids of signals; empty: `at` names the failing element
     std::string at;
     std::string mode;
     std::vector<std::string> detected;  ///< requirements
@@ -41,8 +41,8 @@ struct Threat {
     bool lss{false};                   ///< concerns only devices with LSS
     std::string requirement;           ///< the foundational requirement of IEC 62443
     std::string text;
-    std::vector<std::string> by;  ///< requirements that limit it; empty: the device does not limit it
-    std::string rest;             ///< residual threat, or measure for the integrator
+    std::vector<std::string> by;  ///< ids of requirements that limit the threat; empty: the device does not limit it
+    std::string rest;             ///< the remaining threat, or a measure for the integrator
     Place place;
 };
 

@@ -22,9 +22,9 @@ struct Claim {
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;      ///< the command that creates it
-    std::string run{};        ///< the same command for a shell in the project's folder; empty: `evidence --full` cannot
-                              ///< create it
+    std::string made_by;  ///< the command that creates it, for a person
+    std::string run{};    ///< the same command for a shell in the project's folder; empty: `evidence --full` cannot run
+                          ///< it create it
     std::int64_t minutes{0};  ///< approximate duration on two cores
 };
 
@@ -48,7 +48,7 @@ struct Tool {
 };
 
 struct Argument {
-    std::vector<Claim> claims;  ///< a parent before its children
+    std::vector<Claim> claims;  ///< claims; a parent is before its children
     std::vector<ExpectedEvidence> evidence;
     std::vector<Technique> techniques;
     std::vector<Tool> tools;

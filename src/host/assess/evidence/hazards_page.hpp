@@ -17,7 +17,7 @@ struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};
     std::size_t open{0};         ///< failures of which a preventing requirement is not shown
-    std::size_t unprevented{0};  ///< failures that nothing prevents, with a reason
+    std::size_t unprevented{0};  ///< failures that nothing prevents, each with a reason
 };
 FailureCounts count_failures(const PackInput& input);
 

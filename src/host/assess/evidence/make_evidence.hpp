@@ -16,8 +16,9 @@ namespace canproof::host {
 /// included when the tests are stale, because its run writes their verdicts.
 std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits& exhibits);
 
-/// Runs each command in a shell in `root`, with its output in build/log/evidence-KEY.log. A failed command is reported
-/// and the next one starts. `tell` receives lines with progress and an estimate. Returns the number of failed commands.
+/// Runs each command in a shell in `root`, with its output in build/log/evidence-KEY.log. It reports a failed command
+/// and continues with the next one. `tell` receives lines with progress and an estimate. Returns the number of failed
+/// commands.
 std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std::filesystem::path& root,
                           const std::function<void(const std::string&)>& tell);
 

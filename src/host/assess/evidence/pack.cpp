@@ -54,7 +54,7 @@ std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibit
     return entries;
 }
 
-/// Returns the commit and the date for the foot of each page.
+/// Returns the commit and the date, which each page shows at its foot.
 std::string origin_of(const Provenance& provenance) {
     return provenance.commit.empty() ? "" : fmt::format("canproof {}, {}", provenance.commit, provenance.date);
 }

@@ -35,7 +35,7 @@ struct PackInput {
     const Register* content{nullptr};
     Evidence evidence;
     std::vector<PartAudit> audits;
-    std::optional<Evidence> socketcan;                ///< runs on CAN interfaces of a real kernel
+    std::optional<Evidence> socketcan;                ///< result of the runs on CAN interfaces of a real kernel
     std::optional<std::vector<std::string>> orphans;  ///< code or tests without a requirement, one sentence each
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
@@ -45,7 +45,7 @@ struct PackInput {
     std::map<std::string, std::string> newer;
     Argument argument;
     Analysis analysis;                           ///< from reports/analysis
-    std::vector<Exhibit> exhibits;               ///< from other tools
+    std::vector<Exhibit> exhibits;               ///< exhibits of other tools
     std::map<std::string, std::string> figures;  ///< SVG text by file name, which begins with the device's name
     Provenance provenance;
     PackageRecords packages;

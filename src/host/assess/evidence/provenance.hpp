@@ -10,7 +10,7 @@ namespace canproof::host {
 
 /// The provenance of this build, as the manifest contains it.
 struct Provenance {
-    std::string commit;                           ///< with `+` when files differ from it
+    std::string commit;                           ///< commit; a `+` follows when files differ from it
     std::string date;                             ///< date of the commit, or of SOURCE_DATE_EPOCH
     std::string configuration;                    ///< configuration of this program and of the tests
     std::map<std::string, std::string> tools;     ///< version by name

@@ -217,7 +217,7 @@ std::string decisions_page(const PackInput& input) {
 }
 
 std::string tests_page(const PackInput& input) {
-    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;  // cases, failed
+    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;  // number of cases, and of failed ones
     std::vector<std::vector<std::string>> failed;
     for (const auto& one : input.evidence.cases) {
         auto& [cases, failures] = suites[one.suite];

@@ -155,7 +155,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Whether a target ended before its time and left no finding.
+/// Returns whether a target ended before its time and left no finding.
 bool is_broken(const CampaignState& state) {
     return std::any_of(state.targets.begin(), state.targets.end(),
                        [](const TargetRecord& one) { return one.broken_slices > 0; });
@@ -165,7 +165,7 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard, and leaves what they found for `--merge`.
+/// Fuzzes the targets of one shard, and keeps their findings for `--merge`.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);
@@ -183,7 +183,7 @@ int run_shard(const CampaignContext& context) {
     return is_broken(context.state) ? was_broken : 0;
 }
 
-/// From the phase that the state names; false when interrupted.
+/// Runs the campaign from the phase in its state on. Returns false when interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });
@@ -214,7 +214,7 @@ void add_night(const CampaignContext& context) {
     context.save();
 }
 
-/// Returns the exit status and prints the reason.
+/// Prints the result and returns the exit status for it.
 int verdict(const CampaignState& state, bool finished, CampaignDisplay& display) {
     if (!state.findings.empty()) {
         display.say(fmt::format("{} finding(s)", state.findings.size()));

@@ -16,7 +16,7 @@
 namespace canproof::host {
 
 struct CampaignOptions {
-    double minutes{20.0};              ///< of fuzzing on all jobs together; the later passes take additional time
+    double minutes{20.0};  ///< time for fuzzing in minutes, on all jobs together; the later passes take additional time
     std::vector<std::string> targets;  ///< names; empty: all
     std::string corpus{"build/fuzz-corpus"};
     std::string out{"build/exhibits/fuzz"};  ///< index.html, report.json, and exhibit.json for the evidence pack
@@ -32,8 +32,9 @@ struct CampaignOptions {
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, even on a terminal
     bool restart{false};
-    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets, and leaves the passes to `merge`
-    std::string merge;             ///< folder with the corpus folders of all shards, in place of fuzzing; empty: fuzz
+    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets, and leaves the later passes to `merge`
+    std::string merge;  ///< folder with the corpus folders of all shards, which are merged instead of a new campaign;
+                        ///< empty: fuzz
 };
 
 /// Runs the campaign. Returns the exit status: 0 no finding, 1 a finding, 2 a target that stopped before its time, 130

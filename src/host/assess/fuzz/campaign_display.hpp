@@ -14,7 +14,7 @@ class CampaignDisplay {
   public:
     CampaignDisplay(std::FILE* out, bool is_table) : out_{out}, is_table_{is_table} {}
 
-    /// Prints a line that stays.
+    /// Prints a line that is not overwritten.
     void say(const std::string& text);
     /// Prints the progress of one target; `inputs` is the number of inputs that have ended a run.
     void news(const TargetRecord& target, std::size_t inputs);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The corpus folder of one machine, and its state.
+/// The corpus folder of one machine, and the state of its campaign.
 struct ReadShard {
     CampaignFiles files;
     std::string name;
@@ -65,7 +65,7 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
     require_all_shards(all);
 }
 
-/// Copies the files of a folder with their times, which say when in the campaign an input was found.
+/// Copies the files of a folder with their times, which show when in the campaign an input was found.
 void copy_files(const fs::path& from, const fs::path& to) {
     fs::create_directories(to);
     for (const fs::path& file : files_in(from)) {
@@ -75,7 +75,7 @@ void copy_files(const fs::path& from, const fs::path& to) {
     }
 }
 
-/// The campaign began when its first shard did.
+/// The merged campaign began when its first shard began.
 void copy_beginning(const std::vector<ReadShard>& all, const CampaignFiles& files) {
     const auto began = [](const ReadShard& one) { return fs::last_write_time(one.files.work() / "began"); };
     const auto& first = *std::min_element(all.begin(), all.end(),

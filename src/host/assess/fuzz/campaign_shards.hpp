@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// The phase with which a campaign goes on once all targets had their time.
+/// The phase with which a campaign continues when all targets have had their time.
 constexpr const char* phase_after_fuzzing = "sorting findings";
 
 /// Copies inputs and findings' inputs of every shard below `folder` to `files`, and returns the state of a campaign

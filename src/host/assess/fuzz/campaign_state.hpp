@@ -24,9 +24,9 @@ struct TargetRecord {
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
-    std::size_t inputs_before{0};  ///< in the corpus folder, without the seeds
+    std::size_t inputs_before{0};  ///< number of inputs in the corpus folder, without the seeds
     std::size_t inputs_found{0};
-    std::size_t inputs_kept{0};         ///< after minimisation
+    std::size_t inputs_kept{0};         ///< number of inputs after minimisation
     unsigned broken_slices{0};          ///< slices that ended before their time without a finding
     std::size_t inputs_second_pass{0};  ///< inputs that the second pass ran
 
@@ -80,7 +80,7 @@ struct CampaignState {
     unsigned jobs{1};
     unsigned rounds{1};
     std::string shard;  ///< `2/3`: this machine fuzzes that part of the targets; empty: all
-    std::string phase;  ///< the one under way; `done` at the end
+    std::string phase;  ///< the present phase; `done` at the end
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;

@@ -16,7 +16,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr double seconds_to_end = 60.0;  // libFuzzer lets its last job end and then merges
+constexpr double seconds_to_end = 60.0;  // libFuzzer first lets its last job end and then merges the corpora
 
 /// Returns the number of cores for one target.
 unsigned forks(const CampaignContext& context) {

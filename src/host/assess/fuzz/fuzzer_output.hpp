@@ -19,11 +19,11 @@ struct FuzzerProgress {
 /// Parses `#4096 pulse cov: 120 ft: 300 …` or `#4096: cov: 120 ft: 300 …`; returns nothing for any other line.
 std::optional<FuzzerProgress> parse_progress(const std::string& line);
 
-/// The reason why a run ended before its time.
+/// The reason why a run of a fuzz target ended before its time.
 struct Failure {
     std::string kind;                 ///< `heap-buffer-overflow`, `requirement violated`, `timeout`, …
     std::string place;                ///< `fuzz/pdo_fuzz.cpp:167`; empty when the output names no place
-    std::vector<std::string> frames;  ///< functions under test, innermost first, without arguments
+    std::vector<std::string> frames;  ///< functions of the code under test, innermost first, without arguments
 
     /// Returns a title that is equal for equal bugs: the kind with the requirement's place, or with the three innermost
     /// functions.

@@ -18,8 +18,8 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< seconds; a program that hangs is ended
-constexpr std::size_t most_findings = 5;  ///< per target; each needs a separate run
+constexpr double chunk_limit = 600.0;     ///< in seconds; after this time a program that hangs is ended
+constexpr std::size_t most_findings = 5;  ///< per target; each finding needs a separate run
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 

@@ -15,12 +15,12 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_inputs = 40;  ///< per target; a shallow bug leaves thousands of inputs
+constexpr std::size_t most_inputs = 40;  ///< per target; a bug that is easy to reach leaves thousands of inputs
 constexpr double reproduction_limit = 30.0;
 constexpr double least_shrinking = 2.0;  ///< seconds
 constexpr double most_shrinking = 15.0;
 
-/// An input that ended a run, and the result of running it again.
+/// An input that ended a run, and the result of a repeated run.
 struct Crash {
     const FuzzTarget* target{nullptr};
     std::filesystem::path input;

@@ -21,14 +21,14 @@ struct TaskEnd {
 struct Task {
     std::vector<std::string> command;
     std::map<std::string, std::string> environment{};  ///< in addition to the environment of this program
-    std::filesystem::path log{};                       ///< stdout and stderr
+    std::filesystem::path log{};                       ///< file for stdout and stderr
     double limit_seconds{0.0};                         ///< time limit; 0: none
     std::function<void()> began{};
     std::function<void(const std::string&)> line{};  ///< called for each complete line of the output
     std::function<void(const TaskEnd&)> ended{};
 };
 
-/// Polled repeatedly; true ends all programs.
+/// The runner calls it repeatedly; when it returns true, all programs end.
 using Interrupted = std::function<bool()>;
 
 /// Runs all tasks in their order, up to `width` in parallel. Calls `tick` several times a second. After an interrupt,

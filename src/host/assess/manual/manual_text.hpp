@@ -28,7 +28,7 @@ class ManualText {
     std::vector<std::string> lines_;
     std::string letters_;
     std::vector<std::size_t> word_begins_;
-    std::vector<bool> word_end_;  ///< one element more than letters and digits
+    std::vector<bool> word_end_;  ///< has one element more than there are letters and digits
     std::vector<std::size_t> line_begins_;
 };
 

@@ -21,16 +21,16 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest processor time of the tests for one mutant, in seconds of their unmutated run.
+/// Longest processor time of the tests for one mutant, in seconds. The times are those of the tests without a mutant.
 constexpr double most_seconds = 1.5;
-/// Longest processor time of the tests that run first, in seconds; they suffice for most mutants.
+/// Longest processor time of the tests that run first, in seconds. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
 /// Name of the entry for the time before the first test.
 const char* const startup = "startup";
-/// Least cost in seconds of starting a test.
+/// Least time in seconds that starting a test takes.
 constexpr double least_seconds = 0.001;
 
-/// Tests to run, and the processor time after which a mutant is killed.
+/// Tests to run, and the processor time after which the mutant counts as noticed.
 struct Stage {
     std::string filter;
     unsigned seconds{0U};

@@ -14,7 +14,7 @@
 
 namespace canproof::host {
 
-/// A test of the unmutated program: its duration, and the mutants that would change a computation in it.
+/// A test, its duration without a mutant, and the mutants that would change a computation in it.
 struct ToldTest {
     std::string name;
     double seconds{0.0};
@@ -22,8 +22,8 @@ struct ToldTest {
     std::string file{};  ///< source of the test
 };
 
-/// Runs the program unmutated. Returns the file in `folder` that its tests write for read_told(). A file that is newer
-/// than the program is used again. Throws InputError when a test fails.
+/// Runs the program without a mutant. Returns the file in `folder` that its tests write for read_told(). A file that is
+/// newer than the program is used again. Throws InputError when a test fails.
 std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder);
 
 /// Reads lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
@@ -44,12 +44,12 @@ std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std:
 
 struct CodeMutationSetup {
     std::filesystem::path program;
-    std::filesystem::path folder;  ///< for the files that the unmutated program writes
+    std::filesystem::path folder;  ///< folder for the files that the program writes without a mutant
     unsigned jobs{2};
 };
 
-/// Runs the program unmutated, then with each of the mutants. `progress` receives the number of judged mutants. Throws
-/// InputError when a test fails unmutated.
+/// Runs the program without a mutant, then with each of the mutants. `progress` receives the number of judged mutants.
+/// Throws InputError when a test fails without a mutant.
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress);
 

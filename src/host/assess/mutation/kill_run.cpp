@@ -22,7 +22,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Number of mutants of one item that a test meets first, evenly spread over all its mutants.
+/// Number of mutants of one item that a test gets first, evenly spread over all its mutants.
 constexpr std::size_t first_tries = 24;
 /// Processor time in seconds for one test and one item.
 constexpr double most_seconds = 3.0;
@@ -35,7 +35,7 @@ struct Mutants {
     std::map<std::string, Numbers> code;  ///< sorted
 };
 
-/// A test to judge.
+/// A test that has to be judged.
 struct Task {
     std::string test;
     std::string body;
@@ -63,7 +63,7 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         if (id.find('-') == std::string::npos) {
-            continue;  // a rule that is no item of the register
+            continue;  // a rule that is not an item of the requirements register
         }
         for (const Verdict& verdict : verdicts) {
             Task& task = tasks[verdict.test];

@@ -22,7 +22,7 @@ KillerLog::KillerLog(const std::filesystem::path& file) {
     std::ifstream in{file};
     for (std::string line; std::getline(in, line);) {
         const auto parts = tab_separated(line);
-        // A mutant that a signal ended has no test to run first.
+        // A signal ended this mutant, so no test can be run first.
         if (parts.size() == 4 && parts[3].find('.') != std::string::npos) {
             std::string& filter = filters_[key_of(parts[0], parts[1], parts[2])];
             if (!holds(filter, parts[3])) {

@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Number of alterations, of noticed ones, and of survivors with a reason.
+/// Number of alterations, of noticed alterations, and of survivors with a reason.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};

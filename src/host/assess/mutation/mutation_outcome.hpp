@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// The reason why alterations may survive: a record of reports/mutation.toml. `item` and `cell` may contain the
+/// A record of reports/mutation.toml: the reason why alterations may survive. `item` and `cell` may contain the
 /// wildcards * and ?.
 struct SurvivorRecord {
     std::string item;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A shard as it was read.
+/// The content of the file of one shard.
 struct ReadShard {
     Shard shard;
     std::string name;

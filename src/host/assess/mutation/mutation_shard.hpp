@@ -19,7 +19,7 @@ std::string mutation_shard_name(bool code, const Shard& shard);
 std::string write_mutation_shard(const Shard& shard, const std::vector<MutationOutcome>& outcomes);
 
 /// Returns the outcomes of `cells` from the shards in `folder`, in the order of `cells`. Throws InputError when a shard
-/// is missing, stands there twice, or judged other alterations.
+/// is missing, is there twice, or judged other alterations.
 std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,
                                                    const std::vector<AlteredCell>& cells);
 

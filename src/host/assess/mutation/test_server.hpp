@@ -42,7 +42,8 @@ class TestServer {
     std::FILE* from_{nullptr};
 };
 
-/// Starts the program with the cell altered before it computes anything from it. Returns whether a test failed.
+/// Starts the program with the cell altered before the program computes anything from it. Returns whether a test
+/// failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
 /// Runs all tests unaltered and writes their verdicts. Returns whether all passed. An element of `more_environment` is

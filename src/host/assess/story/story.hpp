@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< something in it is failed, open or suspect
+    bool open{false};  ///< true when an item in it is failed, open or suspect
 };
 
 class StoryTeller {

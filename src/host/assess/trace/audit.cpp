@@ -46,8 +46,8 @@ DecisionsByItem decisions_by_item(const Register& content) {
     return all;
 }
 
-/// Returns whether an item needs hand-written code. An object is a row of the dictionary and a signal a member of the
-/// device's inputs or outputs, so neither does.
+/// Returns whether an item needs hand-written code. An object or a signal does not: an object is a row of the
+/// dictionary, and a signal is a member of the device's inputs or outputs.
 bool needs_code(const AuditedItem& audited) {
     if (audited.word == "object" || audited.word == "signal") {
         return false;
@@ -104,7 +104,7 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// Returns the item that the code must name: the shared item where the register says so.
+    /// Returns the item that the code must name: the shared item where the requirements register demands it.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();

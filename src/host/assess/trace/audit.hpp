@@ -23,7 +23,7 @@ struct AuditedItem {
     bool failed{false};                  ///< a test that claims the item has failed
     bool without_code{false};            ///< no code in src/ implements it or names the code generated from it
     std::vector<std::string> decisions;  ///< ids of decisions that affect it
-    std::string suspect;                 ///< reason why its code and tests may no longer match it; empty after a review
+    std::string suspect;  ///< reason why its code and tests may no longer match it; empty when its review is up to date
 
     bool open() const { return failed || without_code || !missing.empty(); }
     /// Returns failed, open, suspect or shown.
@@ -41,8 +41,8 @@ struct AuditedSection {
 struct AuditedStatement {
     const Statement* statement{nullptr};
     std::string id;      ///< AX130751:1.3/2
-    std::string status;  ///< worst status of its items: failed, open, suspect or shown; without items open or, with a
-                         ///< reason, explained
+    std::string status;  ///< worst status of its items: failed, open, suspect or shown; without items: open, or
+                         ///< explained with a reason
 
     bool open() const { return status != "shown" && status != "explained"; }
 };

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// An empty field accepts everything.
+/// A filter for the output of the audit. An empty field accepts everything.
 struct AuditFilter {
     std::string section;  ///< "AX130751:1.3", or its beginning: "AX130751:1" also selects 1.3
     std::string kind;     ///< kind of a requirement, or the word of another item; `statement`: only statements

@@ -39,7 +39,8 @@ std::string unit_of(std::string file) {
 
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
-    static const std::string written = "#include \\\"";  // an include in a string literal of the register's compiler
+    static const std::string written =
+        "#include \\\"";  // an include line in a string literal of the compiler of the requirements register
     std::vector<std::string> all;
     for (const auto& line : read_lines(file)) {
         if (line.rfind(word, 0) == 0) {
@@ -132,7 +133,7 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     }
     for (const auto& [unit, others] : included) {
         if (unit.rfind("host/codegen/write_", 0) == 0) {
-            open.insert(open.end(), others.begin(), others.end());  // units that generated code includes
+            open.insert(open.end(), others.begin(), others.end());  // units that generated code includes also count
         }
     }
     while (!open.empty()) {

@@ -121,7 +121,7 @@ WorkByItem work_of_items(const std::filesystem::path& root, const Register& cont
         if (claims != evidence.verdicts.end()) {
             std::vector<std::pair<std::string, std::string>> tests;
             for (const auto& verdict : claims->second) {
-                if (verdict.kind != "proof") {  // a theorem is no test: nobody reads expected values in it
+                if (verdict.kind != "proof") {  // a theorem is not a test: it has no expected values to review
                     tests.emplace_back(verdict.file, verdict.test);
                 }
             }

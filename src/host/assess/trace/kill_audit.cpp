@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of tests that a line names.
+/// Greatest number of tests that a line lists by name.
 constexpr std::size_t most_names = 40;
 
 enum class Judgement { never, changed, as_it_was };

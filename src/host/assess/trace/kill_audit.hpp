@@ -12,16 +12,16 @@
 namespace canproof::host {
 
 struct KillAudit {
-    std::size_t shown{0};                  ///< items with a passed test that notices a mutant of them
-    std::vector<std::string> unnoticed;    ///< items whose tests are all judged and notice no mutant of them
-    std::vector<std::string> immutable;    ///< items without mutants
-    std::vector<std::string> unjudged;     ///< items that are not shown, with a test that no mutation run has judged in
-                                           ///< its present form
-    std::vector<std::string> changed;      ///< tests whose body has changed since they were judged
-    std::vector<std::string> never;        ///< tests with claims that were never judged
-    std::vector<std::string> idle;         ///< tests that notice no mutant of any claimed item
-    std::vector<std::string> regressions;  ///< items that the record shows and the present tests do not, one sentence
-                                           ///< each
+    std::size_t shown{0};                ///< items with a passed test that notices a mutant of them
+    std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of them
+    std::vector<std::string> immutable;  ///< items without mutants
+    std::vector<std::string> unjudged;   ///< items that are not shown, but have a test that no mutation run has judged
+                                         ///< in its present form
+    std::vector<std::string> changed;    ///< tests whose body has changed since they were judged
+    std::vector<std::string> never;      ///< tests with claims that were never judged
+    std::vector<std::string> idle;       ///< tests that notice no mutant of any claimed item
+    std::vector<std::string> regressions;  ///< items that are shown according to the record, but not by the present
+                                           ///< tests; one sentence each
 };
 
 /// Compares the tests of the last run with the record. `ids` are the items to audit; items without a passed test are

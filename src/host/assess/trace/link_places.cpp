@@ -52,7 +52,7 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
         }
         const std::size_t first = i + 1;
         std::size_t links = 0;
-        bool inside = false;  // inside a statement that has not ended
+        bool inside = false;  // the line is inside a statement that has not ended
         for (; i < lines.size(); ++i) {
             const std::string code = trimmed(lines[i]);
             if (!inside && !begins(code, link_start) && !begins(code, "//")) {

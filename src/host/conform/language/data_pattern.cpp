@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-const char* const mend = "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
+const char* const fix = "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
 
 struct BytePattern {
     unsigned mask{0};
@@ -79,7 +79,7 @@ DataPart byte_part(const std::vector<BytePattern>& all) {
     return part;
 }
 
-/// Returns a part whose bytes are computed when the step runs.
+/// Returns a part of the pattern whose bytes are computed when the step runs.
 DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> bytes) {
     DataPart part;
     part.width = width;
@@ -182,9 +182,9 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else if (text.front() == '$' || text.front() == '(') {
             pattern.parts_.push_back(value_part(token));
         } else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0 || text == "->") {
-            break;  // `within`, `every`, `-> f`
+            break;  // words that end the pattern: `within`, `every`, `-> f`
         } else {
-            line.fail(fmt::format("`{}` is no byte", text), mend);
+            line.fail(fmt::format("`{}` is no byte", text), fix);
         }
         line.token();
     }

@@ -42,7 +42,7 @@ class DataPattern {
 
   private:
     std::vector<DataPart> parts_;
-    bool rest_{false};  ///< it ends with `...`
+    bool rest_{false};  ///< the pattern ends with `...`
 };
 
 /// Returns the data of a frame.

@@ -102,7 +102,7 @@ Expression parse_call(Scanner& line, const std::string& name) {
     }
     const LanguageFunction* const function = find_function(name);
     if (function == nullptr) {
-        line.fail(fmt::format("`{}` is no number, variable or function", name),
+        line.fail(fmt::format("`{}` is not a number, variable or function", name),
                   fmt::format("variables begin with $; functions are {}", function_names()));
     }
     std::vector<Expression> given;
@@ -130,7 +130,7 @@ Expression constant(Scanner& line, const std::string& digits, int base) {
                               ? c - '0'
                               : std::tolower(static_cast<unsigned char>(c)) - 'a' + 10;
         if (std::isxdigit(static_cast<unsigned char>(c)) == 0 || digit >= base) {
-            line.fail(fmt::format("`{}` is no number", digits), "write 100, 0x64 or 64h");
+            line.fail(fmt::format("`{}` is not a number", digits), "write 100, 0x64 or 64h");
         }
         if (number > UINT64_MAX / 16U) {
             line.fail(fmt::format("`{}` is too large", digits), "numbers have 64 bits");

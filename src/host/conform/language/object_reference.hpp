@@ -27,7 +27,7 @@ Bytes multiplexer(const ObjectPlace& place);
 
 using ObjectReference = std::function<ObjectPlace(const Scope&)>;
 
-/// Reads an object reference. Throws LanguageError.
+/// Reads an object reference such as `1017:00`. Throws LanguageError.
 ObjectReference parse_object(Scanner& line);
 
 }  // namespace canproof::host::conform

@@ -53,9 +53,9 @@ bool Scanner::take_word(const std::string& word) {
     return found;
 }
 
-void Scanner::want(const std::string& text, const std::string& mend) {
+void Scanner::want(const std::string& text, const std::string& fix) {
     if (!take(text)) {
-        fail(fmt::format("`{}` is missing before `{}`", text, up_to("")), mend);
+        fail(fmt::format("`{}` is missing before `{}`", text, up_to("")), fix);
     }
 }
 
@@ -117,8 +117,8 @@ void Scanner::finish() {
     }
 }
 
-void Scanner::fail(const std::string& what, const std::string& mend) const {
-    throw LanguageError{Fault{place_, fmt::format("{} (in `{}`)", what, line_), mend}};
+void Scanner::fail(const std::string& what, const std::string& fix) const {
+    throw LanguageError{Fault{place_, fmt::format("{} (in `{}`)", what, line_), fix}};
 }
 
 }  // namespace canproof::host::conform

@@ -25,15 +25,15 @@ class Scanner {
     char peek();
     /// Skips `text` if the rest begins with it. Returns whether it did.
     bool take(const std::string& text);
-    /// The same for one character without blanks before it.
+    /// Does the same for one character, without skipping blanks before it.
     bool take_close(char c);
-    /// Like take(), for a whole word: no letter, digit or `_` follows it.
+    /// Skips a whole word if the rest begins with it: no letter, digit or `_` follows the word. Returns whether it did.
     bool take_word(const std::string& word);
     /// Returns whether the rest begins with `text`.
     bool sees(const std::string& text);
     bool sees_word(const std::string& word);
-    /// Fails unless take(text).
-    void want(const std::string& text, const std::string& mend);
+    /// Skips `text`; fails when the rest does not begin with it.
+    void want(const std::string& text, const std::string& fix);
     /// Reads the letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
     std::string word(bool dashes = false);
     /// Reads up to the next blank; empty at the end. peek_token() returns the same without moving on.
@@ -52,7 +52,7 @@ class Scanner {
     const Place& place() const { return place_; }
     const std::string& line() const { return line_; }
 
-    [[noreturn]] void fail(const std::string& what, const std::string& mend) const;
+    [[noreturn]] void fail(const std::string& what, const std::string& fix) const;
 
   private:
     void skip_blanks();

@@ -49,7 +49,8 @@ std::string hex_words(const Bytes& bytes);
 /// Returns whether both are equal: compared as bytes if both are bytes, otherwise as numbers.
 bool same(const Value& a, const Value& b);
 
-/// The variables of a case, or of one call of a procedure. A read that finds none here continues with the caller.
+/// The variables of a case, or of one call of a procedure. When a variable is not found here, the read continues in the
+/// caller.
 class Scope {
   public:
     explicit Scope(const Scope* outer = nullptr) : outer_{outer} {}

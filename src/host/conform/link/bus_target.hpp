@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 
 class BusTarget final : public Target {
   public:
-    /// `name`: for example `socketcan:can0`.
+    /// `name` is the name of the bus, for example `socketcan:can0`.
     BusTarget(std::unique_ptr<Bus> bus, std::string name);
 
     Instant now() const override;
@@ -23,7 +23,7 @@ class BusTarget final : public Target {
     std::size_t waiting() const override { return tester_.waiting(); }
     void advance(Instant until) override;
     void go_on() override { loop_.forget_interruption(); }
-    /// From now on the user switches the power: `say` shows what to do, and a line on `descriptor` confirms it.
+    /// Makes the user switch the power from now on: `say` prints what to do, and a line on `descriptor` confirms it.
     void switch_by_hand(int descriptor, std::function<void(const std::string&)> say);
     PowerSwitch power_switch() const override { return say_ ? PowerSwitch::hand : PowerSwitch::nobody; }
     void power(bool on) override;

@@ -13,7 +13,7 @@ namespace canproof::host::conform {
 /// Frames and their bits. A frame counts with its stuff bits and the intermission behind it.
 class BusUse {
   public:
-    /// In order of time.
+    /// Adds a frame. Frames must come in order of time.
     void add(const FrameRecord& record) {
         const std::uint64_t bits = frame_bits(record.frame) + intermission_bits;
         const std::uint64_t second = record.time.us / 1000000U;
@@ -26,7 +26,7 @@ class BusUse {
     }
 
     std::uint64_t frames() const { return frames_; }
-    /// Frames that the tester sent.
+    /// Returns the number of frames that the tester sent.
     std::uint64_t own_frames() const { return own_frames_; }
     std::uint64_t bits() const { return bits_; }
     /// The most bits of frames that ended in one second of the clock.

@@ -9,9 +9,9 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr double traffic_frame_bits = 125.0;  // eight bytes and about a tenth of stuff bits
+constexpr double traffic_frame_bits = 125.0;  // assumes frames with eight bytes and about a tenth of stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // no more traffic is queued on a full bus
+constexpr std::size_t most_waiting = 64;  // on a full bus no more traffic is queued
 
 // Identifiers that CiA 301 reserves (7.3.5): no slave uses them.
 constexpr std::uint32_t first_high = 0x101U;

@@ -65,7 +65,7 @@ class Link {
     /// gets the frame.
     std::shared_ptr<const Watched> watch(Watched wanted);
     void end_watch(const std::shared_ptr<const Watched>& watched);
-    /// Waits until `done` or until `deadline`; returns whether it was `done`.
+    /// Waits until `done` returns true or until `deadline`. Returns whether `done` returned true.
     bool wait_for(const std::function<bool()>& done, Instant deadline);
 
     void produce(const Frame& frame, Duration period);
@@ -73,19 +73,20 @@ class Link {
     void stop_producing(std::uint32_t id);
     /// Sends foreign frames that use `percent` of the bus; 0: none. `high`: they have priority over the slave's.
     void set_traffic(double percent, bool high);
-    /// Excludes identifiers from the traffic, because the slave may use them.
+    /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }
 
     /// Ends background frames and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// All frames since the link was made.
+    /// Returns all frames since the link was made.
     const BusUse& bus_use() const { return use_; }
     /// Calls `listener` with each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
     /// Returns when the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }
-    /// How late the tester itself has been at most since the case began: a busy machine. Zero in virtual time.
+    /// Returns the greatest delay of the tester itself since the case began, which a busy machine causes. It is zero in
+    /// virtual time.
     Duration worst_delay() const { return worst_delay_; }
 
   private:

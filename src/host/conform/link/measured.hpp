@@ -9,13 +9,13 @@
 
 namespace canproof::host::conform {
 
-/// From `least` to `most`, both allowed; µs.
+/// Limits in µs, both included.
 struct TimeLimits {
     double least{0.0};
     double most{0.0};
 };
 
-/// Times of one kind, and what the case accepts of them.
+/// Times of one kind, and the limits that the case sets for them.
 struct Measured {
     std::vector<std::uint64_t> times;   ///< µs, in the order in which they were measured
     std::optional<TimeLimits> of_mean;  ///< limits of their mean
@@ -34,7 +34,7 @@ struct Measured {
     }
 };
 
-/// A few numbers that stand for many times; µs.
+/// A few statistics of many times, in µs.
 struct Spread {
     std::size_t count{0};
     std::uint64_t smallest{0};
@@ -43,10 +43,10 @@ struct Spread {
     std::uint64_t percentile_99{0};  ///< 99 % of the times are not longer
     std::uint64_t largest{0};
 };
-/// Returns zeros for no times.
+/// Returns zeros when there are no times.
 Spread spread_of(std::vector<std::uint64_t> times);
 
-/// How many times fall into each part of a range.
+/// The number of times in each part of a range.
 struct Histogram {
     static constexpr std::size_t bins = 40;
 

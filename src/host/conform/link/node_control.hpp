@@ -22,8 +22,8 @@ constexpr Duration boot_limit = milliseconds(5000);
 
 /// Sends a command to `node`; 0: to all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Takes the boot-up message; heartbeats before it are left behind. Returns when it went over the bus; nothing when
-/// none comes within `limit`.
+/// Takes the boot-up message and drops heartbeats before it. Returns when the message was on the bus; nothing when none
+/// comes within `limit`.
 std::optional<Instant> take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -24,7 +24,7 @@ Bytes initiate(std::uint8_t command, const ObjectPlace& place) {
 }
 
 struct Block {
-    Bytes data;  ///< of all segments, including the padding of the last one
+    Bytes data;  ///< data of all segments, including the padding of the last one
     std::uint8_t segments{0};
     bool last{false};
     std::uint32_t abort{0};
@@ -124,14 +124,15 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
 
 namespace {
 
-/// Sends the blocks of a download, with the faults that a case demands.
+/// Sends the blocks of a download, with the faults that a case requests.
 class BlockSender {
   public:
     BlockSender(Link& link, std::uint32_t id, const Bytes& data, const BlockWrite& how)
         : link_{link}, id_{id}, data_{data}, how_{how} {}
 
     std::size_t segments() const { return std::max<std::size_t>(1, (data_.size() + segment_size - 1) / segment_size); }
-    /// Sends segments `from`… with the numbers 1…`size`; returns false when the transfer is broken off.
+    /// Sends the segments from `from` on, with the numbers 1 to `size`. Returns false when the transfer was ended
+    /// early.
     bool send_block(std::size_t from, std::uint8_t size, bool first) {
         const std::size_t count = std::min<std::size_t>(size, segments() - from);
         for (std::size_t i = 1; i <= count; ++i) {
@@ -168,7 +169,7 @@ class BlockSender {
 
 }  // namespace
 
-/// Ends a transfer whose segment was lost: the server still waits for it.
+/// Ends a transfer whose segment was lost. The server still waits for that segment.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);

@@ -22,7 +22,7 @@ struct SdoOutcome {
 enum class Transfer { automatic, expedited, segments, block };
 
 struct BlockRead {
-    std::vector<std::uint8_t> block_sizes{127};  ///< the last one is repeated
+    std::vector<std::uint8_t> block_sizes{127};  ///< block sizes in their order; the last one is repeated
     bool crc{false};
     std::uint8_t switch_size{0};               ///< pst
     std::optional<std::uint8_t> short_ack{};   ///< only this many segments of the first block are acknowledged
@@ -34,7 +34,7 @@ struct BlockWrite {
     bool wrong_crc{false};
     bool without_size{false};
     std::optional<std::uint32_t> size{};  ///< a size that differs from the data
-    std::optional<unsigned> lose{};       ///< segment of the first block, from 1
+    std::optional<unsigned> lose{};       ///< loses the last segment of the first block
     bool lose_last{false};                ///< of the first block
     std::optional<unsigned> repeat{};     ///< segment of the first block that is sent twice
     std::uint8_t padding{0};

@@ -26,7 +26,7 @@ class Interrupted : public std::runtime_error {
     Interrupted() : std::runtime_error{"interrupted"} {}
 };
 
-/// Who switches the slave off and on.
+/// The means by which the slave is switched off and on.
 enum class PowerSwitch {
     nobody,
     hand,    ///< the user, on request; takes seconds
@@ -47,7 +47,7 @@ class Target {
     virtual void go_on() {}
 
     virtual PowerSwitch power_switch() const { return PowerSwitch::nobody; }
-    /// Returns when the slave is off, or on; frames come meanwhile. Throws Interrupted.
+    /// Switches the slave off or on and returns when that is done; frames come meanwhile. Throws Interrupted.
     virtual void power(bool) {}
     /// Returns whether the bus follows the slave's bit rate.
     virtual bool follows_bit_rate() const { return false; }

@@ -54,7 +54,7 @@ class VirtualTarget final : public Target {
         void receive(const Frame& frame, Instant now) override;
         void set_can_state(CanState state, Instant now) override;
         void set_overrun(bool lost, Instant now) override;
-        /// Every frame of the bus reaches the slave, as on a wire: which frames it takes is for the cases to judge.
+        /// Every frame of the bus reaches the slave, as on a wire. The cases judge which frames it takes.
         const std::vector<AcceptanceFilter>& filters() const override { return accept_everything(); }
         std::uint32_t bit_rate() const override { return node_.bit_rate(); }
 

@@ -10,16 +10,17 @@
 
 namespace canproof::host::conform {
 
-/// `3.1 % on average, 47.0 % in the busiest second; 812 frames, 400 of them from the tester, 0 error frames, 0 lost`
+/// Returns a text such as `3.1 % on average, 47.0 % in the busiest second; 812 frames, 400 of them from the tester, 0
+/// error frames, 0 lost`.
 std::string load_words(const ConformReport& report);
 
-/// Times that mean the same in each case, over all cases: `SDO answer` and `boot-up`.
+/// Times with the same meaning in each case, over all cases: `SDO answer` and `boot-up`.
 std::map<std::string, Measured> times_of_all(const ConformReport& report);
 
-/// A histogram as an SVG element. A dashed line stands at each accepted limit that lies in its range.
+/// Returns a histogram as an SVG element. A dashed line marks each accepted limit that lies in its range.
 std::string draw_times(const Measured& measured);
 
-/// One row for each kind of time; empty without any.
+/// Returns one row for each kind of time; empty when there are no times.
 std::string times_table(const std::map<std::string, Measured>& times);
 
 }  // namespace canproof::host::conform

@@ -9,7 +9,7 @@
 
 namespace canproof::host::conform {
 
-/// index.html, SERVICE.html and case-ID.html of each that did not pass, by path.
+/// Returns index.html, SERVICE.html, and case-ID.html for each case that did not pass, by path.
 std::map<std::string, std::string> report_pages(const ConformReport& report);
 
 }  // namespace canproof::host::conform

@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// Only limits that are finite: JSON has no other numbers.
+/// Writes only finite limits, because JSON has no infinite numbers.
 nlohmann::ordered_json limits_of(const TimeLimits& limits) {
     nlohmann::ordered_json json{{"least_us", limits.least}};
     if (std::isfinite(limits.most)) {

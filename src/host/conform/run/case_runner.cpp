@@ -12,8 +12,9 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);     // a frame too many comes by then
-constexpr Duration tolerated_delay = milliseconds(20);  // of the tester; more is reported with a failure
+constexpr Duration afterthought = milliseconds(20);  // within this time an additional frame of the slave would come
+constexpr Duration tolerated_delay =
+    milliseconds(20);  // delay of the tester; a greater delay is reported with a failure
 constexpr Duration power_off_time = milliseconds(200);
 constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
 constexpr std::uint16_t first_application_index = 0x2000;
@@ -48,7 +49,7 @@ CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& 
     link_.reserve(listened_to(sheet));
 }
 
-/// Records which objects a download may have changed.
+/// Records the objects that a download may have changed.
 void CaseRunner::note_sent(const Frame& frame) {
     const std::uint32_t function = frame.id & 0x780U;
     const unsigned command = frame.data[0] >> 5U;
@@ -93,7 +94,7 @@ bool CaseRunner::reset(NmtCommand command) {
     return booted;
 }
 
-/// Returns whether the SDO server answers at all, right or wrong.
+/// Returns whether the SDO server answers at all, whether right or wrong.
 bool CaseRunner::answers() {
     constexpr ObjectPlace device_type{0x1000, 0};
     link_.forget();
@@ -157,7 +158,8 @@ void CaseRunner::begin(ConformReport& report) {
     fresh_ = Fresh::no;
 }
 
-/// Returns the value of an entry; empty when it has none or the slave answers wrongly, which is reported.
+/// Returns the value of an entry. Returns an empty value when the entry has none or when the slave answers wrongly,
+/// which is reported.
 Bytes CaseRunner::read_at_start(const ObjectPlace& place, ConformReport& report) {
     try {
         return sdo_.read(place).data;

@@ -27,18 +27,18 @@ class CaseRunner {
     std::vector<std::string> put_everything_back();
     /// Returns whether the slave still answers.
     bool is_alive() const { return alive_; }
-    /// Every frame since the runner was made.
+    /// Returns every frame since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
-    /// The last reset of the slave since the last write to it.
+    /// Returns the last reset of the slave since the last write to it.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);
     void judge(const Case& one, CaseResult& result);
     void check_unasked(const Case& one);
     void clean_up(const Case& one, CaseResult& result);
-    /// Throws NoAnswer.
+    /// Throws NoAnswer when the slave does not answer.
     void prepare(Preparation how);
     bool reset(NmtCommand command);
     bool answers();

@@ -19,7 +19,7 @@ enum class Preparation { none, reset_communication, reset_node };
 struct Case {
     std::string id;
     std::string group;
-    std::vector<std::string> numbers;  ///< of the public transcript
+    std::vector<std::string> numbers;  ///< numbers of the public transcript
     std::string shows;
     std::string section;
     std::vector<std::string> tests;

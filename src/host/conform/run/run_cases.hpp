@@ -28,7 +28,7 @@ struct ConformOptions {
     std::function<void(const CaseResult&)> progress;
 };
 
-/// Most runs of a case: on a real bus a failed case runs again.
+/// Most runs of one case: on a real bus a failed case runs again.
 constexpr unsigned most_runs = 4;
 
 /// Runs the chosen cases. Throws InputError when an option names no case, and when the slave does not answer at all.

@@ -23,7 +23,7 @@ class Snapshot {
     /// Writes back the entries of `places` that have changed, in an order that a slave accepts, and reads them again.
     /// Returns a sentence for each entry that could not be restored. Throws NoAnswer.
     std::vector<std::string> put_back(SdoClient& sdo, const std::set<ObjectPlace>& places);
-    /// Returns whether the last put_back() had to write.
+    /// Returns whether the last put_back() had to write anything.
     bool has_written() const { return has_written_; }
     std::size_t size() const { return values_.size(); }
     std::set<ObjectPlace> places() const;

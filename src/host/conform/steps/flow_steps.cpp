@@ -124,7 +124,7 @@ Action parse_next(Scanner& line, StepSource&) {
     };
 }
 
-/// The iterations of a loop: their names appear in messages; the case is skipped when all were skipped.
+/// The iterations of a loop: their names appear in messages. When all of them were skipped, the case is skipped.
 class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}

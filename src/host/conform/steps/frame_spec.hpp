@@ -15,7 +15,7 @@ struct FrameSpec {
     Expression id;
     bool extended{false};
     bool remote{false};
-    bool any_data{true};  ///< the step specifies no data
+    bool any_data{true};  ///< the step specifies no data, so any data match
     DataPattern data{DataPattern::any()};
     Expression remote_length;  ///< length of a remote frame; empty: 0
 

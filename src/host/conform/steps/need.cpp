@@ -44,7 +44,7 @@ std::string ask_block(Context& context, bool upload) {
         } catch (const NoAnswer&) {
             throw;
         } catch (const SlaveFailed&) {
-            answer = true;  // the slave tries block transfer; the case judges how
+            answer = true;  // the slave tries block transfer; the case judges the result
         }
     }
     return *answer ? "" : fmt::format("the slave has no block {} (05040001h)", upload ? "upload" : "download");

@@ -12,7 +12,7 @@ namespace canproof::host::conform {
 
 struct Need {
     std::string words;  ///< as written
-    /// Returns why it is not met; empty when it is met. May send requests to the slave.
+    /// Returns the reason why the need is not met; empty when it is met. May send requests to the slave.
     std::function<std::string(Context&)> unmet;
 };
 

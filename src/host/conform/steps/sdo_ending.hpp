@@ -24,8 +24,8 @@ struct Ending {
     void judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const;
 };
 
-/// Returns the bytes to write: the given bytes, or a number `width` bytes wide; 0: the width in the data sheet. Throws
-/// BrokenCase.
+/// Returns the bytes to write: the given bytes, or a number that is `width` bytes wide. With `width` 0 the data sheet
+/// determines the width. Throws BrokenCase.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context);
 
 }  // namespace canproof::host::conform

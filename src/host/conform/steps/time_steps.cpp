@@ -150,7 +150,7 @@ std::string ms(double us) {
     return fmt::format("{:.3f} ms", us / 1000.0);
 }
 
-/// The gaps with the limits that the step gives.
+/// The gaps between the frames, with the limits that the step gives.
 Measured measured_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
     Measured measured{gaps, {}, {}};
     TimeLimits each{0.0, std::numeric_limits<double>::infinity()};

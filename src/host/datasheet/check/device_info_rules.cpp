@@ -147,7 +147,7 @@ class DeviceInfoCheck {
         const auto bits = eds_unsigned(value->text);
         if (!bits || *bits > 64) {
             findings_.add("deviceinfo-granularity", value->line,
-                          fmt::format("Granularity {} is no number from 0 to 64", value->text));
+                          fmt::format("Granularity {} is not a number from 0 to 64", value->text));
         } else if ((*bits == 0) == has_writable_mapping()) {
             findings_.add(
                 "deviceinfo-granularity-mapping", value->line,
@@ -215,7 +215,7 @@ const std::vector<EdsRule>& device_info_rules() {
          "write the number of receive PDOs", source},
         {"deviceinfo-tpdo-count", error, "NrOfTXPDO differs from the objects 1800h to 19FFh",
          "write the number of transmit PDOs", source},
-        {"deviceinfo-granularity", error, "Granularity is no number from 0 to 64",
+        {"deviceinfo-granularity", error, "Granularity is not a number from 0 to 64",
          "write the bits of the smallest object that can be mapped, 0 without changeable mapping", source},
         {"deviceinfo-granularity-mapping", warning, "Granularity contradicts the access to the mapping",
          "write 0 exactly when no mapping can be changed", source},

@@ -25,7 +25,7 @@ struct EdsRule {
     const char* source;    ///< section of CiA 301 or CiA 306 that requires it
 };
 
-/// A change of one line that fixes a finding and keeps the meaning of the sheet.
+/// A change of one line that fixes a finding. The meaning of the sheet stays the same.
 struct EdsEdit {
     enum class Kind { replace, insert_after, erase, crlf } kind{Kind::replace};
     unsigned line{0};  ///< counts from 1

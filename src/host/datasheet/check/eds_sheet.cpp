@@ -109,7 +109,7 @@ EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
             fmt::format("{} is XML; only EDS and DCF files are checked", name_.empty() ? "the text" : name_)};
     }
     Faults faults;
-    Faults notes;  // unused: the rules report the same in more detail
+    Faults notes;  // not used here, because the rules report the same in more detail
     ini_ = read_ini(std::string{text}, EdsTelling{name_, faults, notes});
     if (!faults.empty() || ini_.sections.empty()) {
         throw InputError{fmt::format("{} is no EDS: {}", name_.empty() ? "the text" : name_,

@@ -151,7 +151,7 @@ class FileInfoCheck {
     void check_number(const char* key, const char* rule) {
         const IniValue* value = section_.filled(key);
         if (value != nullptr && eds_unsigned(value->text).value_or(256) > 255) {
-            findings_.add(rule, value->line, fmt::format("{} {} is no number from 0 to 255", key, value->text));
+            findings_.add(rule, value->line, fmt::format("{} {} is not a number from 0 to 255", key, value->text));
         }
     }
 

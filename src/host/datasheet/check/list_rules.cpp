@@ -75,7 +75,7 @@ class ListCheck {
             const auto index = eds_unsigned(value.text);
             if (!numbered) {
                 findings_.add("list-key", value.line,
-                              fmt::format("{} is no number of a list entry", sheet_.line(value.line).name));
+                              fmt::format("{} is not a number of a list entry", sheet_.line(value.line).name));
             } else if (!index || *index == 0 || *index > 0xFFFF) {
                 findings_.add("list-no-index", value.line, fmt::format("{} is no index", value.text));
             } else {
@@ -217,7 +217,7 @@ const std::vector<EdsRule>& list_rules() {
         {"list-count-missing", error, "a list lacks SupportedObjects", "add the number of its objects", source},
         {"list-count", error, "SupportedObjects differs from the objects that are listed",
          "write the number of objects", source},
-        {"list-key", warning, "a key of a list is no number", "write the entries as 1=0x1000, 2=0x1001 …", source},
+        {"list-key", warning, "a key of a list is not a number", "write the entries as 1=0x1000, 2=0x1001 …", source},
         {"list-no-index", error, "an entry of a list is no index", "write an index from 0x1000 to 0xFFFF", source},
         {"list-numbering", error, "the entries of a list are not numbered from 1 without gap", "number them again",
          source},

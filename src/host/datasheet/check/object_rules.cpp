@@ -86,7 +86,7 @@ class ObjectCheck {
         }
         if (flags != nullptr && eds_unsigned(flags->text).value_or(4) > 3) {
             findings_.add("object-flags", flags->line,
-                          fmt::format("ObjFlags {} is no number from 0 to 3", flags->text));
+                          fmt::format("ObjFlags {} is not a number from 0 to 3", flags->text));
         }
         const IniValue* subs = section.filled("SubNumber");
         if (object.is_single() && subs != nullptr && eds_unsigned(subs->text) != std::uint64_t{0}) {
@@ -106,7 +106,7 @@ class ObjectCheck {
         const auto count = eds_unsigned(compact->text);
         if (!count || *count > 254) {
             findings_.add("compact-count", compact->line,
-                          fmt::format("CompactSubObj {} is no number from 0 to 254", compact->text));
+                          fmt::format("CompactSubObj {} is not a number from 0 to 254", compact->text));
         } else if (*count != 0 && !object.is_several()) {
             findings_.add("compact-single", compact->line,
                           fmt::format("{} is a single value with CompactSubObj", object.title()));
@@ -304,7 +304,7 @@ const std::vector<EdsRule>& object_rules() {
         {"object-data-type", error, "the index of a data type has no data type",
          "write ObjectType 0x5 (DEFTYPE) or 0x6 (DEFSTRUCT), or move the object to 1000h or above", types_source},
         {"object-reserved", warning, "the index is reserved", "move the object", "CiA 301, object dictionary areas"},
-        {"object-flags", error, "ObjFlags is no number from 0 to 3", "write 0 to 3", source},
+        {"object-flags", error, "ObjFlags is not a number from 0 to 3", "write 0 to 3", source},
         {"object-single-subs", error, "a single value has sub-objects",
          "write ObjectType 0x8 or 0x9, or remove the sub-objects", types_source},
         {"object-single-number", warning, "a single value has SubNumber", "remove the line", source},
@@ -331,7 +331,7 @@ const std::vector<EdsRule>& object_rules() {
          "CiA 301, ARRAY"},
         {"array-types", error, "the entries of an ARRAY have several data types", "write one type, or a RECORD",
          "CiA 301, ARRAY"},
-        {"compact-count", error, "CompactSubObj is no number from 0 to 254", "write the number of entries",
+        {"compact-count", error, "CompactSubObj is not a number from 0 to 254", "write the number of entries",
          compact_source},
         {"compact-single", error, "a single value has CompactSubObj", "write ObjectType 0x8 or 0x9", compact_source},
         {"compact-subs", warning, "an object has CompactSubObj and sub-sections", "describe the entries in one way",

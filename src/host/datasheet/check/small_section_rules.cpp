@@ -106,9 +106,9 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
     const IniValue* node = section->filled("NodeID");
     const auto number = node == nullptr ? std::nullopt : eds_unsigned(node->text);
     if (!number || *number < 1 || *number > 127) {
-        findings.add(
-            "dcf-node-id", node == nullptr ? section->line : node->line,
-            node == nullptr ? "there is no NodeID" : fmt::format("NodeID {} is no number from 1 to 127", node->text));
+        findings.add("dcf-node-id", node == nullptr ? section->line : node->line,
+                     node == nullptr ? "there is no NodeID"
+                                     : fmt::format("NodeID {} is not a number from 1 to 127", node->text));
     }
     const IniValue* rate = section->filled("Baudrate");
     const auto bits = rate == nullptr ? std::nullopt : eds_unsigned(rate->text);

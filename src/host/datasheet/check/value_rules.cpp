@@ -145,7 +145,7 @@ class ValueCheck {
         }
         const auto number = whole(term->rest);
         if (!number) {
-            add("default-no-number", fmt::format("default {} of {} is no number", text, entry_.title()));
+            add("default-no-number", fmt::format("default {} of {} is not a number", text, entry_.title()));
             return;
         }
         if (!fitted(*number, type_, is_hexadecimal(term->rest))) {
@@ -216,7 +216,7 @@ class ValueCheck {
         const auto number = term ? whole(term->rest) : std::nullopt;
         if (!number) {
             findings_.add("limit-no-number", given->line,
-                          fmt::format("{} {} of {} is no number", key, given->text, entry_.title()));
+                          fmt::format("{} {} of {} is not a number", key, given->text, entry_.title()));
             return std::nullopt;
         }
         check_spelling(*given);
@@ -251,8 +251,8 @@ class ValueCheck {
 
 const std::vector<EdsRule>& value_rules() {
     static const std::vector<EdsRule> rules{
-        {"default-no-number", error, "a default is no number", "write a decimal number, or 0x and hexadecimal digits",
-         default_source},
+        {"default-no-number", error, "a default is not a number",
+         "write a decimal number, or 0x and hexadecimal digits", default_source},
         {"default-outside-type", error, "a default does not fit its type", "correct the value or the type",
          default_source},
         {"default-boolean", error, "the default of a BOOLEAN is neither 0 nor 1", "write 0 or 1", default_source},
@@ -269,7 +269,7 @@ const std::vector<EdsRule>& value_rules() {
          limit_source},
         {"number-octal", warning, "a number begins with 0", "remove the zeros, unless octal is meant", number_source},
         {"number-suffix", warning, "a number has a suffix of the C language", "remove the suffix", number_source},
-        {"limit-no-number", error, "a limit is no number", "write a decimal number, or 0x and hexadecimal digits",
+        {"limit-no-number", error, "a limit is not a number", "write a decimal number, or 0x and hexadecimal digits",
          limit_source},
         {"limit-outside-type", error, "a limit does not fit the type", "correct the limit or the type", limit_source},
         {"limit-order", error, "LowLimit is above HighLimit", "exchange or correct them", limit_source},

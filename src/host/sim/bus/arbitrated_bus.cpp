@@ -156,7 +156,7 @@ void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
     rates_differ_ = rates_differ_ || (!port.gateway && port.node->bit_rate() != port.rate);
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
-        return;  // the frame on the wire is still its first frame
+        return;  // the frame on the wire is still the first frame of the node
     }
     const Frame* const next = port.next();
     if (next != nullptr && !waiting_.has(port.number)) {

@@ -18,18 +18,18 @@
 
 namespace canproof::host {
 
-/// A bus with up to 127 nodes and any number of gateways. The bit rate of the bus is that of most of its nodes; on a
-/// tie it keeps its present one. A node with another bit rate neither sends nor receives. Every frame is acknowledged,
-/// because the outside is a further station. If two nodes send the same identifier at once, the node attached first
-/// wins; CANopen forbids this case, and a real bus would answer it with bit errors.
+/// A bus with up to 127 nodes and any number of gateways. Its bit rate is that of most of its nodes; on a tie it keeps
+/// the present one. A node with another bit rate neither sends nor receives. Every frame is acknowledged, because the
+/// outside counts as a further station. If two nodes send the same identifier at once, the node that was attached first
+/// wins. CANopen forbids this case; on a real bus it would cause bit errors.
 ///
-/// A node gets the frames that its filters accept. The effort for a frame depends on its receivers and not on the
-/// number of nodes, because a node that reports its changes is inspected only after a change.
+/// A node gets the frames that its filters accept. The work for a frame depends on its receivers and not on the number
+/// of nodes, because a node that reports its changes is inspected only after a change.
 class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
 
-    /// `bit_rate` in bit/s applies until a node has another one.
+    /// `bit_rate`, in bit/s, applies until a node has another bit rate.
     ArbitratedBus(std::string interface, std::uint32_t bit_rate, const BusFaultRates& faults);
 
     /// Throws InputError for a 128th node.
@@ -64,7 +64,7 @@ class ArbitratedBus final : public Bus {
         CanState told{CanState::error_active};
         bool overrun{false};
         std::uint32_t rate{0};       ///< bit rate of the node at the last inspection
-        Nanoseconds first_since{0};  ///< when the next frame to send became the first
+        Nanoseconds first_since{0};  ///< time at which the next frame became the first of its queue
         Nanoseconds may_send_from{0};
         Nanoseconds back_on_bus{0};  ///< end of the bus-off state
         bool changed{false};         ///< the port is in changed_

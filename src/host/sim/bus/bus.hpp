@@ -60,8 +60,8 @@ struct BusFrame {
 struct BusReport {
     std::uint64_t frames{0};
     std::uint64_t errors{0};     ///< error frames
-    std::uint64_t lost{0};       ///< frames that arrived faster than they were read: neither logged nor counted
-    std::uint64_t missed{0};     ///< the same for frames to nodes here
+    std::uint64_t lost{0};       ///< frames that came faster than they were read; they are neither logged nor counted
+    std::uint64_t missed{0};     ///< number of such frames for nodes of this program
     double load{0.0};            ///< 0 to 1, over the last second
     Duration worst_latency{};    ///< from the moment at which a frame became the first of its node until its last bit
     std::uint32_t bit_rate{0U};  ///< bit/s; 0: unknown
@@ -88,7 +88,7 @@ class Bus {
     virtual bool put(const Frame& frame, Instant now) = 0;
     virtual std::vector<Watch> watches() const = 0;
     /// Reads the descriptors. Arrived data are due at their time of arrival. Returns the time up to which all arrivals
-    /// are known: `now`, or an earlier time when more arrived than one call reads.
+    /// are known: `now`, or an earlier time when more has arrived than one call reads.
     virtual Instant poll(Instant now) = 0;
     virtual void advance(Instant now) = 0;
     virtual Instant next_deadline() const = 0;

@@ -55,7 +55,7 @@ class CanSystem {
     virtual BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t bit_rate) = 0;
     /// Restarts a bus-off controller.
     virtual bool restart(const std::string& interface) = 0;
-    /// Returns CLOCK_REALTIME in ns.
+    /// Returns the time of CLOCK_REALTIME in ns.
     virtual std::uint64_t realtime_ns() = 0;
 };
 

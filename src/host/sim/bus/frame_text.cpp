@@ -13,8 +13,8 @@ constexpr std::size_t base_digits = 3;
 constexpr std::size_t extended_digits = 8;
 constexpr std::uint32_t highest_base = 0x7FFU;
 constexpr std::uint32_t highest_extended = 0x1FFFFFFFU;
-constexpr std::uint32_t error_flag = 0x20000000U;  // an error frame's identifier has only this bit above the lower 29
-                                                   // bits
+constexpr std::uint32_t error_flag = 0x20000000U;  // the only bit above the lower 29 in the identifier of an error
+                                                   // frame bits
 constexpr unsigned no_digit = 16;
 
 unsigned digit_of(char c) {

@@ -18,7 +18,7 @@ class Gateway final : public BusNode {
     Gateway(std::string name, std::size_t capacity, Outlet outlet)
         : name_{std::move(name)}, capacity_{capacity}, outlet_{std::move(outlet)} {}
 
-    /// Stores a frame to send. Returns false when the gateway is full: the caller must wait.
+    /// Stores a frame to send. Returns false when the gateway is full; the caller must then wait.
     bool put(const Frame& frame) {
         if (is_full()) {
             return false;

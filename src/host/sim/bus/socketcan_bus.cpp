@@ -34,7 +34,7 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     open_socket(ports_.front());
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
-    lose_interface(now);  // returns without effect when the interface is up
+    lose_interface(now);  // has no effect when the interface is up
 }
 
 SocketCanBus::~SocketCanBus() {
@@ -81,7 +81,7 @@ Instant SocketCanBus::poll(Instant now) {
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    // The earlier arrivals are already sorted; a late run keeps many of them from turn to turn.
+    // The earlier arrivals are already sorted. A late run keeps many of them from turn to turn.
     const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
     };
@@ -183,7 +183,7 @@ void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
         return;  // an interface that is down is already reported as bus-off
     }
     const ControllerNews news = read_error_frame(frame);
-    errors_ += &port == &ports_[1] ? 1U : 0U;  // every node gets each error frame, so only those of the first are
+    errors_ += &port == &ports_[1] ? 1U : 0U;  // every node gets each error frame, so only those of the first node are
                                                // counted
     if (news.overrun) {
         set_overrun(port, true, now);

@@ -16,7 +16,7 @@ namespace canproof::host {
 
 /// Whether the run may change the interface itself, which other programs use as well.
 enum class InterfaceControl {
-    none,    ///< only reports what it would have done
+    none,    ///< only reports the action
     granted  ///< sets the bit rate that LSS requests, restarts the controller after bus-off
 };
 
@@ -103,7 +103,7 @@ class SocketCanBus final : public Bus {
     Instant restart_at_{never};
     Instant advanced_to_{};
     std::deque<Arrival> arrived_;
-    Instant known_{};  ///< all arrivals up to this time have been read
+    Instant known_{};  ///< time up to which all arrivals have been read
     std::uint64_t arrivals_{0};
     std::vector<CanReception> received_;  ///< frames of one system call
     bool roomy_{true};

@@ -86,14 +86,15 @@ void SocketCanBus::change_bit_rate(const Port& port) {
     }
 }
 
-/// Handles a loss of the interface. The kernel reports a change even when it is over, so the present state decides.
+/// Handles a loss of the interface. The kernel also reports a change that is already over, so the present state
+/// decides.
 void SocketCanBus::lose_interface(Instant now) {
     const bool same = system_.interface_number(interface_) == number_;
     if (same && system_.is_up(interface_)) {
         return;
     }
     down_ = true;
-    restart_at_ = never;  // a controller that comes back is not bus-off
+    restart_at_ = never;  // a controller that is on the bus again needs no restart
     look_at_ = now + search_period;
     notice(fmt::format("{} is {}; waiting for it", interface_,
                        system_.interface_number(interface_) == 0 ? "gone" : "down"));

@@ -47,7 +47,7 @@ int listen_at(const ListenAddress& address) {
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    // Best effort: without this option, the port is blocked for about a minute after use.
+    // Best effort: without this option, the port cannot be used again for about a minute.
     static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on));
     const bool sound = descriptor >= 0 && bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
                        listen(descriptor, waiting_connections) == 0;

@@ -69,8 +69,8 @@ class SocketcandBus final : public Bus {
         Instant closes_at{never};  ///< time at which a dismissed client is closed
         std::string arrived;       ///< text that has been read and is due at arrived_at
         Instant arrived_at{never};
-        bool ended{false};  ///< sends no more; its buffered frames are still sent to the bus
-        bool deaf{false};   ///< receives no more
+        bool ended{false};  ///< the client sends no more; the bus still gets its frames
+        bool deaf{false};   ///< the client receives no more
         bool gone{false};
 
         bool reads() const { return session->wants_input() && arrived.empty() && !ended; }

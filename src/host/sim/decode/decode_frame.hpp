@@ -51,7 +51,7 @@ class FrameDecoder {
     const Register& register_;
 };
 
-/// Returns the word of a service: `NMT`, `PDO` …
+/// Returns the name of a service: `NMT`, `PDO` …
 const char* service_word(FrameService service);
 
 /// Returns the data according to the mapping object `index` of the node: `name = value, …`.

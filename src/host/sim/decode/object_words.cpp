@@ -27,7 +27,7 @@ std::string digits(ByteView bytes) {
     return text;
 }
 
-/// Returns the two's complement of `size` bytes.
+/// Returns the signed value of `size` bytes in two's complement.
 std::int64_t signed_value(std::uint64_t bits, std::size_t size) {
     const unsigned spare = 64U - 8U * static_cast<unsigned>(size);
     return static_cast<std::int64_t>(bits << spare) >> spare;

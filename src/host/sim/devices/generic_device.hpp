@@ -22,7 +22,7 @@ struct GenericDescription {
     NodeProfile profile;
 };
 
-/// Returns the description of a part. LSS has the profile of standard_lss().
+/// Returns the description of a part. Its LSS has the profile of standard_lss().
 GenericDescription describe(const Part& part);
 /// Returns an LSS profile with the bit rates of CiA 305, in which only the master resets the node.
 LssProfile standard_lss();
@@ -66,7 +66,7 @@ class GenericDevice final : private Application {
     /// Sets the answer to `store configuration` without a store; only LssError::none keeps the configuration.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
-    /// Returns how often a communication error began or ended.
+    /// Returns the number of times that a communication error began or ended.
     int communication_errors() const { return communication_errors_; }
 
   private:

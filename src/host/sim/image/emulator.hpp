@@ -13,7 +13,7 @@ namespace canproof::host {
 
 class Emulator {
   public:
-    /// Owns no process.
+    /// Makes an object that owns no process.
     Emulator() = default;
     explicit Emulator(pid_t process) : process_{process} {}
     ~Emulator() {

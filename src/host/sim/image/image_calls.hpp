@@ -26,8 +26,8 @@ struct DeviceState {
 
 class ImageCalls {
   public:
-    /// `link`: its greeting has been read. `queue` receives the frames that the image sends; a frame popped there goes
-    /// out.
+    /// `link` has read the greeting. `queue` receives the frames that the image sends; a frame that is popped there
+    /// goes out.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
     // These calls throw ImageFailed. `inputs` are in the order of the requirements register.
@@ -35,7 +35,7 @@ class ImageCalls {
     void set_inputs(const std::vector<double>& inputs, Instant now);
     void receive(const Frame& frame, Instant now);
     void advance(Instant now);
-    /// Only reports to the image which frames went out.
+    /// Only reports to the image which frames have gone out.
     void look();
 
     /// Returns the state after the last call.

@@ -93,7 +93,7 @@ bool ImageDevice::set_input(const std::string& name, double value, Instant now) 
     return found;
 }
 
-/// Asks again when frames have gone out: a block of segments goes on when there is room.
+/// Asks the image again when frames have gone out, because a block of segments continues when there is room.
 Instant ImageDevice::next_deadline() const {
     if (calls_->sent() != 0) {
         follow_queue();
@@ -102,7 +102,7 @@ Instant ImageDevice::next_deadline() const {
     return calls_->state().deadline;
 }
 
-/// Gives none for switches that stand at no node-ID.
+/// Returns no node-ID for switches whose position is not a node-ID.
 std::uint8_t ImageDevice::node_id() const {
     const int number = calls_->state().node_id;
     return NodeId{NodeId::is_one(number) ? number : NodeId::none}.value();

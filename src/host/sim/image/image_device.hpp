@@ -15,12 +15,13 @@ namespace canproof::host {
 
 class ImageDevice final : public SimulatedDevice {
   public:
-    /// `link`: its greeting has been read. Throws ImageFailed when the image has other signals than the twin.
+    /// `link` has read the greeting. Throws ImageFailed when the image has other signals than the twin.
     ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
 
     void set_node_id(NodeId node_id) override;
     bool set_coding_switches(std::uint8_t value) override { return twin_->set_coding_switches(value); }
-    // These five throw ImageFailed when the link fails, and the first four also when image and twin differ.
+    // These five functions throw ImageFailed when the link fails; the first four also throw it when image and twin
+    // differ.
     void power_on(Instant now) override;
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;

@@ -12,7 +12,8 @@
 
 namespace canproof::host {
 
-/// The image has ended, does not answer, or behaves as no image built from this program's sources does.
+/// Thrown when the image has ended, does not answer, or behaves unlike any image built from the sources of this
+/// program.
 class ImageFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -34,7 +35,7 @@ class ImageLink {
     ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator = {});
 
     const std::string& name() const { return name_; }
-    /// Throws ImageFailed.
+    /// Throws ImageFailed when the image has ended.
     void send(bridge::Message& message);
     /// Waits for the image's next message. Throws ImageFailed.
     bridge::Message receive();

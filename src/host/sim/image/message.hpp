@@ -40,7 +40,7 @@ enum class Kind : std::uint8_t {
     stored       ///< answers read, write and commit: whether it was done (u8); after a read the bytes
 };
 
-/// One message, to be written or read. A value that does not fit, and one that is read past the end, only make it
+/// One message, to be written or read. A value that does not fit, or a read past the end, only makes the message
 /// unsound.
 class Message {
   public:
@@ -53,7 +53,7 @@ class Message {
     bool is_sound() const { return sound_; }
     Kind kind() const { return static_cast<Kind>(bytes_[head]); }
 
-    /// Puts a number or an enumerator.
+    /// Appends a number or an enumerator.
     template <typename Value>
     void put(const Value value) {
         static_assert(is_value<Value>);
@@ -63,7 +63,7 @@ class Message {
         static_cast<void>(std::memcpy(&bytes_[end_], &value, sizeof(Value)));
         end_ += sizeof(Value);
     }
-    /// Takes the next value; zero when there is none.
+    /// Returns and removes the next value; zero when there is none.
     template <typename Value>
     Value take() {
         static_assert(is_value<Value>);
@@ -81,7 +81,7 @@ class Message {
             end_ += bytes.size();
         }
     }
-    /// Takes the next `count` bytes; none when there are less. They are good as long as the message.
+    /// Returns and removes the next `count` bytes; none when there are fewer. They are valid as long as the message.
     ByteView take_bytes(const std::size_t count) {
         const bool whole = has_left(count);
         const std::size_t from = at_;
@@ -111,14 +111,14 @@ class Message {
         store_le<head>(bytes_.data(), end_ - head);
         return ByteView{bytes_.data(), end_};
     }
-    /// Returns the buffer into which a message is read: first `head` bytes, then the number that expected() returns.
+    /// Returns the buffer into which a message is read: first `head` bytes, then as many bytes as expected() returns.
     std::uint8_t* buffer() { return bytes_.data(); }
-    /// Returns the number of bytes behind the head; 0 for a message that is none.
+    /// Returns the number of bytes behind the head; 0 when the head is invalid.
     std::size_t expected() const {
         const std::uint64_t length = load_le<head>(bytes_.data());
         return (length <= (capacity - head)) ? static_cast<std::size_t>(length) : 0U;
     }
-    /// Ends the reading: take() begins behind the kind.
+    /// Ends the reading of the message: take() begins behind the kind.
     void filled() {
         end_ = head + expected();
         at_ = head + sizeof(Kind);
@@ -126,7 +126,7 @@ class Message {
     }
 
   private:
-    /// Each pattern of bits is one.
+    /// Each pattern of bits is a valid value.
     template <typename Value>
     static constexpr bool is_value =
         (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) || std::is_enum_v<Value>;

@@ -23,7 +23,7 @@ Pipe open_pipe() {
     return {Descriptor{ends[0]}, Descriptor{ends[1]}};
 }
 
-/// Returns the words that start QEMU. By semihosting the standard streams of the process are the image's.
+/// Returns the words that start QEMU. With semihosting, the image uses the standard streams of the process.
 std::vector<std::string> command_line(const std::string& path) {
     return {"qemu-system-arm",
             "-nodefaults",

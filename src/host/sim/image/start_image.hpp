@@ -10,7 +10,7 @@
 namespace canproof::host {
 
 /// Starts an STM32F405 in QEMU with that image; the process ends with the link. Throws InputError when there is no QEMU
-/// or no such file. Any other defect of the file shows when its greeting does not come.
+/// or no such file. Any other defect of the file shows when the greeting does not come.
 std::unique_ptr<ImageLink> start_image(const std::string& path);
 
 }  // namespace canproof::host

@@ -20,8 +20,8 @@ using FrameSource = std::function<bool(LoggedFrame&)>;
 struct ReplayInput {
     std::vector<LoggedFrame> frames;
     std::vector<Stimulus> stimuli;
-    std::optional<Instant> until{};                    ///< without it, the time of the last line
-    std::optional<Instant> start{};                    ///< power-on; without it, see latest_zero
+    std::optional<Instant> until{};                    ///< end of the replay; without it, the time of the last line
+    std::optional<Instant> start{};                    ///< time of power-on; without it, see latest_zero
     FrameSource source{};                              ///< replaces `frames`: a log of any length
     std::function<void(const std::string&)> notice{};  ///< receives messages for the user
     std::function<void()> before_call{};  ///< called before a frame, a stimulus or its deadline reaches the device
@@ -33,9 +33,9 @@ constexpr Instant latest_zero{3600000000U};
 /// Longest silence; a longer one is shortened, because nothing new happens in it.
 constexpr Duration longest_silence = milliseconds(3600000);
 
-/// Replays a log; all times are those of the log. After power-on at the start come frames, stimuli and the device's own
-/// deadlines in order of time. At equal times stimuli precede frames. An overdue event happens at the present time, so
-/// time never decreases. Stimuli up to the start precede power-on; frames before the start are left out.
+/// Replays a log; all times are those of the log. After power-on at the start, frames, stimuli and the device's own
+/// deadlines follow in order of time. At equal times stimuli precede frames. An overdue event happens at the present
+/// time, so time never decreases. Stimuli up to the start precede power-on; frames before the start are left out.
 ///
 /// The device does not receive its own frames. If the log marks the sender of a frame, the device's frames are written
 /// in the order and with the times of the log, because waiting frames leave by identifier. Otherwise they are written
@@ -43,7 +43,7 @@ constexpr Duration longest_silence = milliseconds(3600000);
 ///
 /// Writes the device's frames to `frames_out`, and changes of outputs as `seconds,signal,value` to `outputs_out` if
 /// that is given. Throws InputError for a signal that the device does not have, and StuckDevice for a device whose
-/// deadline does not move.
+/// deadline does not advance.
 void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out);
 
 }  // namespace canproof::host

@@ -43,7 +43,8 @@ class Block {
         bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
     }
     void write(std::ostream& out, std::uint32_t type) const {
-        constexpr std::uint32_t frame_of_block = 12;  // the type, and the length twice
+        constexpr std::uint32_t frame_of_block =
+            12;  // bytes for the type and for the length, which a block contains twice
         Block block;
         block.add32(type);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);

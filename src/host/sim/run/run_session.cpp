@@ -51,7 +51,7 @@ void RunSession::note_change(std::size_t number) {
     if (!is_changed_[number]) {
         is_changed_[number] = true;
         changed_.push_back(number);
-        deadlines_.set(number, never);  // until follow_deadlines(), next_deadline() asks the device directly
+        deadlines_.set(number, never);  // until follow_deadlines() runs, next_deadline() asks the device directly
     }
 }
 

@@ -60,12 +60,13 @@ class RunSession {
     /// Handles all events up to `now`, each at its own time; fewer when more arrived at the bus than one turn reads.
     /// Throws StuckDevice for a device whose deadline does not move.
     void advance_to(Instant now);
-    /// Does the same, but stops when may_go_on() returns false after a step; now() is earlier then.
+    /// Does the same, but stops when may_go_on() returns false after a step; now() is then earlier than `now`.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
     /// Sends a frame of the user. Returns false when the bus cannot take it now.
     bool put(const Frame& frame);
-    /// Adds a stimulus of the user after those planned for the same time; a late one comes next.
+    /// Adds a stimulus of the user, behind those planned for the same time. A stimulus whose time has passed comes
+    /// next.
     void schedule(const Stimulus& stimulus);
 
     Bus& bus() { return *bus_; }

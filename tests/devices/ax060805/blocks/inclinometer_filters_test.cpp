@@ -268,7 +268,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
             angle = angle < -180.0F ? angle + 360.0F : angle;
             filter.add(angle);
         }
-        // The mean of three samples a third of a turn apart is the one in the middle.
+        // The mean of three samples, each a third of a turn from the next, is the middle one.
         const float middle = angle - step < -180.0F ? angle - step + 360.0F : angle - step;
         EXPECT_NEAR(filter.output(), middle > 180.0F ? middle - 360.0F : middle, 1e-4F);
     }

@@ -135,14 +135,14 @@ TEST(Tilt, RollIsUndoneBeforePitch) {
     expect_near(undo_rotation({0.1F, -0.2F, 0.3F}, {0.0F, 0.0F}), {0.1F, -0.2F, 0.3F});
 }
 
-TEST(AngleRange, HalfTurnRangeKeepsTheAngle) {
+TEST(AngleRange, RangeOfPlusMinus180DegreesKeepsTheAngle) {
     verifies<req::INC_RANGE_001>();
     for (const float angle : {-180.0F, -90.0F, -0.25F, 0.0F, 135.0F, 180.0F}) {
         EXPECT_EQ(in_span(angle, {-180, 180}), angle);
     }
 }
 
-TEST(AngleRange, FullTurnAdds360ToNegativeAngles) {
+TEST(AngleRange, RangeOfAFullTurnAdds360ToNegativeAngles) {
     verifies<req::INC_RANGE_001>();
     const AngleSpan full{0, 360};
     EXPECT_EQ(in_span(0.0F, full), 0.0F);

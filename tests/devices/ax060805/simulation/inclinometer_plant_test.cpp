@@ -130,7 +130,7 @@ TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
     EXPECT_NE(first[0], first[1]);
 }
 
-TEST_F(InclinometerPlantTest, ProtectionCircuitTakes800mV) {
+TEST_F(InclinometerPlantTest, ProtectionCircuitDrops800mV) {
     verifies<req::INC_PLANT_003, req::INC_K_SUPPLY_DROP, req::INC_S_CONNECTOR>();
     set(&ax060805::Inputs::connector_voltage, "connector_voltage", 12.0F);
     EXPECT_NEAR(inputs.supply_voltage, 11.2F, 1e-5F);

@@ -98,7 +98,7 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
     EXPECT_DOUBLE_EQ(fraction(4.0, 5.0, 5.0), 0.0);
 }
 
-TEST(MathBlock, FractionHasStepsOfAMillionth) {
+TEST(MathBlock, InputFractionHasStepsOfAMillionth) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_003>();
     const auto fraction = [](double value) {
         return math_fraction({{value, 0.0, 0.0, SignalState::valid}, 0.0, 1.0, 1.0, 0});

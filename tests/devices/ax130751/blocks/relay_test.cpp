@@ -84,7 +84,8 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
 
 TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
     verifies<req::AOR_RELAY_005>();
-    // ON since 0; unlatched from 2 to 3; control still ON: no change. OFF at 6, ON at 7: latches again.
+    // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
+    // latches again.
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
@@ -100,7 +101,7 @@ TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
 
-TEST_F(RelayTest, ControlThatIsOffAtUnlatchingLatchesAtItsNextEdge) {
+TEST_F(RelayTest, ControlThatIsOffAtTheEndOfUnlatchingLatchesAtItsNextEdge) {
     verifies<req::AOR_RELAY_005>();
     EXPECT_EQ(run("#...#", latched, ".##.."), "#...#");
 }

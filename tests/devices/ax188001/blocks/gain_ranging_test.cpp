@@ -72,7 +72,7 @@ TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_EQ(adc.gain(circuit), 32);
     convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that shows it counts
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that shows this is used
     convert(5.0, 3);
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
@@ -100,7 +100,7 @@ TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);
 }
 
-TEST_F(Converter, OverdriveThatEndsDuringSettlingIsSeenAfterSettling) {
+TEST_F(Converter, OverdriveIsEvaluatedOnlyAfterSettling) {
     verifies<req::TCS_IN_006>();
     convert(100000.0, 5);
     convert(0.0, 3);

@@ -138,7 +138,7 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
 
 TEST(Thermocouple, LowestTemperaturesAreFoundFromEveryVoltage) {
     verifies<req::TCS_CONV_002>();
-    // There the curves are flat and the inverse functions are not defined: the search starts from outside.
+    // There the curves are flat and the inverse functions are not defined, so the search starts from outside.
     for (const auto& type : its90_types()) {
         for (int step = 0; step <= 2000; ++step) {
             const long double celsius = lowest_convertible(type) + step * 0.001L;
@@ -202,7 +202,7 @@ TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
             EXPECT_NEAR(high, curve.highest_c(), 1e-6) << type.letter;
             const double low = exact_celsius(curve, low_mv + steps * step_mv);
             EXPECT_GE(low, curve.lowest_c()) << type.letter;
-            if (type.letter != 'B') {  // its curve is flat there
+            if (type.letter != 'B') {  // the curve of type B is flat there
                 EXPECT_NEAR(low, curve.lowest_c(), 1e-6) << type.letter;
             }
         }

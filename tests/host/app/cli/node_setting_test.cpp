@@ -27,7 +27,7 @@ std::string first_frames(ChosenDevice chosen) {
     return out.str();
 }
 
-/// Returns the path of a data sheet with only the mandatory objects of CiA 301.
+/// Returns the path of a data sheet that has only the mandatory objects of CiA 301.
 std::string small_eds() {
     const std::string path = testing::TempDir() + "small.eds";
     std::ofstream{path}
@@ -43,7 +43,7 @@ std::string small_eds() {
 
 }  // namespace
 
-TEST(NodeId, NodeIdIs1To127Or255) {
+TEST(NodeId, OnlyNodeIds1To127And255AreAccepted) {
     for (int number = -1; number <= 257; ++number) {
         const bool is_one = (number >= 1 && number <= 127) || number == 255;
         EXPECT_EQ(NodeId::is_one(number), is_one) << number;

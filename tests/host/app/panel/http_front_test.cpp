@@ -24,7 +24,7 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 12000;  // only a broken test waits that long
+constexpr int most_looks = 12000;  // reached only in a broken test
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {
@@ -146,7 +146,7 @@ TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
 TEST_F(Front, ClientThatNeverClosesIsClosedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
-    ASSERT_TRUE(until([&] { return stays.ended(); }));  // it has received all, and keeps its side open
+    ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all, and keeps its side open
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
     EXPECT_EQ(front.connections(), 1U);
     now = now + HttpFront::close_limit;
@@ -159,7 +159,7 @@ TEST_F(Front, LongResponseArrivesCompletely) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\n" + answer.body));
 }
 
-TEST_F(Front, RefusalArrivesWhileTheRequestIsStillBeingSent) {
+TEST_F(Front, RefusalArrivesBeforeTheRequestIsComplete) {
     const std::string heard = exchange("GET /" + std::string(100000, 'a'));
     EXPECT_THAT(heard, StartsWith("HTTP/1.1 414 "));
     EXPECT_THAT(heard, HasSubstr("2048 bytes"));
@@ -180,7 +180,7 @@ TEST_F(Front, RangeHeadersAreIgnored) {
     }
 }
 
-TEST(FrontThatEnds, ServerThatEndsDoesNotWaitForClients) {
+TEST(FrontThatEnds, EndOfTheServerDoesNotWaitForClients) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
     TcpClient slow{front->port()};
     slow.say("GET /");

@@ -57,10 +57,10 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     write(measured, "figures", std::chrono::seconds{10});
     const auto changed = [&] { return changed_source(root, {"spec"}, measured); };
     EXPECT_EQ(changed(), "");
-    // Written again with the same contents: nothing has changed, whatever the time.
+    // The file was written again with the same contents: nothing has changed, whatever its time.
     write(root / "spec/a.toml", "one", std::chrono::seconds{1});
     EXPECT_EQ(changed(), "");
-    // Other contents with an old time.
+    // The file has other contents and an old time.
     write(root / "spec/a.toml", "two", std::chrono::seconds{30});
     EXPECT_EQ(changed(), "spec/a.toml");
     write(root / "spec/a.toml", "one", std::chrono::seconds{1});

@@ -24,7 +24,7 @@ pugi::xml_document parsed(const std::string& text) {
 
 }  // namespace
 
-TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndTheClaimsBelowItHold) {
+TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndItsSubclaimsHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
     input_.evidence.verdicts.erase("D-A-002");  // a gap

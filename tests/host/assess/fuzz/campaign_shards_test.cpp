@@ -117,7 +117,7 @@ class ShardedCampaign : public testing::Test {
     CampaignOptions options;
 };
 
-TEST_F(ShardedCampaign, MergedReportsWhatOneMachineReports) {
+TEST_F(ShardedCampaign, MergedReportEqualsThatOfOneMachine) {
     EXPECT_EQ(run("whole", std::nullopt), 1);
     options.jobs = 1;
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);
@@ -139,7 +139,7 @@ TEST_F(ShardedCampaign, MoreShardsThanTargetsLeaveSomeWithoutWork) {
     EXPECT_EQ(report("merged")["targets"].size(), 5U);
 }
 
-TEST_F(ShardedCampaign, TheSameCommandGoesOnAndThenDoesNothing) {
+TEST_F(ShardedCampaign, SameCommandContinuesAShardAndThenDoesNothing) {
     EXPECT_EQ(run("shards/first", Shard{1, 2}, [] { return true; }), 130);
     EXPECT_EQ(run("shards/second", Shard{2, 2}), 0);
     EXPECT_THAT(complaint(), HasSubstr("first has not finished fuzzing"));
@@ -150,7 +150,7 @@ TEST_F(ShardedCampaign, TheSameCommandGoesOnAndThenDoesNothing) {
     EXPECT_EQ(merge(), 1);
 }
 
-TEST_F(ShardedCampaign, OfAnotherCampaignIsRefused) {
+TEST_F(ShardedCampaign, ShardOfAnotherCampaignIsRefused) {
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);
     EXPECT_THAT(complaint(), HasSubstr("shard 2/2 is missing"));
     options.seed = 6;
@@ -164,12 +164,12 @@ TEST_F(ShardedCampaign, OfAnotherCampaignIsRefused) {
     EXPECT_THAT(complaint(), HasSubstr("fuzzed other targets; run shard 2/2"));
 }
 
-TEST_F(ShardedCampaign, NeedsASeed) {
+TEST_F(ShardedCampaign, ShardWithoutASeedIsRefused) {
     options.seed = 0;
     EXPECT_THROW(run("shards/first", Shard{1, 2}), InputError);
 }
 
-TEST_F(ShardedCampaign, IsNotMixedWithAnotherShard) {
+TEST_F(ShardedCampaign, ShardIsNotMixedWithAnotherShard) {
     EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);
     EXPECT_THROW(run("shards/first", Shard{2, 2}), InputError);
     EXPECT_THROW(run("shards/first", std::nullopt), InputError);

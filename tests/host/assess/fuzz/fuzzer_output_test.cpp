@@ -72,7 +72,7 @@ TEST(FuzzerOutput, SanitizerReportIsIdentifiedByItsFirstStack) {
     EXPECT_NE(failure.signature(), parse_failure(overflow("block")).signature());
 }
 
-TEST(FuzzerOutput, NumbersDoNotDistinguishUndefinedBehaviours) {
+TEST(FuzzerOutput, UndefinedBehavioursThatDifferInNumbersOnlyAreOneFinding) {
     const auto shift = [](int by) {
         return "/y/src/firmware/base/x.cpp:3:9: runtime error: shift exponent " + std::to_string(by) +
                " is too large for 64-bit type 'unsigned long'\n    #0 0x1a in canproof::mask(unsigned int) "

@@ -65,7 +65,7 @@ class MutationShards : public testing::Test {
     std::vector<MutationOutcome> whole = seven_outcomes();
 };
 
-TEST_F(MutationShards, MergedLeaveTheSameBytesAsOneMachine) {
+TEST_F(MutationShards, MergedShardsGiveTheSameBytesAsOneMachine) {
     for (const std::size_t count : {1U, 2U, 3U, 7U, 9U}) {
         fs::remove_all(folder);
         for (std::size_t number = count; number >= 1; --number) {
@@ -76,21 +76,21 @@ TEST_F(MutationShards, MergedLeaveTheSameBytesAsOneMachine) {
     }
 }
 
-TEST_F(MutationShards, OfCellsAreNotTakenForThoseOfCode) {
+TEST_F(MutationShards, ShardsOfCellsAreNotTakenForShardsOfCode) {
     leave({1, 1});
     write_file(folder / mutation_shard_name(false, {1, 1}), write_mutation_shard({1, 1}, {}));
     EXPECT_EQ(merged().size(), whole.size());
     EXPECT_TRUE(merge_mutation_shards(folder, false, {}).empty());
 }
 
-TEST_F(MutationShards, MissingOneIsNamed) {
+TEST_F(MutationShards, MissingShardIsNamed) {
     EXPECT_THAT(complaint(), HasSubstr("no shard to merge"));
     leave({1, 3});
     leave({3, 3});
     EXPECT_THAT(complaint(), HasSubstr("shard 2/3 is missing"));
 }
 
-TEST_F(MutationShards, OfOtherAlterationsAreRefused) {
+TEST_F(MutationShards, ShardsOfOtherAlterationsAreRefused) {
     leave({1, 2});
     leave({2, 2});
     EXPECT_EQ(complaint(), "");

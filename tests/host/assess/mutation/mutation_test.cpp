@@ -211,7 +211,7 @@ TEST(MutationReport, MutationReportIsReadBackByItem) {
     EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
 }
 
-TEST(CodeMutation, TestsAreReadWithTheirReachableMutants) {
+TEST(CodeMutation, EachTestIsReadWithItsReachableMutants) {
     const RecordFile file{"Suite.First\ttests/a_test.cpp\t0.250\t0\t7\nSuite.Second\tb\t0.001\n"};
     const auto tests = read_told(file.path());
     ASSERT_EQ(tests.size(), 2U);

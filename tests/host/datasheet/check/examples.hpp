@@ -9,8 +9,8 @@ namespace canproof::host::test {
 
 struct RuleExample {
     std::string rule;
-    std::string bad;   ///< the rule has a finding in a line that a patch touches
-    std::string good;  ///< the rule has no finding; empty: the good sheet itself
+    std::string bad;   ///< text of a patch after which the rule has a finding in a changed line
+    std::string good;  ///< text of a patch after which the rule has no finding; empty: the good sheet itself
 };
 
 std::vector<RuleExample> file_examples();     ///< text, [FileInfo], [DeviceInfo], [DummyUsage], [Comments], DCF

@@ -137,7 +137,7 @@ TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
     EXPECT_EQ(all[4], "701");
 }
 
-TEST(AcceptanceFilterText, AcceptEverythingIsOneFilterOfEachFormat) {
+TEST(AcceptanceFilterText, AllFramesAreAcceptedByOneFilterOfEachFormat) {
     const auto hears = [](const char* text) {
         const Frame frame = parse_frame(text, "test");
         return std::count_if(accept_everything().begin(), accept_everything().end(),

@@ -13,7 +13,7 @@
 
 namespace canproof::host::test {
 
-TEST(Acceptance, FilterOfA29BitIdentifierComparesAllOfIt) {
+TEST(Acceptance, FilterOfA29BitIdentifierComparesAllBits) {
     std::string text = box;
     const std::string as_shipped = "DefaultValue=$NODEID+0x200";
     text.replace(text.find(as_shipped), as_shipped.size(),

@@ -176,7 +176,7 @@ TEST_F(BusLoad, NoDeadlineIsSetWhileNoNodeMaySend) {
     EXPECT_EQ(bus.next_deadline(), Instant{0});
 }
 
-TEST_F(BusLoad, GatewayMaySendEightBitsAfterItsFrameAndANodeAtOnce) {
+TEST_F(BusLoad, GatewayWaitsEightBitsAfterItsFrameAndANodeDoesNot) {
     Gateway door{"door", 4, {}};
     bus.attach_gateway(door);
     door.put(parse_frame("123#", "test"));

@@ -14,7 +14,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST(Door, GatewayIsSendingUntilItsFrameIsSent_RepetitionsIncluded) {
+TEST(Door, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
     std::size_t repeated = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         BusFaultRates faults;

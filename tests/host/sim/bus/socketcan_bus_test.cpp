@@ -167,7 +167,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     EXPECT_EQ(bus->report(now).lost, 0U);
 }
 
-TEST_F(SocketCan, UnreadFramesOfATurnLimitTheRunTime) {
+TEST_F(SocketCan, RunTimeDoesNotPassUnreadFrames) {
     start();
     for (std::uint64_t i = 0; i < 5000; ++i) {
         system.arrive(monitor, "603#40", 5000001 + i);
@@ -220,7 +220,7 @@ TEST_F(SocketCan, FramesKeepTheirFormatThroughTheKernelStructure) {
     EXPECT_EQ(to_kernel(parse_frame("703#R", "test")).can_id, 0x703U | CAN_RTR_FLAG);
 }
 
-TEST_F(SocketCan, LaggingRunLeavesFramesInTheKernelAndLosesNone) {
+TEST_F(SocketCan, LateRunLeavesFramesInTheKernelAndLosesNone) {
     start();
     constexpr std::size_t count = SocketCanBus::most_arrived + 3 * 4096;  // one turn reads 4096 frames
     for (std::size_t i = 0; i < count; ++i) {

@@ -41,7 +41,7 @@ class DecodedFrame : public testing::Test {
 
 }  // namespace
 
-TEST_F(DecodedFrame, Nmt_NamesCommandAndNode) {
+TEST_F(DecodedFrame, NmtFrameIsDecodedToCommandAndNode) {
     EXPECT_EQ(words("000#0100"), "NMT : all nodes: start");
     EXPECT_EQ(words("000#0203"), "NMT : outputs: stop");
     EXPECT_EQ(words("000#8005"), "NMT : node 5: enter pre operational");
@@ -50,7 +50,7 @@ TEST_F(DecodedFrame, Nmt_NamesCommandAndNode) {
     EXPECT_EQ(words("000#01"), "NMT : no command: two bytes are needed");
 }
 
-TEST_F(DecodedFrame, ErrorControl_NamesBootUpStateAndToggle) {
+TEST_F(DecodedFrame, ErrorControlFrameIsDecodedToBootUpStateAndToggle) {
     EXPECT_EQ(words("702#00"), "guard scanner: boot-up");
     EXPECT_EQ(words("703#05"), "guard outputs: operational");
     EXPECT_EQ(words("703#FF"), "guard outputs: pre operational, toggle 1");
@@ -60,7 +60,7 @@ TEST_F(DecodedFrame, ErrorControl_NamesBootUpStateAndToggle) {
     EXPECT_EQ(words("703#0500"), "guard outputs: malformed: one byte is needed");
 }
 
-TEST_F(DecodedFrame, Sdo_NamesObjectAndReadsValueByItsType) {
+TEST_F(DecodedFrame, SdoFrameIsDecodedToObjectAndTypedValue) {
     EXPECT_EQ(words("602#4020400100000000"), "SDO scanner: read 4020h:1 TC 1 High Shutdown Threshold");
     // 2500 tenths of a degree are 09C4h.
     EXPECT_EQ(words("582#4B204001C4090000"), "SDO scanner: answers 4020h:1 TC 1 High Shutdown Threshold = 2500");
@@ -72,12 +72,12 @@ TEST_F(DecodedFrame, Sdo_NamesObjectAndReadsValueByItsType) {
     EXPECT_EQ(words("582#430061010000C841"), "SDO scanner: answers 6100h:1 TC 1 Input Field Value = 25");
 }
 
-TEST_F(DecodedFrame, Sdo_NamesTheMeaningOfAborts) {
+TEST_F(DecodedFrame, SdoAbortIsDecodedToItsMeaning) {
     EXPECT_EQ(words("582#8034120000000206"), "SDO scanner: abort 1234h:0: 06020000h object missing");
     EXPECT_EQ(words("582#8034120078563412"), "SDO scanner: abort 1234h:0: 12345678h unknown reason");
 }
 
-TEST_F(DecodedFrame, Sdo_NamesSegmentsAndBlocks) {
+TEST_F(DecodedFrame, SdoSegmentsAndBlocksAreDecoded) {
     EXPECT_EQ(words("583#4108100010000000"),
               "SDO outputs: answers 1008h Manufacturer Device Name, 16 bytes in segments");
     EXPECT_EQ(words("603#6000000000000000"), "SDO outputs: read next segment");
@@ -88,27 +88,27 @@ TEST_F(DecodedFrame, Sdo_NamesSegmentsAndBlocks) {
     EXPECT_EQ(words("602#E000000000000000"), "SDO scanner: unknown command E0 00 00 00 00 00 00 00");
 }
 
-TEST_F(DecodedFrame, Emcy_NamesTheErrorOfTheDevice) {
+TEST_F(DecodedFrame, EmcyIsDecodedToTheErrorOfTheDevice) {
     // AX188001 manual, 3.2.4: code, register, channel, description 40h.
     EXPECT_EQ(words("082#11F0010140000000"),
               "EMCY scanner: F011h limit exceeded, channel 1, positive shutdown, error register 01h");
     EXPECT_EQ(words("082#0000000000000000"), "EMCY scanner: 0000h no error, error register 00h");
 }
 
-TEST_F(DecodedFrame, Emcy_NamesTheClassOfCia301ForOtherErrors) {
+TEST_F(DecodedFrame, EmcyOfAnUnknownErrorIsDecodedToItsClassOfCia301) {
     EXPECT_EQ(words("083#3081110100000000"),
               "EMCY outputs: 8130h life guard or heartbeat error, error register 11h, details 01 00 00 00 00");
     EXPECT_EQ(words("085#0133040000000000"), "EMCY node 5: 3301h output voltage, error register 04h");
 }
 
-TEST_F(DecodedFrame, Pdo_NamesMappedObjects) {
+TEST_F(DecodedFrame, PdoIsDecodedToItsMappedObjects) {
     // AX188001 manual, 3.2.15: TPDO1 contains 7130h:1 and 7130h:2; 12A0h is 4768, 12D0h is 4816.
     EXPECT_EQ(words("182#A012D012"),
               "PDO scanner: TPDO 1: TC 1 Input Process Value = 4768, TC 2 Input Process Value = 4816");
     EXPECT_EQ(words("182#R"), "PDO scanner: TPDO 1: asked for");
 }
 
-TEST_F(DecodedFrame, Pdo_InvalidIdentifierIsOther) {
+TEST_F(DecodedFrame, FrameOfAnInvalidPdoIsDecodedAsOther) {
     EXPECT_EQ(words("282#0102"), "other : 01 02");  // TPDO2 is not valid as shipped
 }
 
@@ -119,7 +119,7 @@ TEST_F(DecodedFrame, SyncTimeAndOtherFramesAreNamed) {
     EXPECT_EQ(words("12345678#AB"), "other : 29-bit identifier; AB");
 }
 
-TEST_F(DecodedFrame, Lss_NamesCommands) {
+TEST_F(DecodedFrame, LssFrameIsDecodedToItsCommand) {
     EXPECT_EQ(words("7E5#0401000000000000"), "LSS : switch state global: 01 00 00 00 00 00 00");
     EXPECT_EQ(words("7E4#1100000000000000"), "LSS : configure node id (answer)");
     EXPECT_EQ(words("7E4#4400000000000000"), "LSS : selected (answer)");

@@ -42,7 +42,7 @@ class PipeChannel final : public target::Channel {
 
 class BridgedImage {
   public:
-    /// `life` is all that the image does.
+    /// `life` is the program that plays the image.
     explicit BridgedImage(const std::function<void(target::Channel&)>& life) {
         const auto to = make_pipe();
         const auto from = make_pipe();
@@ -52,7 +52,7 @@ class BridgedImage {
             life(channel);
         }};
     }
-    /// Whoever took the link has ended it before: that ends the image.
+    /// The image ends when the other side has closed the link.
     ~BridgedImage() {
         link_.reset();
         thread_.join();

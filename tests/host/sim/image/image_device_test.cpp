@@ -31,7 +31,7 @@ void be_ax188001(target::Channel& channel) {
     target::serve<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData>(channel, "ax188001");
 }
 
-/// An image and its device, which ends first.
+/// An image and its device; the device ends first.
 class Bridged {
   public:
     explicit Bridged(const std::function<void(target::Channel&)>& life, const FactoryValues& twins_factory = {})
@@ -85,7 +85,7 @@ class Bridged {
 }  // namespace
 
 // CBX-AO412 7.2, 7.9.2 and 7.10.2.3: boot-up, device type, output 1 at 5.0 V.
-TEST(ImageDevice, AnswersTheTelegramsOfItsManual) {
+TEST(ImageDevice, ImageAnswersTheTelegramsOfItsManual) {
     Bridged ao412{be_ao412};
     EXPECT_EQ(ao412.power_on(3), Frames{"703#00"});
     EXPECT_EQ(ao412.send("603#4000100000000000"), Frames{"583#4300100091010800"});
@@ -96,14 +96,14 @@ TEST(ImageDevice, AnswersTheTelegramsOfItsManual) {
 }
 
 // A heartbeat every 10 ms (1017h) for 35 ms: at 10, 20 and 30.
-TEST(ImageDevice, ActsInTheTimeThatItIsGiven) {
+TEST(ImageDevice, ImageUsesTheTimeOfEachCall) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);
     EXPECT_EQ(ao412.send("603#2B1710000A000000"), Frames{"583#6017100000000000"});
     EXPECT_EQ(ao412.pass(milliseconds(35)), (Frames{"703#7F", "703#7F", "703#7F"}));
 }
 
-TEST(ImageDevice, KeepsItsParametersInTheMemoryOfThisProgram) {
+TEST(ImageDevice, ImageStoresItsParametersInTheMemoryOfTheHost) {
     Bridged ao412{be_ao412};
     ao412.power_on(3);
     ao412.send("603#2B17100034120000");
@@ -114,16 +114,16 @@ TEST(ImageDevice, KeepsItsParametersInTheMemoryOfThisProgram) {
     EXPECT_EQ(ao412.send("603#4017100000000000"), Frames{"583#4B17100034120000"});
 }
 
-// CiA 301, 7.5.2.13: what could not be stored is answered by 06060000h.
-TEST(ImageDevice, SaysThatAMemoryFailed) {
+// CiA 301, 7.5.2.13: a save that fails is answered by 06060000h.
+TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
     Bridged ao412{be_ao412};
     ao412.device().memory().keep_by([](const std::vector<std::uint8_t>&) { return false; });
     ao412.power_on(3);
     EXPECT_EQ(ao412.send("603#2310100173617665"), Frames{"583#8010100100000606"});
 }
 
-// The boot-up message goes out before the answer, whose identifier is lower.
-TEST(ImageDevice, LetsFramesOutInTheOrderOfTheImage) {
+// The boot-up message goes out before the answer, although the answer has the lower identifier.
+TEST(ImageDevice, FramesLeaveInTheOrderOfTheImage) {
     Bridged ao412{be_ao412};
     ao412.device().set_node_id(3);
     ao412.device().power_on(Instant{});
@@ -134,7 +134,7 @@ TEST(ImageDevice, LetsFramesOutInTheOrderOfTheImage) {
 // The thermocouple is of the type that 6110h is set to (AX188001 3.3.2), J as shipped. Its voltage at 100 degC with the
 // terminals at 25 degC: by the tables of ITS-90 J has 5.269 mV - 1.277 mV, K 4.096 mV - 1.000 mV. Either is read as
 // 100 degC: 7130h:1 is 16 a degree (3.3.4) and 4368 more (3.3.5).
-TEST(ImageDevice, HasAPhysicalWorldThatFollowsItsObjects) {
+TEST(ImageDevice, SimulatedPlantFollowsTheObjectsOfTheImage) {
     Bridged tcs{be_ax188001};
     EXPECT_EQ(tcs.power_on(5), Frames{"705#00"});
     EXPECT_EQ(tcs.device().node_id(), 5);
@@ -150,7 +150,7 @@ TEST(ImageDevice, HasAPhysicalWorldThatFollowsItsObjects) {
     EXPECT_FALSE(tcs.device().set_input("no_such_input", 1.0, Instant{}));
 }
 
-TEST(ImageDevice, IsRefusedWhenItDoesNotDoWhatThisProgramsFirmwareDoes) {
+TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
     FactoryValues other;
     other.set_number("serial_number", 7.0);
     Bridged ao412{be_ao412, other};
@@ -158,7 +158,7 @@ TEST(ImageDevice, IsRefusedWhenItDoesNotDoWhatThisProgramsFirmwareDoes) {
     EXPECT_THROW(ao412.send("603#4018100400000000"), ImageFailed);  // 1018h:4 has the serial number
 }
 
-TEST(ImageDevice, HasTheSignalsOfItsTwinOrIsRefused) {
+TEST(ImageDevice, ImageWithOtherSignalsThanItsTwinIsRefused) {
     BridgedImage image{be_ao412};
     auto link = image.take_link();
     ImageGreeting greeting = link->greeting();

@@ -18,7 +18,7 @@ namespace {
 using bridge::Kind;
 using bridge::Message;
 
-/// A way to say bytes that no Channel would.
+/// Sends bytes that a Channel would never send.
 ImageLink saying(const std::string& bytes) {
     const auto to = make_pipe();
     const auto from = make_pipe();
@@ -39,7 +39,7 @@ std::string why(ImageLink link) {
 
 }  // namespace
 
-TEST(ImageMessage, GivesTheValuesThatWerePut) {
+TEST(ImageMessage, MessageReturnsTheValuesThatWereWritten) {
     Message sent{Kind::receive};
     sent.put(std::uint16_t{0x1234U});
     sent.put(-2.5);
@@ -68,7 +68,7 @@ TEST(ImageMessage, GivesTheValuesThatWerePut) {
     EXPECT_TRUE(received.is_sound());
 }
 
-TEST(ImageMessage, IsUnsoundPastItsEnds) {
+TEST(ImageMessage, ReadPastTheEndMakesTheMessageUnsound) {
     Message full{Kind::state};
     for (std::size_t i = 0; i < Message::capacity - Message::head - 1U; ++i) {
         full.put(std::uint8_t{0U});
@@ -88,11 +88,11 @@ TEST(ImageMessage, IsUnsoundPastItsEnds) {
     EXPECT_FALSE(empty.is_sound());
 }
 
-TEST(ImageLink, RefusesWhatIsNoGreeting) {
+TEST(ImageLink, InvalidGreetingIsRefused) {
     const std::string misunderstood =
         "box.elf says what this program does not understand; build both from the same sources";
     EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state
-    EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // another protocol
+    EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // greeting of another protocol
     EXPECT_EQ(why(saying(std::string{"\x08\x00\x00"
                                      "CBP1\x01\x01\x09",
                                      10})),
@@ -101,7 +101,7 @@ TEST(ImageLink, RefusesWhatIsNoGreeting) {
     EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // without a kind
 }
 
-TEST(ImageLink, SaysThatAnImageHasEnded) {
+TEST(ImageLink, EndOfTheImageIsReported) {
     EXPECT_EQ(why(saying("")), "box.elf has ended");
     EXPECT_EQ(why(saying("\x05")), "box.elf has ended");
     ImageLink link = saying("");
@@ -109,7 +109,7 @@ TEST(ImageLink, SaysThatAnImageHasEnded) {
     EXPECT_THROW(link.send(message), ImageFailed);
 }
 
-TEST(StartImage, NeedsAFile) {
+TEST(StartImage, MissingImageFileIsRefused) {
     EXPECT_THROW(static_cast<void>(start_image("no/such/image.elf")), InputError);
 }
 

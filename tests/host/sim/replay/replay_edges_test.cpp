@@ -57,7 +57,7 @@ TEST_F(ReplayEdges, LastLineEndsTheReplay_AfterWorkDueThen) {
     EXPECT_THAT(before.told, ElementsAre("0.000000 on", "0.010000 due", "0.019999 080#"));
 }
 
-TEST_F(ReplayEdges, UntilOmitsLaterEventsAndKeepsThoseDueByThen) {
+TEST_F(ReplayEdges, OptionUntilOmitsLaterEventsAndKeepsThoseDueByThen) {
     RecordingDevice device{milliseconds(10)};
     input.until = Instant{20000};
     play(device, "(0.005000) can0 080#\n(0.020000) can0 081#\n(0.020001) can0 082#\n",
@@ -70,7 +70,7 @@ TEST_F(ReplayEdges, UntilOmitsLaterEventsAndKeepsThoseDueByThen) {
     EXPECT_THAT(shorter.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, UntilMayEqualTheStartButNotPrecedeIt) {
+TEST_F(ReplayEdges, OptionUntilMayEqualTheStartButNotPrecedeIt) {
     RecordingDevice device;
     input.start = Instant{2000000};
     input.until = Instant{2000000};
@@ -149,7 +149,7 @@ TEST_F(ReplayEdges, DeviceRunsAlonePastTheLongestSilenceUntilTheGivenTime) {
                 ElementsAre("0.000000 on", "1.000000 080#", "3000.000000 due", "6000.000000 due", "9000.000000 due"));
 }
 
-TEST_F(ReplayEdges, UntilUsesTheTimeOfALogThatStartsLater) {
+TEST_F(ReplayEdges, OptionUntilUsesTheTimeOfALogThatStartsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
     input.until = Instant{2010000};
@@ -188,7 +188,7 @@ TEST_F(ReplayEdges, StimulusEndsASilenceToo) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 one=1", "7200.000000 one=2"));
 }
 
-TEST_F(ReplayEdges, SourceIsReadInsteadOfFrames) {
+TEST_F(ReplayEdges, FrameSourceReplacesTheListOfFrames) {
     RecordingDevice device;
     int left = 2;
     input.source = [&left](LoggedFrame& frame) {
@@ -220,7 +220,8 @@ TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
     RecordingDevice device;
     play(device,
          "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 T\n(0.003000) can0 301#05 T\n(0.004000) can0 301#05 R\n");
-    // the device does not receive its own frame once; it receives an equal second frame and the one marked as received
+    // the device does not receive its own frame once; it receives a second equal frame, and the frame that is marked as
+    // received
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 300#05", "0.003000 301#05", "0.004000 301#05"));
     EXPECT_EQ(frames, "(0.002000) can0 301#05\n");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A property of the counter (section 6 of the data sheet).
 #include <gtest/gtest.h>
-// rapidcheck's GoogleTest support needs gtest first
+// RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
 
 #include <vector>
