@@ -102,4 +102,18 @@ TEST(ConformBusUse, LoadOfARunBelowOneSecondIsThatOfTheWholeRun) {
     EXPECT_DOUBLE_EQ(*report.highest_load(), *report.mean_load());
 }
 
+TEST(ConformBusUse, FullBusHasALoadOf100PerCent) {
+    const Frame frame = parse_frame("605#4000100000000000", "test");
+    const std::uint64_t bits = frame_bits(frame) + 3U;
+    ConformReport report;
+    report.bit_rate = 125000;
+    report.time = milliseconds(3000);
+    // Each frame takes bits x 8 us. The frame that ends just after a second begins has most of its bits before it.
+    for (std::uint64_t end = bits * 8U; end < 3000000U; end += bits * 8U) {
+        report.bus_use.add({Instant{end}, frame, true});
+    }
+    EXPECT_GT(report.bus_use.busiest_second(), 125000U);
+    EXPECT_EQ(*report.highest_load(), 100.0);
+}
+
 }  // namespace canproof::host::conform::test

@@ -47,8 +47,10 @@ std::optional<double> ConformReport::mean_load() const {
     return load_of(bus_use.bits(), seconds());
 }
 
+/// The first frame of a second counts whole, also when it began before. A full bus would so have some bits too many.
 std::optional<double> ConformReport::highest_load() const {
-    return load_of(bus_use.busiest_second(), std::min(seconds(), 1.0));
+    const auto load = load_of(bus_use.busiest_second(), std::min(seconds(), 1.0));
+    return load ? std::optional{std::min(*load, 100.0)} : std::nullopt;
 }
 
 int ConformReport::exit_status() const {
