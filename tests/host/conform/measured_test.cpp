@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "host/conform/link/bus_use.hpp"
+#include "host/conform/run/conform_report.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::conform::test {
@@ -84,7 +85,35 @@ TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     EXPECT_EQ(use.frames(), 4U);
     EXPECT_EQ(use.own_frames(), 2U);
     EXPECT_EQ(use.bits(), 4U * bits);
-    EXPECT_EQ(use.busiest_second(), 2U * bits);
+    EXPECT_EQ(use.busiest_second(), 3U * bits);  // from 1.2 s to 2.0 s
+    use.add({Instant{2999999}, frame, false});   // 1.999999 s is a whole second earlier
+    EXPECT_EQ(use.busiest_second(), 3U * bits);
+}
+
+TEST(ConformBusUse, LoadOfARunBelowOneSecondIsThatOfTheWholeRun) {
+    const Frame frame = parse_frame("605#4000100000000000", "test");
+    ConformReport report;
+    report.bit_rate = 125000;
+    report.time = milliseconds(500);
+    report.bus_use.add({Instant{900000}, frame, true});  // at both sides of a full second of the clock
+    report.bus_use.add({Instant{1100000}, frame, true});
+    // Two frames in half a second: bits / (125000 bit/s x 0.5 s)
+    EXPECT_DOUBLE_EQ(*report.mean_load(), 100.0 * 2.0 * (frame_bits(frame) + 3U) / 62500.0);
+    EXPECT_DOUBLE_EQ(*report.highest_load(), *report.mean_load());
+}
+
+TEST(ConformBusUse, FullBusHasALoadOf100PerCent) {
+    const Frame frame = parse_frame("605#4000100000000000", "test");
+    const std::uint64_t bits = frame_bits(frame) + 3U;
+    ConformReport report;
+    report.bit_rate = 125000;
+    report.time = milliseconds(3000);
+    // Each frame takes bits x 8 us. The frame that ends just after a second begins has most of its bits before it.
+    for (std::uint64_t end = bits * 8U; end < 3000000U; end += bits * 8U) {
+        report.bus_use.add({Instant{end}, frame, true});
+    }
+    EXPECT_GT(report.bus_use.busiest_second(), 125000U);
+    EXPECT_EQ(*report.highest_load(), 100.0);
 }
 
 }  // namespace canproof::host::conform::test

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 
 #include "host/conform/link/target.hpp"
 #include "host/sim/bus/can_bits.hpp"
@@ -16,9 +17,11 @@ class BusUse {
     /// Adds a frame. Frames must come in order of time.
     void add(const FrameRecord& record) {
         const std::uint64_t bits = frame_bits(record.frame) + intermission_bits;
-        const std::uint64_t second = record.time.us / 1000000U;
-        bits_of_second_ = (second == second_ ? bits_of_second_ : 0U) + bits;
-        second_ = second;
+        for (; !last_.empty() && last_.front().time + second <= record.time; last_.pop_front()) {
+            bits_of_second_ -= last_.front().bits;
+        }
+        last_.push_back({record.time, bits});
+        bits_of_second_ += bits;
         busiest_second_ = std::max(busiest_second_, bits_of_second_);
         bits_ += bits;
         ++frames_;
@@ -29,14 +32,20 @@ class BusUse {
     /// Returns the number of frames that the tester sent.
     std::uint64_t own_frames() const { return own_frames_; }
     std::uint64_t bits() const { return bits_; }
-    /// The most bits of frames that ended in one second of the clock.
+    /// The most bits of frames that ended within one second.
     std::uint64_t busiest_second() const { return busiest_second_; }
 
   private:
+    static constexpr Duration second = milliseconds(1000);
+    struct Ended {
+        Instant time{};
+        std::uint64_t bits{0};
+    };
+
     std::uint64_t frames_{0};
     std::uint64_t own_frames_{0};
     std::uint64_t bits_{0};
-    std::uint64_t second_{0};
+    std::deque<Ended> last_;  ///< the frames of the last second
     std::uint64_t bits_of_second_{0};
     std::uint64_t busiest_second_{0};
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/conform/run/conform_report.hpp"
 
+#include <algorithm>
+
 namespace canproof::host::conform {
 
 const char* words_of(Verdict verdict) {
@@ -34,19 +36,21 @@ CaseResult result_of(const Case& one) {
     return result;
 }
 
-std::optional<double> ConformReport::mean_load() const {
+std::optional<double> ConformReport::load_of(std::uint64_t bits, double during) const {
     if (bit_rate == 0 || time.us == 0) {
         return std::nullopt;
     }
-    const double seconds = static_cast<double>(time.us) / 1.0e6;
-    return 100.0 * static_cast<double>(bus_use.bits()) / (static_cast<double>(bit_rate) * seconds);
+    return 100.0 * static_cast<double>(bits) / (static_cast<double>(bit_rate) * during);
 }
 
+std::optional<double> ConformReport::mean_load() const {
+    return load_of(bus_use.bits(), seconds());
+}
+
+/// The first frame of a second counts whole, also when it began before. A full bus would so have some bits too many.
 std::optional<double> ConformReport::highest_load() const {
-    if (bit_rate == 0) {
-        return std::nullopt;
-    }
-    return 100.0 * static_cast<double>(bus_use.busiest_second()) / static_cast<double>(bit_rate);
+    const auto load = load_of(bus_use.busiest_second(), std::min(seconds(), 1.0));
+    return load ? std::optional{std::min(*load, 100.0)} : std::nullopt;
 }
 
 int ConformReport::exit_status() const {

@@ -73,10 +73,14 @@ struct ConformReport {
     }
     /// Returns the mean bus load of all frames of the run, in per cent of its bit rate; nothing when that is not known.
     std::optional<double> mean_load() const;
-    /// Returns the bus load of the second with the highest load, in the same unit.
+    /// Returns the bus load of the second with the highest load, in the same unit; of a shorter run its mean load.
     std::optional<double> highest_load() const;
     /// 0: all passed, 1: a case failed, 2: the run could not be finished.
     int exit_status() const;
+
+  private:
+    double seconds() const { return static_cast<double>(time.us) / 1.0e6; }
+    std::optional<double> load_of(std::uint64_t bits, double during) const;
 };
 
 }  // namespace canproof::host::conform
