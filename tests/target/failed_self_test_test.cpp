@@ -165,7 +165,7 @@ TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
 }
 
 TEST(DeviceLoop, DeviceDoesNotStartWithAFailedProcessor) {
-    verifies<req::CO_SELF_001, req::CO_SELF_003, req::CO_SELF_008>();
+    verifies<req::CO_SELF_010>();
     for (const bool is_core : {true, false}) {
         Chips chips;
         core_model().registers_hold = !is_core;

@@ -8,6 +8,8 @@
 
 /// Handles the interrupt of received frames: the device's file drains its controller.
 extern "C" void can_received();
+/// Switches the outputs off after an exception of the processor: the device's file stops its image.
+extern "C" void device_failed();
 
 namespace canproof::target {
 
@@ -34,6 +36,7 @@ class DeviceImage {
             return;
         }
         wiring_.start();
+        is_wired_ = true;
         memory_.open();
         static_cast<void>(memory_.prepare());  // without it a commit has to erase, or says that it failed
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
@@ -49,6 +52,13 @@ class DeviceImage {
     /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
     /// damaged, or no clock is right.
     void drain() { chip_.can.drain(); }
+    /// Drives the outputs as before power-on and leaves the bus.
+    void stop() {
+        if (is_wired_) {
+            wiring_.drive(typename Wiring::Outputs{});
+            chip_.can.set_bit_rate(0, Instant{});
+        }
+    }
 
   private:
     stm32f405::Chip chip_;
@@ -62,6 +72,7 @@ class DeviceImage {
     TransmitQueue queue_;
     Device device_{memory_, queue_, FactoryData{}};
     Wiring wiring_{chip_};
+    bool is_wired_{false};
 };
 
 }  // namespace canproof::target

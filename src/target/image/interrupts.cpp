@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interrupts of the chip, behind the vectors of startup.cpp.
+// The interrupts of the chip, behind the vectors of startup.cpp, and the handler of all exceptions.
 #include <array>
 
 #include "target/image/image.hpp"
@@ -28,3 +28,11 @@ constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
     make_interrupts();
 
 }  // namespace
+
+/// Switches the outputs off and stops the processor; the watchdog then resets it.
+void fault() {
+    device_failed();
+    for (;;) {
+        asm volatile("wfi");
+    }
+}

@@ -73,6 +73,13 @@ bool keeps_content(RamCheck& ram) {
 
 extern "C" void can_received() {}
 
+/// The last test: an exception comes here.
+extern "C" void device_failed() {
+    say("exception", true, 0);
+    const std::array<std::uint32_t, 2> exit{0x20026U, 0};
+    target::semihost(sys_exit_extended, &exit);
+}
+
 extern "C" void image_main() {
     const ImageMemory memory = target::image_memory();
     measure("core", 1, core_registers_hold);
@@ -109,6 +116,5 @@ extern "C" void image_main() {
     record.keep(SelfTest::ram);
     measure("record", 1, [&record] { return record.take() == SelfTest::ram && record.take() == SelfTest::none; });
 
-    const std::array<std::uint32_t, 2> exit{0x20026U, 0};
-    target::semihost(sys_exit_extended, &exit);
+    asm volatile("udf #0");
 }

@@ -16,6 +16,10 @@ extern "C" void can_received() {
     image.drain();
 }
 
+extern "C" void device_failed() {
+    image.stop();
+}
+
 extern "C" void image_main() {
     image.run();
 }
