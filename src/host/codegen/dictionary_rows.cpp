@@ -2,9 +2,11 @@
 #include "host/codegen/dictionary_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -16,14 +18,16 @@ namespace canproof::host {
 namespace {
 
 std::uint8_t rights_of(const Entry& entry, bool constant) {
+    const std::string_view access{entry.access};
+    const std::string_view mapping{entry.mapping};
     std::uint8_t bits = 0;
     const auto grant = [&bits](bool granted, std::uint8_t right) {
         bits = granted ? static_cast<std::uint8_t>(bits | right) : bits;
     };
-    grant(entry.access != "wo", rights::read);
-    grant(entry.access == "rw" || entry.access == "wo", rights::write);
-    grant(entry.mapping == "rpdo" || entry.mapping == "both", rights::rpdo);
-    grant(entry.mapping == "tpdo" || entry.mapping == "both", rights::tpdo);
+    grant(access != "wo", rights::read);
+    grant(access == "rw" || access == "wo", rights::write);
+    grant(mapping == "rpdo" || mapping == "both", rights::rpdo);
+    grant(mapping == "tpdo" || mapping == "both", rights::tpdo);
     grant(entry.stored, rights::stored);
     grant(entry.node_id, rights::node_id);
     grant(constant, rights::constant);
@@ -31,7 +35,7 @@ std::uint8_t rights_of(const Entry& entry, bool constant) {
 }
 
 std::uint32_t limit_bits(const std::string& type, const Value& value) {
-    if (type == "REAL32") {
+    if (std::string_view{type} == "REAL32") {
         const auto* real = std::get_if<double>(&value);
         const auto narrow =
             static_cast<float>(real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(value)));
@@ -116,12 +120,14 @@ Service service_of(const Entry& entry) {
     return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
 }
 
-/// Returns the hash slots of the objects for this factor, and the length of the longest search.
-std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<ObjectRow>& objects, std::size_t count,
-                                                              std::uint32_t factor) {
-    std::vector<std::uint16_t> slots(count, no_object);
+/// Puts the objects into the hash slots for this factor. Returns the length of the longest search; stops as soon as it
+/// reaches `enough`.
+std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<ObjectRow>& objects, std::uint32_t factor,
+                       std::size_t enough) {
+    const std::size_t count = slots.size();
+    std::fill(slots.begin(), slots.end(), no_object);
     std::size_t longest = 0;
-    for (std::size_t at = 0; at < objects.size(); ++at) {
+    for (std::size_t at = 0; at < objects.size() && longest < enough; ++at) {
         std::size_t slot = object_slot(objects[at].index, factor, count);
         std::size_t steps = 1;
         while (slots[slot] != no_object) {
@@ -131,7 +137,7 @@ std::pair<std::vector<std::uint16_t>, std::size_t> fill_slots(const std::vector<
         slots[slot] = static_cast<std::uint16_t>(at);
         longest = std::max(longest, steps);
     }
-    return {slots, longest};
+    return longest;
 }
 
 /// Returns the number of factors to try: at most 300, and fewer for more than a thousand objects.
@@ -149,13 +155,14 @@ void find_slots(DictionaryRows& rows) {
     while (count < 2 * rows.objects.size()) {
         count *= 2;
     }
+    std::vector<std::uint16_t> slots(count);
     std::size_t best = rows.objects.size() + 1;
     std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads neighbours
     for (std::size_t attempt = attempts_for(rows.objects.size()); attempt > 0; --attempt) {
-        auto [slots, longest] = fill_slots(rows.objects, count, factor);
+        const std::size_t longest = fill_slots(slots, rows.objects, factor, best);
         if (longest < best) {
             best = longest;
-            rows.slots = std::move(slots);
+            rows.slots = slots;
             rows.slot_factor = factor;
         }
         factor = factor * 1664525U + 1013904223U;
@@ -165,21 +172,26 @@ void find_slots(DictionaryRows& rows) {
 }  // namespace
 
 DataType data_type(const std::string& cia_type) {
-    static const std::map<std::string, DataType> types{{"BOOLEAN", DataType::boolean},
-                                                       {"INTEGER8", DataType::integer8},
-                                                       {"INTEGER16", DataType::integer16},
-                                                       {"INTEGER32", DataType::integer32},
-                                                       {"INTEGER64", DataType::integer64},
-                                                       {"UNSIGNED8", DataType::unsigned8},
-                                                       {"UNSIGNED16", DataType::unsigned16},
-                                                       {"UNSIGNED32", DataType::unsigned32},
-                                                       {"UNSIGNED64", DataType::unsigned64},
-                                                       {"REAL32", DataType::real32},
-                                                       {"REAL64", DataType::real64},
-                                                       {"VISIBLE_STRING", DataType::visible_string},
-                                                       {"OCTET_STRING", DataType::octet_string},
-                                                       {"DOMAIN", DataType::domain}};
-    return types.at(cia_type);
+    using Row = std::pair<std::string_view, DataType>;
+    constexpr std::array<Row, 14> types{{{"BOOLEAN", DataType::boolean},
+                                         {"INTEGER8", DataType::integer8},
+                                         {"INTEGER16", DataType::integer16},
+                                         {"INTEGER32", DataType::integer32},
+                                         {"INTEGER64", DataType::integer64},
+                                         {"UNSIGNED8", DataType::unsigned8},
+                                         {"UNSIGNED16", DataType::unsigned16},
+                                         {"UNSIGNED32", DataType::unsigned32},
+                                         {"UNSIGNED64", DataType::unsigned64},
+                                         {"REAL32", DataType::real32},
+                                         {"REAL64", DataType::real64},
+                                         {"VISIBLE_STRING", DataType::visible_string},
+                                         {"OCTET_STRING", DataType::octet_string},
+                                         {"DOMAIN", DataType::domain}}};
+    const auto found = std::find_if(types.begin(), types.end(), [&](const Row& row) { return cia_type == row.first; });
+    if (found == types.end()) {
+        throw std::out_of_range{cia_type + " is no type of CiA 301"};
+    }
+    return found->second;
 }
 
 DictionaryTables DictionaryRows::tables() const {

@@ -56,21 +56,58 @@ const TypeRow* type_row(unsigned number) {
     return found == type_rows.end() ? nullptr : &*found;
 }
 
+/// The values of a section that describe an entry; nullptr for a key that is absent or empty.
+struct EntryKeys {
+    const IniValue* name{nullptr};
+    const IniValue* object_type{nullptr};
+    const IniValue* data_type{nullptr};
+    const IniValue* access{nullptr};
+    const IniValue* mapping{nullptr};
+    const IniValue* standard_value{nullptr};
+    const IniValue* configured_value{nullptr};
+    const IniValue* low_limit{nullptr};
+    const IniValue* high_limit{nullptr};
+};
+
+/// Finds all keys in one pass, because a data sheet has thousands of entries.
+EntryKeys keys_of(const IniSection& section) {
+    using Field = const IniValue* EntryKeys::*;
+    constexpr std::array<std::pair<std::string_view, Field>, 9> fields{
+        {{"parametername", &EntryKeys::name},
+         {"objecttype", &EntryKeys::object_type},
+         {"datatype", &EntryKeys::data_type},
+         {"accesstype", &EntryKeys::access},
+         {"pdomapping", &EntryKeys::mapping},
+         {"defaultvalue", &EntryKeys::standard_value},
+         {"parametervalue", &EntryKeys::configured_value},
+         {"lowlimit", &EntryKeys::low_limit},
+         {"highlimit", &EntryKeys::high_limit}}};
+    EntryKeys keys;
+    for (const auto& [key, value] : section.values) {
+        const auto found =
+            std::find_if(fields.begin(), fields.end(), [k = key](const auto& one) { return one.first == k; });
+        if (found != fields.end() && !value.text.empty()) {
+            keys.*(found->second) = &value;
+        }
+    }
+    return keys;
+}
+
 Place place_of(const EdsTelling& tell, unsigned line) {
     return {tell.file, line};
 }
 
 /// Returns the type of an entry whose DataType is not a number: its word, or a type that fits its sub-index and value.
-std::string assumed_type(const IniSection& section, const std::string& word, bool is_counter) {
+std::string assumed_type(const EntryKeys& keys, std::string_view word, bool is_counter) {
     const auto named =
         std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
     if (named != type_rows.end()) {
-        return word;
+        return named->word;
     }
     if (is_counter) {
         return "UNSIGNED8";
     }
-    const IniValue* value = section.filled("DefaultValue");
+    const IniValue* value = keys.standard_value;
     if (value == nullptr) {
         return "UNSIGNED32";
     }
@@ -80,16 +117,17 @@ std::string assumed_type(const IniSection& section, const std::string& word, boo
     return !number ? "VISIBLE_STRING" : negative ? "INTEGER32" : "UNSIGNED32";
 }
 
-void read_type(Entry& entry, const IniSection& section, bool is_counter, const EdsTelling& tell) {
-    const IniValue* object_type = section.filled("ObjectType");
-    const IniValue* given = section.filled("DataType");
+void read_type(Entry& entry, const IniSection& section, const EntryKeys& keys, bool is_counter,
+               const EdsTelling& tell) {
+    const IniValue* object_type = keys.object_type;
+    const IniValue* given = keys.data_type;
     if (given == nullptr && object_type != nullptr && eds_unsigned(object_type->text) == std::uint64_t{2}) {
         entry.type = "DOMAIN";
         return;
     }
     const auto number = given == nullptr ? std::nullopt : eds_unsigned(given->text);
     if (!number) {
-        entry.type = assumed_type(section, given == nullptr ? "" : given->text, is_counter);
+        entry.type = assumed_type(keys, given == nullptr ? "" : given->text, is_counter);
         tell.note(given == nullptr ? section.line : given->line,
                   given == nullptr ? fmt::format("[{}] has no DataType", section.name)
                                    : fmt::format("DataType {} is not a number", given->text),
@@ -107,17 +145,16 @@ void read_type(Entry& entry, const IniSection& section, bool is_counter, const E
 
 /// Reads the access type. CiA 306: SDO reads and writes rwr and rww; only a transmit or a receive PDO, respectively,
 /// may carry them.
-void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell) {
-    const IniValue* given = section.filled("AccessType");
-    const std::string word = given == nullptr ? "" : lower_case(given->text);
+void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
+    const IniValue* given = keys.access;
+    const std::string word = given == nullptr ? std::string{} : lower_case(given->text);
     if (word.empty() && entry.type == "DOMAIN") {
         entry.access = "rw";  // CiA 306 allows a DOMAIN without AccessType
         return;
     }
-    for (const char* known : {"ro", "wo", "rw", "rwr", "rww", "const"}) {
-        if (word == known) {
-            entry.access = word.substr(0, word == "const" ? 5 : 2);
-        }
+    constexpr std::array<std::string_view, 6> known{"ro", "wo", "rw", "rwr", "rww", "const"};
+    if (std::find(known.begin(), known.end(), word) != known.end()) {
+        entry.access = word.substr(0, word.size() == 3 ? 2 : word.size());  // rwr and rww are rw
     }
     if (entry.access.empty()) {
         entry.access = "rw";
@@ -126,7 +163,7 @@ void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell
                                    : fmt::format("AccessType {} is unknown", given->text),
                   "rw is assumed");
     }
-    const IniValue* mapping = section.filled("PDOMapping");
+    const IniValue* mapping = keys.mapping;
     const auto mapped = mapping == nullptr ? std::optional<std::uint64_t>{0} : eds_unsigned(mapping->text);
     if (!mapped || *mapped > 1U) {
         tell.note(mapping->line, fmt::format("PDOMapping {} is neither 0 nor 1", mapping->text),
@@ -138,13 +175,12 @@ void read_access(Entry& entry, const IniSection& section, const EdsTelling& tell
     }
 }
 
-Limit read_limit(const Entry& entry, const IniSection& section, const char* key, const EdsTelling& tell) {
-    Limit limit;
-    const IniValue* given = section.filled(key);
+void read_limit(Limit& limit, const Entry& entry, const IniValue* given, const char* key, const EdsTelling& tell) {
     if (given == nullptr) {
-        return limit;
+        return;
     }
-    const bool kept = type_size(entry.type) > 0 && type_size(entry.type) <= 4;
+    const std::size_t size = type_size(entry.type);
+    const bool kept = size > 0 && size <= 4;
     const auto value = kept ? eds_value(given->text, entry.type) : std::nullopt;
     if (!kept) {
         tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
@@ -157,13 +193,12 @@ Limit read_limit(const Entry& entry, const IniSection& section, const char* key,
         limit.number = *value;
         limit.place = place_of(tell, given->line);
     }
-    return limit;
 }
 
-void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell) {
+void read_limits(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
     Range& range = entry.range;
-    range.minimum = read_limit(entry, section, "LowLimit", tell);
-    range.maximum = read_limit(entry, section, "HighLimit", tell);
+    read_limit(range.minimum, entry, keys.low_limit, "LowLimit", tell);
+    read_limit(range.maximum, entry, keys.high_limit, "HighLimit", tell);
     range.place = place_of(tell, section.line);
     const auto low = number_of(range.minimum.number);
     const auto high = number_of(range.maximum.number);
@@ -183,23 +218,26 @@ void read_limits(Entry& entry, const IniSection& section, const EdsTelling& tell
     }
 }
 
+bool is_integer(const std::string& type) {
+    return type != "BOOLEAN" && integer_limits(type).has_value();
+}
+
 void set_empty_value(Entry& entry) {
+    const std::string_view type{entry.type};
     if (is_string_type(entry.type)) {
         entry.value = std::string{};
-    } else if (entry.type == "BOOLEAN") {
+    } else if (type == "BOOLEAN") {
         entry.value = false;
     } else if (is_real_type(entry.type)) {
         entry.value = 0.0;
-    } else if (entry.type != "DOMAIN") {
+    } else if (type != "DOMAIN") {
         entry.value = std::int64_t{0};
     }
 }
 
 void set_string(Entry& entry, const IniValue& given, const EdsTelling& tell) {
-    std::string text = given.text;
-    if (entry.type == "OCTET_STRING") {
-        text = eds_octets(given.text).value_or(given.text);
-    }
+    const auto octets = entry.type == "OCTET_STRING" ? eds_octets(given.text) : std::nullopt;
+    std::string text = octets ? *octets : std::string{given.text};
     if (text.size() > longest_string) {
         tell.note(given.line, fmt::format("text has {} characters", text.size()),
                   fmt::format("the first {} are used", longest_string));
@@ -222,7 +260,8 @@ void set_length(Entry& entry) {
 
 void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) {
     entry.default_place = place_of(tell, given.line);
-    if (entry.type == "DOMAIN") {
+    const std::string_view type{entry.type};
+    if (type == "DOMAIN") {
         return;
     }
     if (is_string_type(entry.type)) {
@@ -231,8 +270,7 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
     }
     const auto term = split_node_id(given.text);
     const auto value = term ? eds_value(term->rest, entry.type) : std::nullopt;
-    const bool integer = integer_limits(entry.type).has_value() && entry.type != "BOOLEAN";
-    if (!value || (term->has_node_id && !integer)) {
+    if (!value || (term->has_node_id && !is_integer(entry.type))) {
         tell.note(given.line, fmt::format("value {} is none of {}", given.text, entry.type),
                   fmt::format("{} is assumed", to_text(entry.value)));
         return;
@@ -241,24 +279,22 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
     entry.node_id = term->has_node_id;
 }
 
-Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, bool is_counter, const EdsTelling& tell) {
-    Entry entry;
+void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
+                    const EdsTelling& tell) {
     entry.subindex = subindex;
     entry.place = place_of(tell, section.line);
     entry.default_place = entry.place;
-    const IniValue* name = section.filled("ParameterName");
-    entry.name = name == nullptr ? section.name : name->text;
-    read_type(entry, section, is_counter, tell);
-    read_access(entry, section, tell);
+    const EntryKeys keys = keys_of(section);
+    entry.name = keys.name == nullptr ? section.name : keys.name->text;
+    read_type(entry, section, keys, is_counter, tell);
+    read_access(entry, section, keys, tell);
     set_empty_value(entry);
-    const IniValue* configured = section.filled("ParameterValue");
-    const IniValue* value = configured != nullptr ? configured : section.filled("DefaultValue");
+    const IniValue* value = keys.configured_value != nullptr ? keys.configured_value : keys.standard_value;
     if (value != nullptr) {
         set_eds_value(entry, *value, tell);
     }
-    read_limits(entry, section, tell);
+    read_limits(entry, section, keys, tell);
     set_length(entry);
-    return entry;
 }
 
 }  // namespace canproof::host

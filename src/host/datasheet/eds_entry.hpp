@@ -7,9 +7,10 @@
 
 namespace canproof::host {
 
-/// Returns the entry that the keys of `section` describe. Missing or invalid keys get an assumed value and a note.
-/// `is_counter` marks sub-index 0 of an ARRAY or RECORD. The caller assigns the service.
-Entry read_eds_entry(const IniSection& section, std::uint8_t subindex, bool is_counter, const EdsTelling& tell);
+/// Reads the entry that the keys of `section` describe into `entry`, which is new. Missing or invalid keys get an
+/// assumed value and a note. `is_counter` marks sub-index 0 of an ARRAY or RECORD. The caller assigns the service.
+void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
+                    const EdsTelling& tell);
 
 /// Stores a value (DefaultValue, ParameterValue) in an entry whose type is known.
 void set_eds_value(Entry& entry, const IniValue& value, const EdsTelling& tell);

@@ -15,13 +15,17 @@ namespace {
 
 constexpr const char* node_id_word = "$nodeid";
 
-std::string without_blanks(const std::string& text) {
-    std::string out;
+/// Returns the text in lower case without its blanks.
+std::string bare(std::string_view text) {
+    std::string out{text};
+    std::size_t length = 0;
     for (const char c : text) {
         if (c != ' ' && c != '\t') {
-            out += c;
+            out[length] = lower_case(c);
+            ++length;
         }
     }
+    out.resize(length);
     return out;
 }
 
@@ -72,22 +76,23 @@ std::optional<Value> real_value(const std::string& text, const std::string& type
     return Value{value};
 }
 
-std::optional<Value> integer_value(const std::string& text, const std::string& type) {
+std::optional<Value> integer_value(std::string_view text, const std::string& type) {
     const bool negative = !text.empty() && text.front() == '-';
     const auto magnitude = eds_unsigned(negative ? text.substr(1) : text);
     if (!magnitude) {
         return std::nullopt;
     }
-    if (type == "UNSIGNED64") {  // the register stores its bits in a signed number
+    if (std::string_view{type} == "UNSIGNED64") {  // the register stores its bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
     const auto limits = integer_limits(type);
-    const std::size_t bits = 8U * type_size(type);
-    const bool pattern = !negative && is_hexadecimal(text) && limits && limits->first < 0;
-    if (pattern && *magnitude > static_cast<std::uint64_t>(limits->second) &&
-        (bits == 64U || (*magnitude >> bits) == 0U)) {
-        const std::uint64_t sign_extended = bits == 64U ? *magnitude : *magnitude | (~std::uint64_t{0} << bits);
-        return Value{static_cast<std::int64_t>(sign_extended)};
+    const bool pattern = !negative && limits && limits->first < 0 && is_hexadecimal(text);
+    if (pattern && *magnitude > static_cast<std::uint64_t>(limits->second)) {
+        const std::size_t bits = 8U * type_size(type);
+        if (bits == 64U || (*magnitude >> bits) == 0U) {
+            const std::uint64_t sign_extended = bits == 64U ? *magnitude : *magnitude | (~std::uint64_t{0} << bits);
+            return Value{static_cast<std::int64_t>(sign_extended)};
+        }
     }
     constexpr auto highest = static_cast<std::uint64_t>(INT64_MAX);
     if (*magnitude > highest) {
@@ -125,11 +130,11 @@ std::optional<std::uint64_t> eds_hexadecimal(std::string_view digits) {
     return number_of_digits(without_suffix(digits), 16U);
 }
 
-std::optional<NodeIdTerm> split_node_id(const std::string& text) {
-    if (text.find('$') == std::string::npos) {
-        return NodeIdTerm{text, false};
+std::optional<NodeIdTerm> split_node_id(std::string_view text) {
+    if (text.find('$') == std::string_view::npos) {
+        return NodeIdTerm{std::string{text}, false};
     }
-    const std::string sum = lower_case(without_blanks(text));
+    const std::string sum = bare(text);
     const std::string word = node_id_word;
     if (sum == word) {
         return NodeIdTerm{"0", true};
@@ -144,9 +149,9 @@ std::optional<NodeIdTerm> split_node_id(const std::string& text) {
     return std::nullopt;
 }
 
-std::optional<Value> eds_value(const std::string& text, const std::string& type) {
-    const std::string number = lower_case(without_blanks(text));
-    if (type == "BOOLEAN") {
+std::optional<Value> eds_value(std::string_view text, const std::string& type) {
+    const std::string number = bare(text);
+    if (std::string_view{type} == "BOOLEAN") {
         const auto truth = number == "true"    ? std::optional<std::uint64_t>{1}
                            : number == "false" ? std::optional<std::uint64_t>{0}
                                                : eds_unsigned(number);
@@ -155,8 +160,8 @@ std::optional<Value> eds_value(const std::string& text, const std::string& type)
     return is_real_type(type) ? real_value(number, type) : integer_value(number, type);
 }
 
-std::optional<std::string> eds_octets(const std::string& text) {
-    const std::string digits = lower_case(without_blanks(text));
+std::optional<std::string> eds_octets(std::string_view text) {
+    const std::string digits = bare(text);
     std::string out;
     for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
         const auto high = digit_of(digits[i], 16U);

@@ -24,13 +24,13 @@ struct NodeIdTerm {
     bool has_node_id{false};
 };
 /// Separates the term; returns nothing when $NODEID occurs outside a sum.
-std::optional<NodeIdTerm> split_node_id(const std::string& text);
+std::optional<NodeIdTerm> split_node_id(std::string_view text);
 
 /// Parses a value of a numeric CiA type; returns nothing for another text or a value that does not fit. A hexadecimal
 /// number can be the bit pattern of a signed type; for a real it is its IEEE 754 bits.
-std::optional<Value> eds_value(const std::string& text, const std::string& type);
+std::optional<Value> eds_value(std::string_view text, const std::string& type);
 
 /// Parses `01 A0 FF` or `01A0FF`; returns nothing for a text that is no list of octets.
-std::optional<std::string> eds_octets(const std::string& text);
+std::optional<std::string> eds_octets(std::string_view text);
 
 }  // namespace canproof::host

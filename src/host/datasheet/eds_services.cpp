@@ -2,6 +2,7 @@
 #include "host/datasheet/eds_services.hpp"
 
 #include <array>
+#include <string_view>
 
 namespace canproof::host {
 
@@ -49,10 +50,11 @@ void assign_services(Part& part) {
     for (Object& object : part.objects) {
         const std::string service = service_of(object.index);
         for (Entry& entry : object.entries) {
-            const bool is_command = object.index == 0x1003 || service == "store";
+            const bool is_command = object.index == 0x1003 || std::string_view{service} == "store";
             entry.service = service;
             entry.live = is_live(object.index);
-            entry.stored = entry.access == "rw" && !is_command && entry.type != "DOMAIN";
+            entry.stored =
+                std::string_view{entry.access} == "rw" && !is_command && std::string_view{entry.type} != "DOMAIN";
             if (object.index == 0x1003 && object.kind != Object::Kind::var && entry.subindex == 0) {
                 // CiA 301, 7.5.2.4: writing 0 empties the list. A data sheet gives the range of the counts that can be
                 // read instead.

@@ -4,12 +4,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "host/base/trimmed.hpp"
+#include <iterator>
 
 namespace canproof::host {
 
 namespace {
+
+constexpr bool is_blank(char c) {
+    return c <= ' ' && ini_blanks.find(c) != std::string_view::npos;
+}
+
+/// Removes the blanks at both ends.
+std::string_view without_blanks(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+constexpr std::size_t usual_values = 8;  ///< keys of an entry
 
 bool has_control(std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) {
@@ -18,17 +34,71 @@ bool has_control(std::string_view text) {
     });
 }
 
+/// Compares a text in lower case with a text in any case. Returns a number below, equal to or above 0.
+int compare_lower(std::string_view lower, std::string_view text) {
+    const std::size_t common = std::min(lower.size(), text.size());
+    for (std::size_t i = 0; i < common; ++i) {
+        const char c = lower_case(text[i]);
+        if (lower[i] != c) {
+            return static_cast<unsigned char>(lower[i]) < static_cast<unsigned char>(c) ? -1 : 1;
+        }
+    }
+    return lower.size() < text.size() ? -1 : lower.size() > text.size() ? 1 : 0;
+}
+
+/// Sorts the values of a section; see IniFile::sort_values().
+void sort_by_key(IniSection& section, std::vector<IniRepetition>& repeated) {
+    auto& values = section.values;
+    using Value = std::pair<std::string_view, IniValue>;
+    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) {
+        const int order = compare_lower(a.first, b.first);
+        return order != 0 ? order < 0 : a.second.line < b.second.line;
+    });
+    const auto same = [](const Value& a, const Value& b) { return a.first == b.first; };
+    if (std::adjacent_find(values.begin(), values.end(), same) == values.end()) {
+        return;
+    }
+    std::vector<Value> kept;
+    for (const Value& one : values) {
+        if (kept.empty() || !same(kept.back(), one)) {
+            kept.push_back(one);
+        } else {
+            repeated.push_back({one.first, kept.back().second.line, one.second.line});
+        }
+    }
+    values = std::move(kept);
+}
+
 class IniReader {
   public:
-    explicit IniReader(const EdsTelling& tell) : tell_{tell} {}
+    IniReader(const std::string& text, const EdsTelling& tell)
+        : tell_{tell}, written_{text}, text_{file_.texts.emplace_front(text)} {}
 
+    void read_lines() {
+        const bool marked = text_.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
+        for (std::size_t at = marked ? 3 : 0; at < text_.size() && !is_strange();) {
+            const auto end = std::min(text_.find('\n', at), text_.size());
+            read_line(std::string_view{text_}.substr(at, end - at));
+            at = end + 1;
+        }
+    }
+    bool is_strange() const { return strange_ > most_strange_lines; }
+    IniFile take() {
+        for (const IniRepetition& one : file_.sort_values()) {
+            tell_.note(one.line, fmt::format("{} is already in line {}", as_written(one.key), one.first),
+                       "the first counts");
+        }
+        return std::move(file_);
+    }
+
+  private:
     void read_line(std::string_view raw) {
         ++line_;
         if (raw.size() > longest_ini_line) {
             strange(fmt::format("line has more than {} characters", longest_ini_line));
             return;
         }
-        const std::string_view text = trimmed_view(raw, ini_blanks);
+        const std::string_view text = without_blanks(raw);
         if (text.empty() || text.front() == ';' || text.front() == '#') {
             return;
         }
@@ -40,10 +110,6 @@ class IniReader {
             add_value(text);
         }
     }
-    bool is_strange() const { return strange_ > most_strange_lines; }
-    IniFile take() { return std::move(file_); }
-
-  private:
     void strange(std::string what) {
         ++strange_;
         tell_.note(line_, std::move(what), "it is ignored");
@@ -51,8 +117,7 @@ class IniReader {
 
     void open_section(std::string_view text) {
         const auto close = text.find(']');
-        const std::string_view name =
-            close == std::string_view::npos ? "" : trimmed_view(text.substr(1, close - 1), ini_blanks);
+        const std::string_view name = close == std::string_view::npos ? "" : without_blanks(text.substr(1, close - 1));
         if (name.empty()) {
             ++strange_;
             tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)), "it is ignored with its lines");
@@ -60,23 +125,28 @@ class IniReader {
             skips_ = true;
             return;
         }
-        const std::string_view rest = trimmed_view(text.substr(close + 1), ini_blanks);
+        const std::string_view rest = without_blanks(text.substr(close + 1));
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
             tell_.note(line_, fmt::format("`{}` follows the section", rest.substr(0, 40)), "it is ignored");
         }
-        const auto [place, is_new] =
-            file_.sections.try_emplace(lower_case(name), IniSection{std::string{name}, line_, {}});
-        if (!is_new) {
-            tell_.note(line_, fmt::format("section [{}] is already in line {}", name, place->second.line),
+        const std::size_t before = file_.sections.size();
+        const auto hint = section_ == nullptr ? file_.sections.end() : std::next(place_);  // most files are in order
+        place_ = file_.sections.try_emplace(hint, lower_case(name));
+        section_ = &place_->second;
+        if (file_.sections.size() == before) {
+            tell_.note(line_, fmt::format("section [{}] is already in line {}", name, section_->line),
                        "both are combined");
+        } else {
+            section_->name = name;
+            section_->line = line_;
+            section_->values.reserve(usual_values);
         }
         skips_ = false;
-        section_ = &place->second;
     }
 
     void add_value(std::string_view text) {
         const auto equals = text.find('=');
-        const std::string_view key = trimmed_view(text.substr(0, equals), ini_blanks);
+        const std::string_view key = without_blanks(text.substr(0, equals));
         if (skips_) {
             return;  // the section itself has been reported already
         }
@@ -85,18 +155,26 @@ class IniReader {
         } else if (section_ == nullptr) {
             strange(fmt::format("{} is before the first section", key));
         } else {
-            const auto [place, is_new] = section_->values.try_emplace(
-                lower_case(key), IniValue{std::string{trimmed_view(text.substr(equals + 1), ini_blanks)}, line_});
-            if (!is_new) {
-                tell_.note(line_, fmt::format("{} is already in line {}", key, place->second.line), "the first counts");
-            }
+            make_lower(key);
+            section_->values.emplace_back(key, IniValue{without_blanks(text.substr(equals + 1)), line_});
         }
     }
 
+    std::size_t place_of(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
+    /// Brings a part of the stored text into lower case.
+    void make_lower(std::string_view part) {
+        char* const begin = text_.data() + place_of(part);
+        std::transform(begin, begin + part.size(), begin, [](char c) { return lower_case(c); });
+    }
+    std::string_view as_written(std::string_view part) const { return written_.substr(place_of(part), part.size()); }
+
     const EdsTelling& tell_;
+    std::string_view written_;
     IniFile file_;
+    std::string& text_;  ///< copy of written_, with keys in lower case
     IniSection* section_{nullptr};
-    bool skips_{false};  ///< inside an invalid section
+    std::map<std::string, IniSection, std::less<>>::iterator place_;  ///< of section_, if that is not nullptr
+    bool skips_{false};                                               ///< inside an invalid section
     std::size_t strange_{0};
     unsigned line_{0};
 };
@@ -112,8 +190,10 @@ std::string lower_case(std::string_view text) {
 }
 
 const IniValue* IniSection::find(std::string_view key) const {
-    const auto found = values.find(lower_case(key));
-    return found == values.end() ? nullptr : &found->second;
+    const auto found = std::lower_bound(values.begin(), values.end(), key, [](const auto& one, std::string_view text) {
+        return compare_lower(one.first, text) < 0;
+    });
+    return found == values.end() || compare_lower(found->first, key) != 0 ? nullptr : &found->second;
 }
 
 const IniValue* IniSection::filled(std::string_view key) const {
@@ -126,14 +206,17 @@ const IniSection* IniFile::find(std::string_view name) const {
     return found == sections.end() ? nullptr : &found->second;
 }
 
-IniFile read_ini(const std::string& text, const EdsTelling& tell) {
-    IniReader reader{tell};
-    const bool marked = text.rfind("\xEF\xBB\xBF", 0) == 0;  // UTF-8 byte order mark
-    for (std::size_t at = marked ? 3 : 0; at < text.size() && !reader.is_strange();) {
-        const auto end = std::min(text.find('\n', at), text.size());
-        reader.read_line(std::string_view{text}.substr(at, end - at));
-        at = end + 1;
+std::vector<IniRepetition> IniFile::sort_values() {
+    std::vector<IniRepetition> repeated;
+    for (auto& [name, section] : sections) {
+        sort_by_key(section, repeated);
     }
+    return repeated;
+}
+
+IniFile read_ini(const std::string& text, const EdsTelling& tell) {
+    IniReader reader{text, tell};
+    reader.read_lines();
     if (reader.is_strange()) {
         tell.fault(1, fmt::format("more than {} lines are neither [Section] nor Key=Value", most_strange_lines),
                    "name an EDS, DCF or XDD file");

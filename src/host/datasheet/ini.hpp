@@ -4,25 +4,27 @@
 #pragma once
 
 #include <cstddef>
+#include <forward_list>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "host/register/fault.hpp"
 
 namespace canproof::host {
 
 struct IniValue {
-    std::string text;  ///< without blanks at its ends
+    std::string_view text;  ///< without blanks at its ends; refers to IniFile::texts
     unsigned line{0};
 };
 
 struct IniSection {
     std::string name;  ///< as written
     unsigned line{0};
-    std::map<std::string, IniValue, std::less<>> values;  ///< by key in lower case
+    std::vector<std::pair<std::string_view, IniValue>> values;  ///< ascending by key, in lower case
 
     /// Returns the value; nullptr when the key is absent.
     const IniValue* find(std::string_view key) const;
@@ -30,10 +32,30 @@ struct IniSection {
     const IniValue* filled(std::string_view key) const;
 };
 
+/// A value whose key is in its section already.
+struct IniRepetition {
+    std::string_view key;
+    unsigned first{0};  ///< the line that counts
+    unsigned line{0};
+};
+
 struct IniFile {
     std::map<std::string, IniSection, std::less<>> sections;  ///< by name in lower case
+    std::forward_list<std::string> texts;                     ///< the bytes of keys and values
+
+    IniFile() = default;
+    IniFile(const IniFile&) = delete;  // keys and values would refer to the texts of the original
+    IniFile& operator=(const IniFile&) = delete;
+    IniFile(IniFile&&) = default;
+    IniFile& operator=(IniFile&&) = default;
+    ~IniFile() = default;
 
     const IniSection* find(std::string_view name) const;
+    /// Stores a text for a key or a value. Returns a view of it, valid as long as the file.
+    std::string_view keep(std::string text) { return texts.emplace_front(std::move(text)); }
+    /// Brings the values of each section, which were appended in any order, into the order of their keys. Of equal keys
+    /// that of the first line stays. Returns the others.
+    std::vector<IniRepetition> sort_values();
 };
 
 /// Blanks around names and values that CiA 306 allows or that occur in existing files.

@@ -13,6 +13,7 @@
 #include "host/datasheet/eds_entry.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 #include "host/datasheet/eds_services.hpp"
+#include "host/datasheet/eds_sub_sections.hpp"
 #include "host/datasheet/read_xdd.hpp"
 
 namespace canproof::host {
@@ -20,7 +21,6 @@ namespace canproof::host {
 namespace {
 
 constexpr std::uint16_t first_object = 0x1000;  // lower indices are data types, which are no objects of a device
-constexpr unsigned highest_subindex = 0xFE;
 /// Limits of the dictionary's rows: 16 bits for the number of entries and for the bytes of the values.
 constexpr std::size_t most_entries = 0xFFFF;
 constexpr std::size_t most_bytes = 0xFFFF;
@@ -45,7 +45,7 @@ class EdsReader {
             return std::move(result_);
         }
         read_device_info();
-        find_sub_sections();
+        subs_ = find_sub_sections(ini_, tell_);
         for (const char* list : {"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"}) {
             read_list(list);
         }
@@ -68,7 +68,7 @@ class EdsReader {
   private:
     std::string text_of(const IniSection* section, const char* key) const {
         const IniValue* value = section == nullptr ? nullptr : section->filled(key);
-        return value == nullptr ? "" : value->text;
+        return value == nullptr ? std::string{} : std::string{value->text};
     }
 
     bool flag_of(const IniSection* section, const char* key) const {
@@ -136,31 +136,6 @@ class EdsReader {
             return otherwise;
         }
         return *number;
-    }
-
-    /// Collects [1018sub1] and similar sections by index and sub-index.
-    void find_sub_sections() {
-        for (const auto& [name, section] : ini_.sections) {
-            const auto sub = name.find("sub");
-            if (sub == std::string::npos || sub == 0) {
-                continue;
-            }
-            const std::string_view digits{name};
-            const auto index = eds_hexadecimal(digits.substr(0, sub));
-            const auto number = eds_hexadecimal(digits.substr(sub + 3));
-            if (index && number && *index <= 0xFFFFU && sub <= 4 && *number <= highest_subindex) {
-                const IniSection*& first =
-                    subs_[static_cast<std::uint16_t>(*index)][static_cast<std::uint8_t>(*number)];
-                if (first == nullptr) {
-                    first = &section;
-                    continue;
-                }
-                const IniSection& later = first->line < section.line ? section : *first;
-                first = first->line < section.line ? first : &section;
-                tell_.note(later.line, fmt::format("[{}] describes the same entry as [{}]", later.name, first->name),
-                           "the first counts");
-            }
-        }
     }
 
     void read_list(const char* name) {
@@ -256,11 +231,12 @@ class EdsReader {
     }
 
     void read_entries(Object& object, const IniSection& section) {
-        const bool has_subs = subs_.count(object.index) != 0;
+        const auto [first_sub, end_of_subs] = subs_of(subs_, object.index);
+        const bool has_subs = first_sub != end_of_subs;
         const std::uint64_t code = object_type(object, section, has_subs);
         if (code == 2 || code == 7) {
             object.kind = Object::Kind::var;
-            object.entries.push_back(read_eds_entry(section, 0, false, tell_));
+            read_eds_entry(object.entries.emplace_back(), section, 0, false, tell_);
             object.entries.front().name = object.name;
             if (has_subs) {
                 tell_.note(section.line, fmt::format("[{}] is a single value but has sub-objects", section.name),
@@ -268,7 +244,7 @@ class EdsReader {
             }
         } else if (code == 8 || code == 9) {
             object.kind = code == 8 ? Object::Kind::array : Object::Kind::record;
-            const std::uint64_t compact = number_in(section, "CompactSubObj", 0, highest_subindex, 0);
+            const std::uint64_t compact = number_in(section, "CompactSubObj", 0, last_subindex, 0);
             if (compact != 0) {
                 add_compact(object, section, static_cast<unsigned>(compact));
             }
@@ -284,7 +260,8 @@ class EdsReader {
     void add_compact(Object& object, const IniSection& section, unsigned count) {
         const IniSection* names = ini_.find(index_text(object.index) + "Name");
         const IniSection* values = ini_.find(index_text(object.index) + "Value");
-        const Entry pattern = read_eds_entry(section, 1, false, tell_);
+        Entry pattern;
+        read_eds_entry(pattern, section, 1, false, tell_);
         for (unsigned sub = 1; sub <= count; ++sub) {
             Entry entry = pattern;
             entry.subindex = static_cast<std::uint8_t>(sub);
@@ -300,18 +277,16 @@ class EdsReader {
 
     void add_subs(Object& object) {
         const auto compact_end = static_cast<std::ptrdiff_t>(object.entries.size());
-        const auto& subs = subs_[object.index];
-        object.entries.reserve(object.entries.size() + subs.size() + 1);  // one more for sub-index 0
-        for (const auto& [sub, section] : subs) {
-            Entry entry = read_eds_entry(*section, sub, sub == 0, tell_);
+        const auto [first_sub, end_of_subs] = subs_of(subs_, object.index);
+        const auto count = static_cast<std::size_t>(end_of_subs - first_sub);
+        object.entries.reserve(object.entries.size() + count + 1);  // one more for sub-index 0
+        for (auto one = first_sub; one != end_of_subs; ++one) {
             const auto end = object.entries.begin() + compact_end;
-            const auto same =
-                std::find_if(object.entries.begin(), end, [s = sub](const Entry& one) { return one.subindex == s; });
-            if (same == end) {
-                object.entries.push_back(std::move(entry));
-            } else {
-                *same = std::move(entry);  // its own description has priority over CompactSubObj
-            }
+            const auto same = std::find_if(object.entries.begin(), end,
+                                           [sub = one->subindex](const Entry& other) { return other.subindex == sub; });
+            // Its own description has priority over CompactSubObj.
+            Entry& entry = same == end ? object.entries.emplace_back() : (*same = Entry{});
+            read_eds_entry(entry, *one->section, one->subindex, one->subindex == 0, tell_);
         }
     }
 
@@ -376,7 +351,7 @@ class EdsReader {
     std::string file_;
     EdsTelling tell_;
     IniFile ini_;
-    std::map<std::uint16_t, std::map<std::uint8_t, const IniSection*>> subs_;
+    SubSections subs_;
     std::map<std::uint16_t, unsigned> seen_;  ///< index → line that lists it
     std::map<std::uint16_t, Object> objects_;
     std::size_t entries_{0};

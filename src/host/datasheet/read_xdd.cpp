@@ -63,6 +63,7 @@ class XddReader {
             }
         }
         set(listed, "SupportedObjects", std::to_string(listed.values.size()), list);
+        file_.sort_values();
         return std::move(file_);
     }
 
@@ -81,10 +82,11 @@ class XddReader {
     IniSection& section(const std::string& name, const pugi::xml_node& node) {
         return file_.sections.emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
     }
-    void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) const {
+    /// Sets a value that is not empty. A key has one value.
+    void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) {
         const std::string value = one_line(text);
         if (!value.empty()) {
-            section.values.emplace(lower_case(key), IniValue{value, line_of(node)});
+            section.values.emplace_back(file_.keep(lower_case(key)), IniValue{file_.keep(value), line_of(node)});
         }
     }
 
@@ -153,11 +155,11 @@ class XddReader {
     }
 
     /// Adds the values of an element. Its attributes have priority over those of the parameter to which it refers.
-    void add_values(IniSection& into, const pugi::xml_node& node, const XddParameters& parameters) const {
+    void add_values(IniSection& into, const pugi::xml_node& node, const XddParameters& parameters) {
         const XddParameter parameter = parameters.find(node.attribute("uniqueIDRef").value());
         const auto both = [&](const char* key, const char* attribute, const std::string& otherwise) {
-            set(into, key, node.attribute(attribute).value(), node);
-            set(into, key, otherwise, node);
+            const std::string own = one_line(node.attribute(attribute).value());
+            set(into, key, own.empty() ? otherwise : own, node);
         };
         both("ParameterName", "name", parameter.name);
         both("ObjectType", "objectType", "");

@@ -3,17 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
-#include <iterator>
+#include <string_view>
 
 #include "host/base/fnv1a.hpp"
+#include "host/register/literals.hpp"
 
 namespace canproof::host {
 
 namespace {
 
 std::uint64_t bits_of(const Entry& entry) {
-    if (entry.type == "REAL32" || entry.type == "REAL64") {
+    if (is_real_type(entry.type)) {
         const auto* real = std::get_if<double>(&entry.value);
         const double wide = real != nullptr ? *real : static_cast<double>(std::get<std::int64_t>(entry.value));
         if (entry.type == "REAL64") {
@@ -35,14 +37,31 @@ std::uint64_t bits_of(const Entry& entry) {
 
 /// Returns whether the value never changes and therefore can be in flash.
 bool is_constant(const Entry& entry) {
-    if (entry.factory || entry.node_id || entry.mapping != "none") {
+    if (entry.factory || entry.node_id || std::string_view{entry.mapping} != "none") {
         return false;
     }
-    return entry.access == "const" || (entry.access == "ro" && !entry.live && entry.service == "none");
+    const std::string_view access{entry.access};
+    return access == "const" || (access == "ro" && !entry.live && std::string_view{entry.service} == "none");
 }
 
 std::size_t size_of(const Entry& entry) {
     return is_string_type(entry.type) ? entry.length : type_size(entry.type);
+}
+
+/// Appends the bytes of a default as value_bytes() returns them.
+void append_value(std::vector<std::uint8_t>& bytes, const Entry& entry, std::size_t size) {
+    if (is_string_type(entry.type)) {
+        const auto& text = std::get<std::string>(entry.value);
+        const std::size_t end = bytes.size() + size;
+        bytes.insert(bytes.end(), text.begin(),
+                     text.begin() + static_cast<std::ptrdiff_t>(std::min(text.size(), size)));
+        bytes.resize(end);
+        return;
+    }
+    const std::uint64_t bits = bits_of(entry);
+    for (std::size_t i = 0; i < size; ++i) {
+        bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
+    }
 }
 
 }  // namespace
@@ -58,16 +77,8 @@ std::size_t image_size(const Part& part) {
 }
 
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size) {
-    if (is_string_type(entry.type)) {
-        std::string text = std::get<std::string>(entry.value);
-        text.resize(size, '\0');
-        return {text.begin(), text.end()};
-    }
     std::vector<std::uint8_t> bytes;
-    const std::uint64_t bits = bits_of(entry);
-    for (std::size_t i = 0; i < size; ++i) {
-        bytes.push_back(static_cast<std::uint8_t>(bits >> (8U * i)));
-    }
+    append_value(bytes, entry, size);
     return bytes;
 }
 
@@ -76,6 +87,7 @@ Layout make_layout(const Part& part) {
     std::uint32_t print = fnv1a("");
     std::string stored;
     for (const Object& object : part.objects) {
+        const std::string index = fmt::format("{:04X}:", object.index);
         std::vector<Placement> placed;
         placed.reserve(object.entries.size());
         for (const Entry& entry : object.entries) {
@@ -84,12 +96,11 @@ Layout make_layout(const Part& part) {
             place.size = static_cast<std::uint16_t>(size_of(entry));
             auto& pool = place.constant ? layout.constants : layout.image;
             place.offset = static_cast<std::uint16_t>(pool.size());
-            const auto bytes = value_bytes(entry, place.size);
-            pool.insert(pool.end(), bytes.begin(), bytes.end());
+            append_value(pool, entry, place.size);
             if (entry.stored) {
-                stored.clear();
-                fmt::format_to(std::back_inserter(stored), "{:04X}:{}:{}:{};", object.index, entry.subindex, entry.type,
-                               place.offset);
+                stored.assign(index);
+                stored.append(fmt::format_int{entry.subindex}.c_str()).append(1, ':').append(entry.type);
+                stored.append(1, ':').append(fmt::format_int{place.offset}.c_str()).append(1, ';');
                 print = fnv1a(stored, print);
             }
             placed.push_back(place);

@@ -8,11 +8,13 @@
 #include <cfloat>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace canproof::host {
 
 bool is_real_type(const std::string& type) {
-    return type == "REAL32" || type == "REAL64";
+    const std::string_view word{type};  // compares lengths first
+    return word == "REAL32" || word == "REAL64";
 }
 
 std::optional<double> number_of(const Value& value) {

@@ -89,30 +89,32 @@ struct TypeFacts {
 };
 
 constexpr std::int64_t none = 0;
-constexpr std::array<TypeFacts, 14> types{{{"BOOLEAN", 1, 0, 1},
-                                           {"INTEGER8", 1, INT8_MIN, INT8_MAX},
-                                           {"INTEGER16", 2, INT16_MIN, INT16_MAX},
-                                           {"INTEGER32", 4, INT32_MIN, INT32_MAX},
-                                           {"INTEGER64", 8, INT64_MIN, INT64_MAX},
-                                           {"UNSIGNED8", 1, 0, UINT8_MAX},
+// The most frequent types come first, because the table is searched from its begin.
+constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
                                            {"UNSIGNED16", 2, 0, UINT16_MAX},
                                            {"UNSIGNED32", 4, 0, UINT32_MAX},
-                                           {"UNSIGNED64", 8, 0, INT64_MAX},
+                                           {"INTEGER16", 2, INT16_MIN, INT16_MAX},
+                                           {"INTEGER32", 4, INT32_MIN, INT32_MAX},
+                                           {"BOOLEAN", 1, 0, 1},
+                                           {"INTEGER8", 1, INT8_MIN, INT8_MAX},
                                            {"REAL32", 4, none, none},
-                                           {"REAL64", 8, none, none},
                                            {"VISIBLE_STRING", 0, none, none},
                                            {"OCTET_STRING", 0, none, none},
-                                           {"DOMAIN", 0, none, none}}};
+                                           {"DOMAIN", 0, none, none},
+                                           {"INTEGER64", 8, INT64_MIN, INT64_MAX},
+                                           {"UNSIGNED64", 8, 0, INT64_MAX},
+                                           {"REAL64", 8, none, none}}};
 
-const TypeFacts* facts(const std::string& type) {
-    const auto found = std::find_if(types.begin(), types.end(), [&](const TypeFacts& f) { return type == f.word; });
+const TypeFacts* facts(std::string_view type) {
+    const auto found = std::find_if(types.begin(), types.end(), [type](const TypeFacts& f) { return type == f.word; });
     return found == types.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 std::size_t type_size(const std::string& type) {
-    return facts(type) == nullptr ? 0 : facts(type)->size;
+    const TypeFacts* found = facts(type);
+    return found == nullptr ? 0 : found->size;
 }
 
 bool is_known_type(const std::string& type) {
@@ -120,7 +122,8 @@ bool is_known_type(const std::string& type) {
 }
 
 bool is_string_type(const std::string& type) {
-    return type == "VISIBLE_STRING" || type == "OCTET_STRING";
+    const std::string_view word{type};  // compares lengths first
+    return word == "VISIBLE_STRING" || word == "OCTET_STRING";
 }
 
 std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type) {

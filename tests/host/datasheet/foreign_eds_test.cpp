@@ -80,6 +80,26 @@ TEST(ForeignEds, RepeatedSectionIsMerged) {
     EXPECT_EQ(entry(read.part, 0x2000, 0).mapping, "both");
 }
 
+TEST(ForeignEds, KeysOfALongListMayHaveAnyOrderAndTheFirstOfEqualKeysCounts) {
+    constexpr unsigned count = 40;
+    std::string text =
+        fmt::format("[DeviceInfo]\nProductName=Many\n[ManufacturerObjects]\nSupportedObjects={}\n", count);
+    for (unsigned key = count; key > 0; --key) {  // key 40 is in line 5, so key 7 is in line 5 + 40 - 7 = 38
+        text += fmt::format("{}=0x{:04X}\n", key, 0x2000 + key);
+    }
+    text += "7=0x3000\n";  // line 5 + 40 = 45
+    for (unsigned key = 1; key <= count; ++key) {
+        text += fmt::format("[{:04X}]\nDataType=5\nPARAMETERNAME=Value {}\nAccessType=rw\n", 0x2000 + key, key);
+    }
+    const EdsResult read = read_eds(text, "x");
+    EXPECT_EQ(texts(read.faults), "");
+    EXPECT_THAT(texts(read.notes), HasSubstr("x:45: 7 is already in line 38; the first counts"));
+    EXPECT_THAT(texts(read.notes), Not(HasSubstr("3000h")));
+    ASSERT_EQ(read.part.objects.size(), count);
+    EXPECT_EQ(read.part.objects[6].index, 0x2007);
+    EXPECT_EQ(read.part.objects[6].name, "Value 7");
+}
+
 TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
     const auto told = [](const std::string& from, const std::string& to) {
         const EdsResult read = read_eds(replaced(box, from, to), "x");

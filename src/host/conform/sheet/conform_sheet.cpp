@@ -63,7 +63,7 @@ std::vector<unsigned> ConformSheet::pdos(bool transmit) const {
 std::optional<std::string> ConformSheet::key(const std::string& section, const std::string& key) const {
     const IniSection* const found = ini.find(section);
     const IniValue* const value = found == nullptr ? nullptr : found->find(key);
-    return value == nullptr ? std::nullopt : std::optional{value->text};
+    return value == nullptr ? std::nullopt : std::optional{std::string{value->text}};
 }
 
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id) {

@@ -20,10 +20,10 @@ constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, [FileInfo]";
 
 /// Returns the numbers between the separators of `text`; none when it contains anything else.
-std::vector<unsigned> numbers_of(const std::string& text, char separator, std::size_t most_digits) {
+std::vector<unsigned> numbers_of(std::string_view text, char separator, std::size_t most_digits) {
     std::vector<unsigned> all;
     std::string digits;
-    for (const char c : text + separator) {
+    for (const char c : std::string{text} + separator) {
         if (c == separator) {
             if (digits.empty() || digits.size() > most_digits) {
                 return {};
@@ -63,7 +63,7 @@ struct Minute {
 };
 
 /// Parses mm-dd-yyyy, and unambiguous variants: without leading zeros, yyyy-mm-dd, dd.mm.yyyy.
-std::optional<Day> read_day(const std::string& text) {
+std::optional<Day> read_day(std::string_view text) {
     const auto dashes = numbers_of(text, '-', 4);
     if (dashes.size() == 3 && dashes[0] > 31) {
         return Day{dashes[0], dashes[1], dashes[2]};
@@ -76,7 +76,7 @@ std::optional<Day> read_day(const std::string& text) {
 }
 
 /// Parses hh:mmAM, and unambiguous variants: with a blank, in lower case, and hh:mm in 24 hours.
-std::optional<Minute> read_minute(const std::string& given) {
+std::optional<Minute> read_minute(std::string_view given) {
     std::string text = lower_case(given);
     const bool morning = text.size() > 2 && text.compare(text.size() - 2, 2, "am") == 0;
     const bool evening = text.size() > 2 && text.compare(text.size() - 2, 2, "pm") == 0;

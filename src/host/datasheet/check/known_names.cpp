@@ -74,7 +74,7 @@ const Words object_keys{"ParameterName", "ObjectType",    "DataType",     "Acces
                         "Denotation",    "UploadFile",    "DownloadFile", "ParamRefd"};
 const Words compact_keys{"NrOfEntries", "#"};
 
-std::string in_words(const Words& words, const std::string& key) {
+std::string in_words(const Words& words, std::string_view key) {
     const std::string lower = lower_case(key);
     const auto found = words.spelled.find(lower);
     if (found != words.spelled.end()) {
@@ -85,7 +85,7 @@ std::string in_words(const Words& words, const std::string& key) {
         const bool numbered = word.back() == '#' && lower.size() > stem && lower.compare(0, stem, word, 0, stem) == 0 &&
                               lower.find_first_not_of("0123456789abcdef", stem) == std::string::npos;
         if (numbered) {
-            return spelled.substr(0, stem) + key.substr(stem);
+            return spelled.substr(0, stem).append(key.substr(stem));
         }
     }
     return "";
@@ -127,20 +127,20 @@ std::string known_section(const std::string& name) {
     return is_of_modules(lower) ? name : "";
 }
 
-std::string known_key(const std::string& section, const std::string& key) {
+std::string known_key(const std::string& section, std::string_view key) {
     const auto found = sections().find(lower_case(section));
     if (found != sections().end()) {
         return in_words(found->second.keys, key);
     }
     const auto object = eds_object_name(section);
     if (!object) {
-        return key;  // an unknown section is reported separately
+        return std::string{key};  // an unknown section is reported separately
     }
     const bool compact = object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
     return in_words(compact ? compact_keys : object_keys, key);
 }
 
-bool is_dcf_key(const std::string& key) {
+bool is_dcf_key(std::string_view key) {
     return !in_words(dcf_keys, key).empty();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace canproof::host {
 
@@ -11,9 +12,9 @@ std::string known_section(const std::string& name);
 
 /// Returns the key of a section in the spelling of CiA 306; empty when the section has no such key. The case of both
 /// names does not matter.
-std::string known_key(const std::string& section, const std::string& key);
+std::string known_key(const std::string& section, std::string_view key);
 
 /// Returns whether the key of an object exists only in device configuration files.
-bool is_dcf_key(const std::string& key);
+bool is_dcf_key(std::string_view key);
 
 }  // namespace canproof::host

@@ -79,7 +79,8 @@ class ListCheck {
             } else if (!index || *index == 0 || *index > 0xFFFF) {
                 findings_.add("list-no-index", value.line, fmt::format("{} is no index", value.text));
             } else {
-                list.entries.push_back({static_cast<unsigned>(std::stoul(key)), static_cast<unsigned>(*index), &value});
+                list.entries.push_back(
+                    {static_cast<unsigned>(std::stoul(std::string{key})), static_cast<unsigned>(*index), &value});
                 continue;
             }
             list.all_known = false;

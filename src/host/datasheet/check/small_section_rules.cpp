@@ -22,10 +22,10 @@ constexpr const char* dummy_source = "CiA 306, [DummyUsage]; CiA 301, dummy mapp
 constexpr const char* dcf_source = "CiA 306, device configuration file";
 
 /// Returns the number after `stem`; nothing when there is none. Both texts are in lower case.
-std::optional<unsigned> number_behind(const std::string& key, const std::string& stem) {
+std::optional<unsigned> number_behind(std::string_view key, std::string_view stem) {
     const bool fits = key.size() > stem.size() && key.size() <= stem.size() + 4 && key.rfind(stem, 0) == 0 &&
                       key.find_first_not_of("0123456789", stem.size()) == std::string::npos;
-    return fits ? std::optional{static_cast<unsigned>(std::stoul(key.substr(stem.size())))} : std::nullopt;
+    return fits ? std::optional{static_cast<unsigned>(std::stoul(std::string{key.substr(stem.size())}))} : std::nullopt;
 }
 
 void check_comments(const EdsSheet& sheet, EdsFindings& findings) {
@@ -77,7 +77,7 @@ void check_dummies(const EdsSheet& sheet, EdsFindings& findings) {
         return;
     }
     for (const auto& [key, value] : section->values) {
-        const std::string digits = key.rfind("dummy", 0) == 0 ? key.substr(5) : "";
+        const std::string digits{key.rfind("dummy", 0) == 0 ? key.substr(5) : ""};
         const auto number = digits.size() == 4 ? eds_unsigned("0x" + digits) : std::nullopt;
         const EdsDataType* type = number ? eds_data_type(*number) : nullptr;
         if (type == nullptr || !type->fits_pdo() || *number == 0) {

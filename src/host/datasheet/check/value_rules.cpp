@@ -42,13 +42,14 @@ struct Number {
     double as_real() const { return is_real ? real : (negative ? -1.0 : 1.0) * static_cast<double>(magnitude); }
 };
 
-std::string without_blanks(std::string text) {
+std::string without_blanks(std::string_view given) {
+    std::string text{given};
     text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\t'; }), text.end());
     return text;
 }
 
 /// Parses any whole number; returns nothing for another text.
-std::optional<Number> whole(const std::string& given) {
+std::optional<Number> whole(std::string_view given) {
     const std::string text = without_blanks(given);
     const bool negative = !text.empty() && text.front() == '-';
     const auto magnitude = eds_unsigned(negative ? text.substr(1) : text);
@@ -73,7 +74,7 @@ std::optional<Number> fitted(Number number, const EdsDataType& type, bool hexade
     return hexadecimal && number.magnitude <= top ? std::optional{Number{true, complement, 0.0, false}} : std::nullopt;
 }
 
-bool is_hexadecimal(const std::string& text) {
+bool is_hexadecimal(std::string_view text) {
     return lower_case(without_blanks(text)).rfind("0x", 0) == 0;
 }
 
@@ -86,7 +87,7 @@ class ValueCheck {
         if (entry_.value == nullptr) {
             return;
         }
-        const std::string& text = entry_.value->text;
+        const std::string_view text = entry_.value->text;
         switch (type_.kind) {
             case Kind::boolean:
                 if (!eds_value(text, "BOOLEAN")) {
@@ -137,7 +138,7 @@ class ValueCheck {
   private:
     void add(const char* rule, std::string what) { findings_.add(rule, entry_.value->line, std::move(what)); }
 
-    void check_whole_default(const std::string& text) {
+    void check_whole_default(std::string_view text) {
         const auto term = split_node_id(text);
         if (!term) {
             add("default-node-id-form", fmt::format("default {} of {} is no sum with $NODEID", text, entry_.title()));

@@ -69,7 +69,9 @@ TextFault read_line(std::string_view line, LoggedFrame& logged) {
     if (TextFault fault = read_time(time, logged.time)) {
         return fault;
     }
-    logged.interface = interface;
+    if (logged.interface != interface) {  // all lines of most logs have the same one
+        logged.interface = interface;
+    }
     logged.mark = mark_of(mark);
     FrameText read;
     TextFault fault = read_logged_frame(text, read);
