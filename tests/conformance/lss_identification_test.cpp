@@ -277,7 +277,7 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},
           {"7E5#515F000000000001", yes},
-          {"7E5#5100000000800404", yes}});  // 128 has no number
+          {"7E5#5100000000800404", yes}});  // 128 needs no number of a part
 }
 
 TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
