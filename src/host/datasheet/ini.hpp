@@ -22,7 +22,7 @@ struct IniValue {
 struct IniSection {
     std::string name;  ///< as written
     unsigned line{0};
-    std::map<std::string, IniValue, std::less<>> values;  ///< by key in lower case
+    std::map<std::string, IniValue, std::less<>> values;  ///< the keys are in lower case
 
     /// Returns the value; nullptr when the key is absent.
     const IniValue* find(std::string_view key) const;
@@ -31,7 +31,7 @@ struct IniSection {
 };
 
 struct IniFile {
-    std::map<std::string, IniSection, std::less<>> sections;  ///< by name in lower case
+    std::map<std::string, IniSection, std::less<>> sections;  ///< the names are in lower case
 
     const IniSection* find(std::string_view name) const;
 };
