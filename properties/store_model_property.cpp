@@ -46,9 +46,9 @@ struct Event {
     /// 0 to 2 write, 3 save, 4 restore, 5 power cycle, 6 reset node, 7 reset communication, 8 a save or restore with a
     /// wrong signature.
     unsigned kind{0};
-    unsigned group{0};     ///< of a write 0 to 2; else the sub-index minus one
+    unsigned group{0};     ///< group of a write, 0 to 2; otherwise the sub-index minus one
     unsigned value{0};     ///< of a write
-    unsigned permille{0};  ///< of a save or restore: where power fails; 1000 and more: no failure
+    unsigned permille{0};  ///< place in a save or restore where power fails; 1000 and more: no failure
 };
 
 class Happens : public rc::state::Command<Model, Sut> {

@@ -197,8 +197,8 @@ class PdoSlave {
         PdoEntries(const ObjectDictionary& objects, unsigned index)
             : communication{objects, index}, mapping{objects, index + 0x200} {}
 
-        void follow(const naive_pdo::Bytes& seen, bool anew) {
-            if (!anew && !communication.differ(seen) && !mapping.differ(seen)) {
+        void follow(const naive_pdo::Bytes& seen, bool again) {
+            if (!again && !communication.differ(seen) && !mapping.differ(seen)) {
                 return;
             }
             pdo.cob_id = static_cast<std::uint32_t>(communication.value(1));

@@ -304,7 +304,7 @@ class NaiveBus {
     std::uint64_t bit_;
     NaiveFaults faults_;
     std::mt19937_64 draws_;
-    std::map<int, Station> stations_;  ///< by number: in order of attachment
+    std::map<int, Station> stations_;  ///< the key is the number: the order of attachment
     int next_number_{0};
     std::vector<Sent> sent_;
     bool on_wire_{false};
@@ -313,7 +313,7 @@ class NaiveBus {
     std::uint64_t start_{0};
     std::uint64_t end_{0};
     std::vector<std::pair<std::uint64_t, std::uint64_t>>
-        taken_;  ///< from the start of a frame to the end of its intermission
+        taken_;  ///< times from the start of each frame to the end of its intermission
     std::uint64_t free_from_{0};
     std::uint64_t errors_{0};
     std::uint64_t worst_latency_{0};

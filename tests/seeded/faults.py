@@ -55,7 +55,7 @@ class Fault:
     def apply(self, tree):
         done = self.patch(tree)
         if done.returncode != 0:
-            raise Wrong(f"{self.name} does not apply; write it anew: {done.stdout.strip()}")
+            raise Wrong(f"{self.name} does not apply; write it again: {done.stdout.strip()}")
 
     def revert(self, tree):
         done = self.patch(tree, "-R")
@@ -66,7 +66,7 @@ class Fault:
         """Checks whether the patch applies, without writing."""
         done = self.patch(tree, "--dry-run")
         if done.returncode != 0:
-            raise Wrong(f"{self.name} does not apply; write it anew: {done.stdout.strip()}")
+            raise Wrong(f"{self.name} does not apply; write it again: {done.stdout.strip()}")
 
 
 def all_patches():

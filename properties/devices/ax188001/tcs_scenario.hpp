@@ -17,11 +17,11 @@ namespace canproof::test {
 struct TcsAction {
     enum Kind { heat, wire, voltage, cold_junction, cpu, supply, hum, overrun, can, write, command, power_cycle };
     Kind kind{heat};
-    int channel{1};     ///< of heat, wire, voltage and hum
+    int channel{1};     ///< channel of an action on heat, wire, voltage or hum
     double value{0.0};  ///< degC, uV or V; for wire and overrun 0 or 1; for a command its specifier
     int index{0};       ///< of a write
-    int sub{0};         ///< of a write; the node of a command
-    int size{1};        ///< of a write, in bytes
+    int sub{0};         ///< sub-index of a write, or node of a command
+    int size{1};        ///< length of a write in bytes
     std::uint32_t bits{0};
     std::uint64_t wait_ms{0};
 };

@@ -16,12 +16,12 @@ namespace canproof::test {
 struct Ao4Action {
     enum Kind { write, frame, remote, terminal, power_cycle };
     Kind kind{write};
-    unsigned id{0};              ///< of a frame or a remote frame; with `own` an offset to the node-ID
+    unsigned id{0};              ///< identifier of a frame or remote frame; with `own` an offset to the node-ID
     bool own{false};             ///< the identifier is that of the node itself
     std::vector<unsigned> data;  ///< of a frame
-    unsigned index{0};           ///< of a write, or the number of a terminal
+    unsigned index{0};           ///< index of a write, or number of a terminal
     unsigned sub{0};             ///< of a write
-    unsigned size{1};            ///< of a write, in bytes
+    unsigned size{1};            ///< length of a write in bytes
     std::uint32_t value{0};      ///< value of a write, or of a terminal
     std::uint64_t wait_ms{0};
 };

@@ -65,7 +65,7 @@ class StoredEntries {
   private:
     const DictionaryTables& tables_;
     std::size_t object_{0U};
-    std::size_t position_{0U};  ///< among the object's entries
+    std::size_t position_{0U};  ///< position among the entries of the object
     std::size_t end_{0U};
     EntryRef entry_{};
 };

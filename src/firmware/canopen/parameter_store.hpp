@@ -95,9 +95,9 @@ class ParameterStore {
 
     ObjectDictionary& objects_;
     NonVolatileMemory& memory_;
-    std::uint8_t node_id_{0U};  ///< of the last load()
+    std::uint8_t node_id_{0U};  ///< node-ID of the last load()
     std::size_t payload_size_;  ///< bytes of all stored values
-    std::uint8_t tag_{0U};      ///< of the next save
+    std::uint8_t tag_{0U};      ///< tag of the next save
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
     ParameterGroups groups_{

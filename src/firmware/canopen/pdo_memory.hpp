@@ -13,8 +13,8 @@ namespace canproof {
 struct PdoMemory {
     Slots<ReceivePdo> received{};
     Slots<TransmitPdo> sent{};
-    Slots<PdoLine> received_lines{};  ///< the same number for each receive PDO
-    Slots<PdoLine> sent_lines{};      ///< the same number for each transmit PDO
+    Slots<PdoLine> received_lines{};  ///< the lines of all receive PDOs, the same number for each
+    Slots<PdoLine> sent_lines{};      ///< the lines of all transmit PDOs, the same number for each
 };
 
 /// Memory for `received` RPDOs and `sent` TPDOs with at most `lines` mapped entries each. The numbers are pdo_count()

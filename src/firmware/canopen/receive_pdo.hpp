@@ -16,7 +16,7 @@ struct ReceivePdo {
 
     PdoParameters parameters{};
     PdoMapping mapping{};
-    std::uint32_t identifier{nobody};  ///< of its frames; `nobody` while the PDO is not valid
+    std::uint32_t identifier{nobody};  ///< identifier of its frames; `nobody` while the PDO is not valid
     Frame waiting{};
     bool waits{false};
     Instant due{never};  ///< latest time of the next reception

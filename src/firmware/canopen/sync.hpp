@@ -52,7 +52,7 @@ class Sync {
     Instant next_{never};
     std::uint32_t identifier_{0U};  ///< identifier of the SYNC; zero means no SYNC: 0 is the identifier of NMT and
                                     ///< never reaches is_sync()
-    std::uint8_t length_{0U};       ///< of a SYNC in bytes: 1 while 1019h is not zero
+    std::uint8_t length_{0U};       ///< length of a SYNC in bytes: 1 while 1019h is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};
 };

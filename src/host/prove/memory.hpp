@@ -17,7 +17,7 @@ struct Object {
     Term size;  ///< 64 bits
     std::uint64_t alignment{1};
     bool writable{true};
-    ContentsPointer initial{};  ///< of a global variable; empty for an object that a function makes
+    ContentsPointer initial{};  ///< contents of a global variable; empty for an object that a function makes
 };
 
 /// All objects of a proof so far; none is ever removed.

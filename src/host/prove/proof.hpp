@@ -21,7 +21,7 @@ struct Limits {
                                           ///< (ProveOptions::seconds) is usually reached before
     unsigned branch_milliseconds{20000};  ///< for the question whether a branch can be taken
     unsigned visits{2000};                ///< of one block in one call: bounds the passes of loops
-    unsigned depth{64};                   ///< of nested calls
+    unsigned depth{64};                   ///< nesting depth of calls
 };
 
 /// One value, object or memory that the harness leaves open: its bytes in the order in which the harness asked for
@@ -45,7 +45,7 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< of open states, by number of the term
+    std::set<unsigned> state_bytes{};         ///< bytes of open states, by number of the term
     std::string statement{};                  ///< the statement of the harness
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of the statement or the requirements

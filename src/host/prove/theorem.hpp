@@ -23,7 +23,7 @@ struct TheoremResult {
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
     std::string reason{};                    ///< the obligation that fails or is open; why nothing is known
-    std::vector<std::string> functions{};    ///< of the firmware, that were executed
+    std::vector<std::string> functions{};    ///< executed functions of the firmware
     std::vector<std::string> assumptions{};  ///< assumptions of the harness, each with its place
     double paths{0.0};
     std::size_t obligations{0};

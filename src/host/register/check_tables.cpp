@@ -247,8 +247,8 @@ class TableCheck {
     const Part& part_;
     Table& table_;
     Faults& faults_;
-    std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< of each input
-    std::vector<std::set<std::string>> words_;                        ///< of each column
+    std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< pieces of each input
+    std::vector<std::set<std::string>> words_;                        ///< words of each column
     std::size_t steps_{0};                                            ///< number of compared rows
     int told_{0};
 };

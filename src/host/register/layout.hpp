@@ -22,7 +22,7 @@ struct Layout {
     std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
     std::vector<std::uint8_t> image;                 ///< defaults, without the node-ID
     std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< over the stored entries and their places
+    std::uint32_t fingerprint{0};  ///< hash over the stored entries and their places
 };
 
 Layout make_layout(const Part& part);

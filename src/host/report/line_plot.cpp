@@ -110,8 +110,8 @@ class Canvas {
 
     /// Returns the number of a tick without rounding errors in its last digits.
     static std::string number(double value, double step) {
-        const double told = std::fabs(value) < step / 1000.0 ? 0.0 : value;
-        return grouped(std::fabs(told) < 1e5 ? fmt::format("{:.6g}", told) : fmt::format("{:.0f}", told));
+        const double shown = std::fabs(value) < step / 1000.0 ? 0.0 : value;
+        return grouped(std::fabs(shown) < 1e5 ? fmt::format("{:.6g}", shown) : fmt::format("{:.0f}", shown));
     }
 
     /// Draws a curve with a gap where a value is NaN or infinite.

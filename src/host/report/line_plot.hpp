@@ -21,7 +21,7 @@ struct PlotMark {
 
 struct LinePlot {
     std::string title;
-    std::string x_label;  ///< with its unit
+    std::string x_label;  ///< label with its unit
     std::string y_label;
     std::vector<Curve> curves;
     std::vector<PlotMark> marks;

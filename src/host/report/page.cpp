@@ -42,10 +42,10 @@ constexpr std::size_t many_columns = 4;  ///< a table with more columns is print
 const char* const search_script = R"(
 for(const field of document.querySelectorAll('input[type=search]')){
 const rows=[...field.parentElement.querySelectorAll('tbody tr')].map(r=>[r,r.textContent.toLowerCase()]);
-const told=field.nextElementSibling;
+const counted=field.nextElementSibling;
 const show=()=>{const words=field.value.toLowerCase().split(/\s+/).filter(Boolean);let n=0;
 for(const[r,t]of rows){const hit=words.every(w=>t.includes(w));r.hidden=!hit;n+=hit}
-told.textContent=n+' of '+rows.length};
+counted.textContent=n+' of '+rows.length};
 field.addEventListener('input',show);
 const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=asked;show();
 }

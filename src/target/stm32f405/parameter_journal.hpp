@@ -83,7 +83,7 @@ class ParameterJournal final : public NonVolatileMemory {
     std::size_t active_{no_sector};
     std::size_t next_slot_{1U};
     std::uint32_t generation_{0U};
-    std::uint32_t number_{0U};  ///< of the last commit, complete or not
+    std::uint32_t number_{0U};  ///< number of the last commit, complete or not
 };
 
 /// Returns how many sectors were started so far; each of the two sectors was erased half as often.

@@ -13,8 +13,8 @@ namespace {
 
 /// The worst work of a kind. Its texts reserve memory at once: a short text in the middle of a free 64 KiB block would
 /// leave no room for a DOMAIN.
-struct Dearest {
-    explicit Dearest(const char* name) : kind{name} {
+struct WorstWork {
+    explicit WorstWork(const char* name) : kind{name} {
         what.reserve(40);
         where.reserve(160);
     }
@@ -29,8 +29,8 @@ struct Dearest {
 };
 
 enum Kind : std::size_t { power_on, frame, tick, command, share };
-std::array<Dearest, 5> dearest{Dearest{"power_on"}, Dearest{"frame"}, Dearest{"tick"}, Dearest{"command"},
-                               Dearest{"share"}};
+std::array<WorstWork, 5> worst_works{WorstWork{"power_on"}, WorstWork{"frame"}, WorstWork{"tick"}, WorstWork{"command"},
+                                     WorstWork{"share"}};
 
 /// Returns whether a frame is a rare command: NMT reset node or reset communication, LSS switch state global (to
 /// waiting, it resets the communication) or store configuration, or an SDO write of 1010h or 1011h.
@@ -53,8 +53,8 @@ std::uint32_t base_identifier(const Frame& frame) {
     return frame.extended ? frame.id >> 18U : frame.id;
 }
 
-void note(Kind which, std::uint32_t worth, const Dearest& one) {
-    Dearest& kind = dearest[which];
+void note(Kind which, std::uint32_t worth, const WorstWork& one) {
+    WorstWork& kind = worst_works[which];
     ++kind.count;
     if (worth > kind.worth || kind.count == 1) {
         kind.worth = worth;
@@ -69,12 +69,12 @@ std::uint32_t counted = 0;
 std::FILE* every_work = nullptr;
 
 // The last counted work; frames that the device sends because of it follow.
-Dearest last{"-"};
+WorstWork last{"-"};
 test::Work last_work = test::Work::tick;
 std::uint32_t received = 0;
 bool waits = false;
 
-void write_line(std::FILE* file, const char* kind, std::uint32_t count, const Dearest& one) {
+void write_line(std::FILE* file, const char* kind, std::uint32_t count, const WorstWork& one) {
     std::fprintf(file, "%s %lu %lu %lu %s %s\n", kind, static_cast<unsigned long>(count),
                  static_cast<unsigned long>(one.instructions), static_cast<unsigned long>(one.bits), one.what.c_str(),
                  one.where.c_str());
@@ -90,7 +90,7 @@ void finish() {
     const Kind kind =
         is_frame ? (is_command(last.what) ? command : frame) : (last_work == test::Work::tick ? tick : power_on);
     if (every_work != nullptr) {
-        write_line(every_work, dearest[kind].kind, 1, last);
+        write_line(every_work, worst_works[kind].kind, 1, last);
     }
     note(kind, last.instructions, last);
     if (kind == frame) {
@@ -149,7 +149,7 @@ bool write_work(const std::string& path) {
     finish();
     std::FILE* const file = std::fopen(path.c_str(), "wb");
     bool any = false;
-    for (const Dearest& kind : dearest) {
+    for (const WorstWork& kind : worst_works) {
         any = any || kind.count > 0;
         if (file != nullptr) {
             write_line(file, kind.kind, kind.count, kind);

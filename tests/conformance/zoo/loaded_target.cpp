@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-constexpr double mean_bits = 85.0;  // of a frame with four bytes, the intermission included
+constexpr double mean_bits = 85.0;  // bits of a frame with four bytes, including the intermission
 constexpr std::uint64_t most_waiting = 16;
 
 // Restricted identifiers (CiA 301, 7.3.5).

@@ -380,7 +380,7 @@ TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     EXPECT_EQ(output(1), 0);
     send("37F#640000000000");
     pass(11);
-    EXPECT_EQ(output(1), 40) << "anew, 10 ms after it began";
+    EXPECT_EQ(output(1), 40) << "again, 10 ms after it began";
 }
 
 }  // namespace canproof::test

@@ -42,7 +42,7 @@ TEST_F(Ax188001Dictionary, EachEntryHasTheLengthOfItsType) {
              req::TCS_OD_6112, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_6150, req::TCS_OD_7130>();
     struct Object {
         int index;
-        std::vector<int> bytes;  // of sub-index 0, 1, …
+        std::vector<int> bytes;  // lengths of sub-index 0, 1, …
     };
     const std::vector<Object> objects{{0x1000, {4}},
                                       {0x1001, {1}},
@@ -232,7 +232,7 @@ TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
     struct Parameter {
         int index;
         int size;
-        std::vector<std::uint32_t> elements;  // of a VAR its only value
+        std::vector<std::uint32_t> elements;  // the value of each element; of a VAR its only value
         bool is_array;
     };
     const std::uint32_t sixteen = 0x41800000;    // 16.0F

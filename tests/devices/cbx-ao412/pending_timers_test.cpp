@@ -113,7 +113,7 @@ TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
         {"no time", [&] { return send("603#2B15100000000000"); }, {"583#6015100000000000"}, done},
         {"no messages", [&] { return send("603#2314100083000080"); }, {"583#6014100000000000"}, {}},
         {"reset communication", [&] { return send("000#8203"); }, {"703#00", "083#2081110000000000"}, {}},
-        {"reset node: both lost frames and error passive are told anew",
+        {"reset node: both lost frames and error passive are reported again",
          [&] { return send("000#8103"); },
          {"703#00", "083#1081110200000000", "083#2081110200000000"},
          {}},

@@ -13,9 +13,9 @@
 namespace canproof::ax060805 {
 
 struct InclinationSettings {
-    float filter_share{1.0F};      ///< from low_pass_coefficient(); 1 switches the filter off
-    PitchRoll calibration{};       ///< of the sensor in the unit, degrees
-    PitchRoll installation{};      ///< of the unit on the machine, degrees
+    float filter_share{1.0F};      ///< result of low_pass_coefficient(); 1 switches the filter off
+    PitchRoll calibration{};       ///< angles of the sensor in the unit, degrees
+    PitchRoll installation{};      ///< angles of the unit on the machine, degrees
     bool euler{false};             ///< pitch and roll as Euler angles; otherwise as tilt angles
     float gimbal_lock_cone{0.0F};  ///< degrees from the vertical; within this angle the Euler roll is unreliable
     float least_gravity{0.0F};     ///< g; a smaller acceleration has no measurable direction

@@ -63,13 +63,13 @@ conform::CaseBook read_cases(const std::string& folder) {
     }
     Faults faults;
     conform::CaseBook book = conform::parse_cases(files, faults);
-    std::string told;
+    std::string faults_text;
     for (const Fault& one : faults) {
-        told += "\n" + one.text();
+        faults_text += "\n" + one.text();
     }
-    if (!told.empty() || book.cases.empty()) {
-        throw InputError{
-            fmt::format("{} contains no valid cases:{}", folder, told.empty() ? " there is no case" : told)};
+    if (!faults_text.empty() || book.cases.empty()) {
+        throw InputError{fmt::format("{} contains no valid cases:{}", folder,
+                                     faults_text.empty() ? " there is no case" : faults_text)};
     }
     return book;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_told = 100;
 
-std::string told(const Faults& faults) {
+std::string faults_text(const Faults& faults) {
     std::string text;
     for (std::size_t i = 0; i < std::min(faults.size(), most_told); ++i) {
         text += faults[i].text() + "\n";
@@ -34,12 +34,12 @@ std::string told(const Faults& faults) {
 Part read_eds_part(const std::string& path) {
     EdsResult read = read_eds(read_file(path, longest_eds_file), path);
     if (!read.faults.empty()) {
-        std::string all = told(read.faults);
+        std::string all = faults_text(read.faults);
         all.pop_back();
         throw InputError{
             fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size() + read.faults.left_out(), all)};
     }
-    if (std::string notes = told(read.notes); !notes.empty()) {
+    if (std::string notes = faults_text(read.notes); !notes.empty()) {
         notes.pop_back();
         tell(notes);
     }

@@ -44,8 +44,8 @@ class PanelRun {
             wait();
         }
         prepared_.finish();
-        if (const std::string told = panel_.summary(); !told.empty()) {
-            tell(told);
+        if (const std::string summary = panel_.summary(); !summary.empty()) {
+            tell(summary);
         }
     }
 

@@ -38,8 +38,8 @@ struct CoverageVerdict {
 
     std::vector<JudgedGap> gaps;
     std::vector<CoverageRecord> unused;  ///< records that match no gap, because the code has changed
-    CoverageCount conditions;            ///< of the firmware
-    CoverageCount host_conditions;       ///< of the host's buses and replay
+    CoverageCount conditions;            ///< conditions of the firmware
+    CoverageCount host_conditions;       ///< conditions of the host's buses and replay
 
     std::size_t open() const;
     bool enough_conditions() const { return conditions.percent() >= least_conditions; }

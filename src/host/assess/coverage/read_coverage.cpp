@@ -170,12 +170,12 @@ class FileReader {
             ways.taken += branch.at(4).get<unsigned long long>();
             ways.passed += branch.at(5).get<unsigned long long>();
         }
-        const std::set<Region> told = read_conditions(branches);
+        const std::set<Region> reported = read_conditions(branches);
         for (const auto& [place, ways] : branches) {
             const CoverageCount count{static_cast<std::size_t>((ways.taken != 0) + (ways.passed != 0)), 2};
             made_.branches.add(count);
             made_.line_branches[place.line].add(count);
-            if (count.covered < 2 && told.count(place) == 0 && !is_silent(place.line)) {
+            if (count.covered < 2 && reported.count(place) == 0 && !is_silent(place.line)) {
                 add_gap("branch", place.line, text_of(place, lines_), missing_of(ways));
             }
         }
@@ -200,7 +200,7 @@ class FileReader {
                 all[i] = all[i] || shown[i];
             }
         }
-        std::set<Region> told;
+        std::set<Region> reported;
         for (const auto& [decision, shown] : decisions) {
             const std::vector<Region> conditions = conditions_of(decision, decisions, branches);
             for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -210,11 +210,11 @@ class FileReader {
                     const Region place = known ? conditions[i] : decision;
                     add_gap("condition", place.line, text_of(place, lines_),
                             known ? "not shown to decide alone" : fmt::format("condition {} of the decision", i + 1));
-                    told.insert(place);
+                    reported.insert(place);
                 }
             }
         }
-        return told;
+        return reported;
     }
 
     /// Returns the branches inside a decision that belong to no nested decision.

@@ -44,7 +44,7 @@ struct PackInput {
     /// share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;
-    Analysis analysis;                           ///< from reports/analysis
+    Analysis analysis;                           ///< content of reports/analysis
     std::vector<Exhibit> exhibits;               ///< exhibits of other tools
     std::map<std::string, std::string> figures;  ///< SVG text by file name, which begins with the device's name
     Provenance provenance;

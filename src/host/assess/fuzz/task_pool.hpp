@@ -20,7 +20,7 @@ struct TaskEnd {
 
 struct Task {
     std::vector<std::string> command;
-    std::map<std::string, std::string> environment{};  ///< in addition to the environment of this program
+    std::map<std::string, std::string> environment{};  ///< variables in addition to the environment of this program
     std::filesystem::path log{};                       ///< file for stdout and stderr
     double limit_seconds{0.0};                         ///< time limit; 0: none
     std::function<void()> began{};

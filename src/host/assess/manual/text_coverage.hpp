@@ -29,7 +29,7 @@ struct TextCoverage {
     std::vector<std::string> missing;      ///< `KEY:SECTION/N: MARK` of passages that the text does not contain
     std::vector<std::string> not_located;  ///< normative numbered sections whose heading was not found
     std::vector<UncoveredLine> uncovered;
-    CoveredCharacters normative;  ///< of the located normative sections, without headings and captions
+    CoveredCharacters normative;  ///< text of the located normative sections, without headings and captions
     CoveredCharacters whole;
 };
 

@@ -21,8 +21,8 @@ class TestBodies {
     std::string hash_of(const std::string& file, const std::string& definition);
 
     std::filesystem::path root_;
-    std::map<std::string, std::string> sources_;  ///< by file, without comments and spaces
-    std::map<std::string, std::string> hashes_;   ///< by file and definition
+    std::map<std::string, std::string> sources_;  ///< text of each file without comments and spaces
+    std::map<std::string, std::string> hashes_;   ///< hashes by file and definition
 };
 
 }  // namespace canproof::host

@@ -202,8 +202,9 @@ std::optional<Story> StoryTeller::section(const std::string& subject) const {
         }
         Story story = list(head, ids);
         const bool covered = manual->statements.empty() ? !ids.empty() : !statements.empty();
-        story.open = story.open || (one.normative && !covered) ||
-                     std::any_of(statements.begin(), statements.end(), [](const auto* told) { return told->open(); });
+        story.open =
+            story.open || (one.normative && !covered) ||
+            std::any_of(statements.begin(), statements.end(), [](const auto* statement) { return statement->open(); });
         return story;
     }
     return std::nullopt;

@@ -46,7 +46,7 @@ class StoryTeller {
     std::map<std::string, const Part*> parts_;
     std::map<std::string, const Decision*> decisions_;
     std::map<std::string, const AuditedStatement*> statements_;
-    std::map<std::string, const PartAudit*> audits_;  ///< by key of the manual
+    std::map<std::string, const PartAudit*> audits_;  ///< audits by the key of the manual
 };
 
 /// Returns the line of an item in a list.

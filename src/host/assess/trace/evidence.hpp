@@ -43,8 +43,8 @@ struct TestCase {
 
 struct Evidence {
     std::vector<TestCase> cases;
-    std::map<std::string, std::vector<Verdict>> verdicts;         ///< by requirement id
-    std::map<std::string, std::vector<std::string>> implemented;  ///< by requirement id: `src/…:line`
+    std::map<std::string, std::vector<Verdict>> verdicts;         ///< verdicts by requirement id
+    std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
     std::map<std::string, std::vector<std::string>> used;  ///< by id: places where code names the result generated from
                                                            ///< the item
     WorkByItem work;                                       ///< marks of the code and tests that a review of each item

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double traffic_frame_bits = 125.0;  // assumes frames with eight bytes and about a tenth of stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // on a full bus no more traffic is queued
+constexpr std::size_t most_waiting = 64;  // number of frames; beyond it, no more traffic is queued
 
 // Identifiers that CiA 301 reserves (7.3.5): no slave uses them.
 constexpr std::uint32_t first_high = 0x101U;

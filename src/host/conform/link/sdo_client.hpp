@@ -35,7 +35,7 @@ struct BlockWrite {
     bool without_size{false};
     std::optional<std::uint32_t> size{};  ///< a size that differs from the data
     std::optional<unsigned> lose{};       ///< loses the last segment of the first block
-    bool lose_last{false};                ///< of the first block
+    bool lose_last{false};                ///< loses the last segment of the first block
     std::optional<unsigned> repeat{};     ///< segment of the first block that is sent twice
     std::uint8_t padding{0};
     std::optional<std::size_t> break_after{};

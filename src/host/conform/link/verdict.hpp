@@ -32,7 +32,7 @@ class CaseSkipped : public std::runtime_error {
 
 /// The measurements and notes of a case.
 struct Journal {
-    std::map<std::string, Measured> times;  ///< by what was measured
+    std::map<std::string, Measured> times;  ///< times by what was measured
     std::vector<std::string> notes;
     std::uint64_t judged{0};  ///< number of checks that the slave could have failed
 };

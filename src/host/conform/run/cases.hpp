@@ -35,7 +35,7 @@ struct Case {
 };
 
 struct CaseBook {
-    std::vector<Case> cases;  ///< by group, then in the order of the files
+    std::vector<Case> cases;  ///< ordered by group, then as in the files
     std::map<std::string, Procedure> procedures;
 };
 

@@ -39,8 +39,8 @@ struct CaseResult {
     std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
     std::vector<std::string> left;          ///< entries that were not put back
-    std::map<std::string, Measured> times;  ///< by what was measured
-    std::vector<FrameRecord> frames;        ///< of a case that did not pass
+    std::map<std::string, Measured> times;  ///< times by what was measured
+    std::vector<FrameRecord> frames;        ///< frames of a case that did not pass
     unsigned runs{0};
     Duration time{};
 };

@@ -18,7 +18,7 @@ constexpr unsigned first_receive_pdo = 0x1400U;
 constexpr unsigned first_transmit_pdo = 0x1800U;
 constexpr unsigned pdos_of_a_kind = 0x200U;
 
-std::string told(const Faults& faults) {
+std::string faults_text(const Faults& faults) {
     std::string text;
     for (const Fault& one : faults) {
         text += one.text() + "\n";
@@ -69,14 +69,14 @@ std::optional<std::string> ConformSheet::key(const std::string& section, const s
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id) {
     EdsResult read = read_eds(text, name);
     if (!read.faults.empty()) {
-        throw InputError{fmt::format("{} is no data sheet to test by:\n{}", name, told(read.faults))};
+        throw InputError{fmt::format("{} is no data sheet to test by:\n{}", name, faults_text(read.faults))};
     }
     ConformSheet sheet;
     sheet.name = name;
     sheet.text = text;
     sheet.checksum = sha256(text);
     sheet.part = std::move(read.part);
-    sheet.notes = told(read.notes);
+    sheet.notes = faults_text(read.notes);
     sheet.node_id = node_id;
     Faults faults;
     Faults notes;

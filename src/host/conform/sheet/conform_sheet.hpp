@@ -19,11 +19,11 @@ struct SheetEntry {
 };
 
 struct ConformSheet {
-    std::string name;      ///< of the file, or of the catalogue device
+    std::string name;      ///< name of the file, or of the catalogue device
     std::string text;      ///< the contents of the file
     std::string checksum;  ///< SHA-256 of the text
     Part part;             ///< the result of read_eds()
-    IniFile ini;           ///< the same by sections and keys; empty for an XDD
+    IniFile ini;           ///< the same content by sections and keys; empty for an XDD
     std::string notes;     ///< the assumptions of read_eds(), one per line
     std::uint8_t node_id{1};
 

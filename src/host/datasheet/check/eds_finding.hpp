@@ -29,7 +29,7 @@ struct EdsRule {
 struct EdsEdit {
     enum class Kind { replace, insert_after, erase, crlf } kind{Kind::replace};
     unsigned line{0};  ///< counts from 1
-    std::string text;  ///< for replace and insert_after; without a final line break, may contain several lines
+    std::string text;  ///< text of a replace or insert_after: without a final line break, may contain several lines
 };
 
 /// The edits of one fix. Several findings can share them, for example those of a list.

@@ -37,7 +37,7 @@ struct EdsSheetEntry {
     const IniSection* section{nullptr};  ///< section that describes the entry
     const IniValue* value{nullptr};      ///< its default; nullptr: none
     const EdsDataType* type{nullptr};    ///< nullptr: missing or unknown
-    std::string access;                  ///< in lower case; empty: missing
+    std::string access;                  ///< access in lower case; empty: missing
     bool mappable{false};                ///< PDOMapping is not 0
     bool compact{false};                 ///< described by CompactSubObj
 

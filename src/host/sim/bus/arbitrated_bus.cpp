@@ -317,10 +317,10 @@ void ArbitratedBus::count_reception(const Port& sender, const Port* loser, Insta
 
 void ArbitratedBus::tell_state(Port& port, Instant now) {
     const CanState state = port.counters.state();
-    if (state == port.told) {
+    if (state == port.reported_state) {
         return;
     }
-    port.told = state;
+    port.reported_state = state;
     look_again(port);
     if (state == CanState::bus_off) {
         port.repeated.reset();
@@ -359,7 +359,7 @@ void ArbitratedBus::recover(Nanoseconds now) {
 
 /// Returns when the port can send its frame; never when it has none or does not take part in the bus.
 Instant ArbitratedBus::may_start(const Port& port) const {
-    const bool sends = port.told != CanState::bus_off && port.next() != nullptr && takes_part(port);
+    const bool sends = port.reported_state != CanState::bus_off && port.next() != nullptr && takes_part(port);
     return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;
 }
 

@@ -61,7 +61,7 @@ class ArbitratedBus final : public Bus {
         bool gateway{false};
         std::optional<Frame> repeated;  ///< a corrupted frame, to be sent again
         FaultConfinement counters;
-        CanState told{CanState::error_active};
+        CanState reported_state{CanState::error_active};
         bool overrun{false};
         std::uint32_t rate{0};       ///< bit rate of the node at the last inspection
         Nanoseconds first_since{0};  ///< time at which the next frame became the first of its queue

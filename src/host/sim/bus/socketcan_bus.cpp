@@ -202,8 +202,8 @@ void SocketCanBus::set_overrun(Port& port, bool lost, Instant now) {
 }
 
 void SocketCanBus::set_state(Port& port, CanState state, Instant now) {
-    if (port.told != state) {
-        port.told = state;
+    if (port.reported_state != state) {
+        port.reported_state = state;
         port.node->set_can_state(state, now);
     }
 }

@@ -58,7 +58,7 @@ class SocketCanBus final : public Bus {
         std::uint32_t dropped{0};  ///< the count of the socket
         std::uint64_t lost{0};     ///< sum over all its sockets
         bool overrun{false};
-        CanState told{CanState::error_active};
+        CanState reported_state{CanState::error_active};
         Instant retry{never};
         Duration pause{};
         std::uint32_t bit_rate{0};

@@ -58,8 +58,9 @@ std::vector<std::string> table_lines(const RunSession& session, const std::vecto
                                      Duration lag) {
     std::vector<std::string> lines{bus_line(session, lag), fmt::format("{:<16}{:>5}  {:<16}{:>9}  {}", "device", "node",
                                                                        "state", "frames", "last frame")};
-    const std::size_t told = std::min(notices.size(), notices_shown);
-    const std::size_t room = size.rows > lines.size() + told + 2 ? size.rows - lines.size() - told - 2 : 1;
+    const std::size_t notice_rows = std::min(notices.size(), notices_shown);
+    const std::size_t room =
+        size.rows > lines.size() + notice_rows + 2 ? size.rows - lines.size() - notice_rows - 2 : 1;
     const std::size_t count = session.nodes().size();
     const std::size_t shown = count <= room ? count : room - 1;
     for (std::size_t i = 0; i < shown; ++i) {
@@ -68,7 +69,7 @@ std::vector<std::string> table_lines(const RunSession& session, const std::vecto
     if (shown < count) {
         lines.push_back(fmt::format("… and {} more", count - shown));
     }
-    lines.insert(lines.end(), notices.end() - static_cast<std::ptrdiff_t>(told), notices.end());
+    lines.insert(lines.end(), notices.end() - static_cast<std::ptrdiff_t>(notice_rows), notices.end());
     for (std::string& line : lines) {
         line.resize(std::min(line.size(), size.columns));
     }

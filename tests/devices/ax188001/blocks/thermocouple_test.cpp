@@ -187,7 +187,7 @@ TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
 
 TEST(Thermocouple, ConversionStaysWithinTheRangeNearItsEnds) {
     verifies<req::TCS_CONV_006, req::TCS_CONV_002>();
-    constexpr double step_mv = 1.0 / 1099511627776.0;  // of the numbers, 2^-40; 300 of them are at most 1e-6 degC
+    constexpr double step_mv = 1.0 / 1099511627776.0;  // one step, 2^-40; 300 steps are at most 1e-6 degC
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
         const double low_mv = reference_mv(curve, curve.lowest_c());
