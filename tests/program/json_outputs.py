@@ -64,6 +64,10 @@ def said(project, what, status, *words):
     return made
 
 
+def said_again(project, *words):
+    return json.loads(project.call(*words, "--json")[1])
+
+
 def audits(project):
     project.statements(GREEN, AWAKE)
     where = ("--verdicts", "verdicts")
@@ -91,6 +95,18 @@ def changes(project):
     items.write_text(items.read_text().replace("shall be green", "shall be red"))
     changed = said(project, "diff", 0, "diff", "HEAD", "--verdicts", "verdicts")
     assert [(one["id"], one["change"]) for one in changed["items"]] == [("BOX-R-1", "changed")] and changed["files"] == [], changed
+    assert changed["stale"] == [] and project.call("diff", "HEAD", "--verdicts", "verdicts", "--exit-code")[0] == 1
+    items.write_text(items.read_text().replace("shall be red", "shall be green"))
+    assert project.call("diff", "HEAD", "--verdicts", "verdicts", "--exit-code")[0] == 0
+    code = project.root / "src/firmware/a.hpp"
+    text = code.read_text()
+    code.write_text(text.replace("void green", "/* A comment. */ void  green"))
+    assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == []
+    code.write_text(text.replace("{}", "{ lamp(); }"))
+    assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == [{"id": "BOX-R-1", "code": True, "tests": False}]
+    _, out, _ = project.call("diff", "HEAD", "--verdicts", "verdicts")
+    assert "stale BOX-R-1: its code has changed\nnext: `./test`, then" in out, out
+    code.write_text(text)
 
 
 def coverage(project):

@@ -69,7 +69,7 @@ class Project:
         self.root = pathlib.Path(folder)
         for path, text in (("spec/manuals/lamp.toml", MANUAL), ("spec/devices/box/device.toml", DEVICE),
                            ("spec/devices/box/items.toml", ITEM), ("verdicts/tests.xml", VERDICTS), ("manual.txt", TEXT),
-                           ("src/firmware/a.hpp", "static_assert(implements<req::BOX_R_1>);\nvoid green();\n")):
+                           ("src/firmware/a.hpp", "static_assert(implements<req::BOX_R_1>);\nvoid green() {}\n")):
             self.write(path, text)
 
     def write(self, path, text):

@@ -21,20 +21,29 @@ from small_project import AWAKE, GREEN, MEASURED, SOURCE, Project
 MOST_LINES = 20  # lines of xmllint that are shown
 # Damage to a file of each kind: a text, and what replaces its first place.
 DAMAGE = {"junit": (" tests=", " test="), "cobertura": (' hits="', ' hits="x'), "reqif": ("LAST-CHANGE=", "LAST-CHANGED="),
-          "cyclonedx": ('"type": "application"', '"type": "appliance"'), "sarif": ('"level": "error"', '"level": "fatal"')}
+          "sacm": (' source="', ' source="no-'), "cyclonedx": ('"type": "application"', '"type": "appliance"'), "sarif": ('"level": "error"', '"level": "fatal"')}
 
 
 def faults_in_xml(kind, files):
     done = subprocess.run(["xmllint", "--noout", "--relaxng", HERE / f"{kind}.rng", *files], capture_output=True, text=True)
     yield from [line for line in done.stderr.splitlines() if not line.endswith(" validates")][:MOST_LINES]
-    for file in files if kind == "reqif" else ():
-        yield from unresolved_references(file)
+    for file in files if kind in REFERENCES else ():
+        root = xml.etree.ElementTree.parse(file).getroot()
+        identifier, references = REFERENCES[kind]
+        known = {one.get(identifier) for one in root.iter()}
+        yield from (f"{file}: no element is {name}" for name in references(root) if name not in known)
 
 
-def unresolved_references(file):
-    root = xml.etree.ElementTree.parse(file).getroot()
-    known = {one.get("IDENTIFIER") for one in root.iter()}
-    yield from (f"{file}: no element is {one.text}" for one in root.iter() if one.tag.endswith("-REF") and one.text not in known)
+def references_of_reqif(root):
+    return (one.text for one in root.iter() if one.tag.endswith("-REF"))
+
+
+def references_of_sacm(root):
+    return (name for one in root.iter() for role in ("source", "target", "referencedArtifactElement") for name in one.get(role, "").split())
+
+
+# Attribute that identifies an element, and what returns all references.
+REFERENCES = {"reqif": ("IDENTIFIER", references_of_reqif), "sacm": ("{http://www.omg.org/XMI}id", references_of_sacm)}
 
 
 def faults_in_json(kind, files):
@@ -49,7 +58,8 @@ def faults(kind, files):
 
 
 def files_of_pack(pack):
-    names = {"junit": "junit.xml", "cobertura": "cobertura.xml", "reqif": "register.reqif", "cyclonedx": "sbom.cdx.json", "sarif": "misra.sarif"}
+    names = {"junit": "junit.xml", "cobertura": "cobertura.xml", "reqif": "register.reqif", "cyclonedx": "sbom.cdx.json",
+             "sarif": "misra.sarif", "sacm": "argument.sacm.xmi"}
     return [(kind, pack / "data" / name) for kind, name in names.items() if (pack / "data" / name).exists()]
 
 

@@ -275,7 +275,8 @@ class DiffCommand : Command {
                             "folder of test results; default: the newest of build/*/verdicts");
         command->add_option("--old-verdicts", options_.old_verdicts,
                             "test results of the revision, to list changed verdicts");
-        command->add_flag("--json", options_.json, "changed items, files and verdicts as JSON");
+        command->add_flag("--json", options_.json, "changed items, files, verdicts and stale evidence as JSON");
+        command->add_flag("--exit-code", options_.exit_code, "exit status 1 when anything changed");
         command->callback([this, &chosen] { chosen = [this] { return diff(options_); }; });
     }
 

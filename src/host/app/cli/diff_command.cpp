@@ -25,13 +25,14 @@ int diff(const DiffOptions& options) {
     Impact impact;
     impact.items = compare(before.content, after);
     impact.files = files_changed_since(root, options.revision, {"src", "tests", "properties", "fuzz"});
+    impact.stale = work_changes(work_at(root, options.revision, verdicts, after), evidence.work);
     if (!options.old_verdicts.empty()) {
         impact.verdicts = verdict_changes(read_verdict_files(options.old_verdicts), evidence);
     }
     fmt::print("{}", options.json ? impact_json(impact) : write_impact(impact, after, evidence));
     const bool worse = std::any_of(impact.verdicts.begin(), impact.verdicts.end(),
                                    [](const VerdictChange& one) { return one.before == "passed"; });
-    return worse ? 1 : 0;
+    return worse || (options.exit_code && !impact.empty()) ? 1 : 0;
 }
 
 }  // namespace canproof::host

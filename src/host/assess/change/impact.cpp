@@ -67,6 +67,13 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
+/// Returns what is to be done about stale evidence, and the command.
+std::string next_step(const Impact& impact) {
+    return impact.stale.empty() ? ""
+                                : "next: `./test`, then read these items with their code and tests and record it: "
+                                  "`canproof spec review ID… --by NAME --role author`\n";
+}
+
 /// Returns the items that a file implements or tests.
 std::set<std::string> items_in(const std::string& file, const Evidence& evidence) {
     std::set<std::string> ids;
@@ -129,6 +136,14 @@ std::string write_impact(const Impact& impact, const Register& content, const Ev
     for (const auto& change : impact.verdicts) {
         text += fmt::format("verdict {} {} -> {}\n", change.id, change.before, change.after);
     }
+    for (const auto& change : impact.stale) {
+        touched.insert(change.id);
+        text += fmt::format("stale {}: its {} changed\n", change.id,
+                            change.code && change.tests ? "code and its tests have"
+                            : change.code               ? "code has"
+                                                        : "tests have");
+    }
+    text += next_step(impact);
     return text + fmt::format("{} item(s) changed, {} file(s), {} item(s) touched in all, {} verdict(s) differ\n",
                               impact.items.size(), impact.files.size(), touched.size(), impact.verdicts.size());
 }
@@ -143,7 +158,11 @@ std::string impact_json(const Impact& impact) {
     for (const auto& one : impact.verdicts) {
         verdicts.push_back({{"id", one.id}, {"before", one.before}, {"after", one.after}});
     }
-    return Json{{"items", items}, {"files", impact.files}, {"verdicts", verdicts}}.dump(2) + "\n";
+    Json stale = Json::array();
+    for (const auto& one : impact.stale) {
+        stale.push_back({{"id", one.id}, {"code", one.code}, {"tests", one.tests}});
+    }
+    return Json{{"items", items}, {"files", impact.files}, {"verdicts", verdicts}, {"stale", stale}}.dump(2) + "\n";
 }
 
 }  // namespace canproof::host

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/assess/change/register_diff.hpp"
+#include "host/assess/change/work_change.hpp"
 #include "host/assess/trace/evidence.hpp"
 
 namespace canproof::host {
@@ -23,6 +24,9 @@ struct Impact {
     std::vector<ItemChange> items;
     std::vector<std::string> files;  ///< changed files of code and tests
     std::vector<VerdictChange> verdicts;
+    std::vector<WorkChange> stale;  ///< items whose code or tests changed, by function
+
+    bool empty() const { return items.empty() && files.empty() && verdicts.empty() && stale.empty(); }
 };
 
 /// Returns each change with its linked decisions, code and tests, as text.

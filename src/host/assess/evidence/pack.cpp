@@ -23,6 +23,7 @@
 #include "host/assess/evidence/provenance.hpp"
 #include "host/assess/evidence/register_pages.hpp"
 #include "host/assess/evidence/reqif.hpp"
+#include "host/assess/evidence/sacm.hpp"
 #include "host/assess/evidence/sbom.hpp"
 #include "host/assess/evidence/standards_page.hpp"
 #include "host/base/sha256.hpp"
@@ -71,6 +72,7 @@ std::string data_markup(const PackFiles& files) {
         {"data/sbom.cdx.json", "packages as CycloneDX"},
         {"data/coverage.json", "coverage with MC/DC as JSON"},
         {"data/argument.json", "claims and evidence as JSON (GSN)"},
+        {"data/argument.sacm.xmi", "claims and evidence as SACM"},
         {"data/mutation.json", "altered cells as JSON"},
         {"data/misra.sarif", "MISRA findings as SARIF"},
     };
@@ -118,6 +120,7 @@ PackFiles make_pack(const PackInput& input) {
         page("target.html", "On the microcontroller", *input.target);
     }
     files["data/argument.json"] = write_argument_json(input.argument, exhibits);
+    files["data/argument.sacm.xmi"] = write_sacm(input.argument, exhibits, input.provenance.commit);
     files["data/register.reqif"] = write_reqif(*input.content, input.audits, input.evidence);
     files["data/junit.xml"] = write_junit(input.evidence);
     files["data/sbom.cdx.json"] = write_sbom(input.provenance, input.packages);

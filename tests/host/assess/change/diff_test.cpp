@@ -158,13 +158,25 @@ TEST(Impact, ImpactListsCodeTestsAndItemsOfTouchedFiles) {
     evidence.implemented["AO4-R-1"] = {"src/firmware/a.cpp:7"};
     evidence.implemented["AO4-OD-2000"] = {"src/firmware/b.cpp:8"};
     evidence.verdicts["AO4-R-1"] = {{"Box.Closes", "test", true, 0.0, "tests/devices/box_test.cpp"}};
-    const Impact impact{compare(read("Opens.", 5, 1), after), {"src/firmware/b.cpp"}, {}};
+    const Impact impact{compare(read("Opens.", 5, 1), after), {"src/firmware/b.cpp"}, {}, {}};
     const std::string text = write_impact(impact, after, evidence);
     EXPECT_THAT(text, HasSubstr("requirement AO4-R-1 changed"));
     EXPECT_THAT(text, HasSubstr("src/firmware/a.cpp:7"));
     EXPECT_THAT(text, HasSubstr("passed Box.Closes tests/devices/box_test.cpp"));
     EXPECT_THAT(text, HasSubstr("file src/firmware/b.cpp\n    items     AO4-OD-2000"));
     EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
+}
+
+TEST(Impact, ItemsWithOtherCodeOrTestsAreStale) {
+    const auto changes = work_changes({{"A", {"1", "2"}}, {"B", {"1", "2"}}, {"C", {"1", ""}}, {"D", {"1", "2"}}},
+                                      {{"A", {"1", "2"}}, {"B", {"9", "2"}}, {"C", {"1", "8"}}});
+    ASSERT_EQ(changes.size(), 3U);
+    EXPECT_EQ(changes[0].id, "B");
+    EXPECT_TRUE(changes[0].code && !changes[0].tests);
+    EXPECT_EQ(changes[1].id, "C");
+    EXPECT_TRUE(!changes[1].code && changes[1].tests);
+    EXPECT_EQ(changes[2].id, "D");  // its link and its tests are gone
+    EXPECT_TRUE(changes[2].code && changes[2].tests);
 }
 
 TEST(Impact, ChangedVerdictsAreListed) {

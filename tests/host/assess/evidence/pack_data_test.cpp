@@ -137,6 +137,28 @@ TEST_F(Pack, ArgumentIsExportedWithGoalsAndSolutions) {
     EXPECT_THAT(page, HasSubstr("role=\"group\""));
 }
 
+TEST_F(Pack, ArgumentIsExportedAsSacm) {
+    input_.argument.claims.push_back({"C2", "C", "Code is \"measured\".", {"fuzz"}, ""});
+    const auto document = parsed(make().at("data/argument.sacm.xmi"));
+    const auto element = [&](const std::string& id) {
+        return document.select_node(("//*[@xmi:id='" + id + "']").c_str()).node();
+    };
+    EXPECT_STREQ(element("C1").attribute("xsi:type").value(), "argumentation_:Claim");
+    EXPECT_STREQ(element("C1").select_node("content/value/@content").attribute().value(), "Tests pass.");
+    EXPECT_STREQ(element("C1").select_node("note/content/value/@content").attribute().value(),
+                 "Limits: Not on silicon.");
+    EXPECT_STREQ(element("C1").attribute("assertionDeclaration").value(), "asserted");
+    // Nobody has fuzzed: the claim, the claim above it and the evidence need support.
+    for (const char* id : {"C", "C2", "evidence.C2.fuzz"}) {
+        EXPECT_STREQ(element(id).attribute("assertionDeclaration").value(), "needsSupport") << id;
+    }
+    EXPECT_STREQ(element("inference.C").attribute("source").value(), "C1 C2");
+    EXPECT_STREQ(element("inference.C").attribute("target").value(), "C");
+    EXPECT_STREQ(element("evidence.C1.tests").attribute("source").value(), "reference.tests");
+    EXPECT_STREQ(element("reference.tests").attribute("referencedArtifactElement").value(), "artifact.tests");
+    EXPECT_STREQ(element("artifact.tests").attribute("version").value(), "abc");
+}
+
 TEST_F(Pack, McdcIsExportedBesideCobertura) {
     FileCoverage file;
     file.file = "src/firmware/base/one.cpp";
