@@ -276,7 +276,8 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000000000FF", {}},
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},
-          {"7E5#515F000000000001", yes}});
+          {"7E5#515F000000000001", yes},
+          {"7E5#5100000000800404", yes}});  // a restart names none
 }
 
 TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
