@@ -43,7 +43,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
                                         {"7E5#4801000100000000", {}}, {"7E5#4903000100000000", {}},
                                         {"7E5#4A20112620000000", {}}, {"7E5#4B22112620000000", {}}};
     const std::vector<std::pair<std::size_t, const char*>> misfits{
-        {0, "7E5#465E000000000000"},   // the number of another vendor
+        {0, "7E5#465E000000000000"},   // another vendor
         {1, "7E5#4702030200000000"},   // another product
         {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
         {2, "7E5#4803000100000000"},   // revisions from 00010003h
@@ -164,7 +164,7 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<std::vector<Exchange>> shortcuts{
         {{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}},  // vendor, then serial number
-        {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000100", yes}},  // goes back from the product code
+        {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000100", yes}},  // back from the product code
         {{"7E5#515F000000000002", yes}, {"7E5#5102000100000203", yes}, {"7E5#5121112620000300", yes}},
         {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000103", yes}, {"7E5#5121112620000300", yes}},
         {{"7E5#515F000000000001", yes},
@@ -229,7 +229,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
     talk({{"7E5#5100000000800000", yes}});
     talk(three);
     talk({{"7E5#5121112620000300", yes}, {"7E5#0400000000000000", {}}});
-    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});  // a number of the next scan
+    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});  // of the next scan
     EXPECT_FALSE(is_configuring());
 }
 
@@ -277,7 +277,7 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},
           {"7E5#515F000000000001", yes},
-          {"7E5#5100000000800404", yes}});  // 128 needs no number of a part
+          {"7E5#5100000000800404", yes}});  // a restart names none
 }
 
 TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
