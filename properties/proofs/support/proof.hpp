@@ -12,6 +12,7 @@ extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept;
+std::uint8_t canproof_each(std::size_t count) noexcept;
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept;
 void canproof_claim(bool holds, unsigned line) noexcept;
 void canproof_shows(const char* statement) noexcept;
@@ -62,6 +63,11 @@ T any() noexcept {
         leave_open(value);
     }
     return value;
+}
+
+/// Returns each number below `count` (1…256): the theorem is decided anew for each, and holds when it holds for all.
+inline std::uint8_t each(const std::size_t count) noexcept {
+    return canproof_each(count);
 }
 
 /// Returns memory of `size` (at most 2^32) bytes of any value; `size` may be open itself.

@@ -78,7 +78,7 @@ class Task {
             const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
             result_.verdict = Verdict::unknown;
             result_.seconds = elapsed();
-            result_.reason = late ? fmt::format("not decided in {} s of processor time", seconds)
+            result_.reason = late ? fmt::format("not decided in {} s of processor time{}", seconds, result_.reason)
                                   : fmt::format("the process that decides it ended with status {}", status);
         }
         return result_;
