@@ -3,6 +3,7 @@
 // for every open value, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -16,6 +17,7 @@ std::uint8_t canproof_each(std::size_t count) noexcept;
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept;
 void canproof_claim(bool holds, unsigned line) noexcept;
 void canproof_shows(const char* statement) noexcept;
+void canproof_seed(const char* target, const std::uint8_t* input, std::size_t bytes) noexcept;
 void canproof_proves(const char* requirement) noexcept;
 }
 
@@ -41,6 +43,13 @@ inline void assume(const bool holds, const char* const file = __builtin_FILE(),
 /// Claims that the condition holds. `line` is the line of the claim.
 inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noexcept {
     canproof_claim(holds, line);
+}
+
+/// Offers open values as an input of a fuzz target: `canproof prove --seeds` writes that of a counterexample. A harness
+/// calls it before what may fail.
+template <std::size_t N>
+void fuzz_seed(const char* const target, const std::array<std::uint8_t, N>& input) noexcept {
+    canproof_seed(target, input.data(), N);
 }
 
 /// Gives an object any value: each byte is open except those of addresses in it; a bool is 0 or 1.

@@ -14,7 +14,6 @@
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
-#include "host/prove/replay.hpp"
 #include "host/prove/results.hpp"
 
 namespace canproof::host::prove {
@@ -97,7 +96,7 @@ class Task {
             result_.seconds = elapsed();
             bound_processor_time(RLIM_INFINITY);
             if (result_.verdict == Verdict::refuted && options.replays && !result_.inputs.empty()) {
-                replay(compiler, options.scratch, result_);
+                replay(compiler, options.scratch, options.seeds, result_);
             }
             save();
             _exit(0);
