@@ -74,7 +74,7 @@ T any() noexcept {
     return value;
 }
 
-/// Returns each number below `count` (1…256): the theorem is decided anew for each, and holds when it holds for all.
+/// Returns each number below `count` (1…256): the theorem is decided again for each, and holds when it holds for all.
 inline std::uint8_t each(const std::size_t count) noexcept {
     return canproof_each(count);
 }
