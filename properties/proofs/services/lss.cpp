@@ -54,6 +54,13 @@ struct Slave {
     }
 };
 
+/// Any frame: decided for each command specifier.
+Frame any_request() {
+    Frame frame = any_frame();
+    frame.data[0] = each(256U);
+    return frame;
+}
+
 }  // namespace
 
 void lss_begins_consistent() {
@@ -85,7 +92,7 @@ void lss_answers_each_request_at_most_once() {
         "any request leaves LSS consistent and is answered at most once, on 7E4h, with eight bytes where it has eight");
     proves<req::CO_LSS_061, req::CO_LSS_063>();
     Slave slave{};
-    const Frame frame = any_frame();
+    const Frame frame = any_request();
     const auto nmt = any<NmtState>();
     static_cast<void>(slave.lss.receive(frame, nmt, any_time()));
     claim(is_consistent(slave.lss));
@@ -117,7 +124,7 @@ void lss_configures_in_its_state_alone() {
         "operational");
     proves<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_010, req::CO_LSS_013>();
     Slave slave{};
-    const Frame frame = any_frame();
+    const Frame frame = any_request();
     const auto nmt = any<NmtState>();
     const LssState state = slave.lss.state_;
     const LssConfiguration pending = slave.lss.pending_;

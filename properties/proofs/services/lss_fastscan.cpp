@@ -14,6 +14,32 @@ bool is_consistent(const LssFastscan& scan) {
     return (scan.position_ < lss_number_count) && (scan.confirmed_ < 15U);
 }
 
+/// Offers a request as an input of the fuzz target `lss` (fuzz/lss_fuzz.cpp): behind a restart and the confirmation of
+/// the numbers before `position`, which are those of its slave.
+void offer_as_seed(const std::uint32_t position, const LssFastscan::Request& request) {
+    constexpr std::array<std::uint32_t, 3U> address{0x00000055U, 0xAA020301U, 0x00010002U};
+    constexpr std::size_t record_size = 10U;
+    std::array<std::uint8_t, 5U * record_size> input{0U, 8U, 0x51U, 0U, 0U, 0U, 0U, 128U};
+    for (std::size_t i = 0U; i < address.size(); ++i) {
+        const std::size_t at = (i + 1U) * record_size;
+        input[at] = (i < position) ? std::uint8_t{0U} : std::uint8_t{0x0FU};  // 0Fh: a pause, of the 0 ms that follow
+        input[at + 1U] = (i < position) ? std::uint8_t{8U} : std::uint8_t{0U};
+        input[at + 2U] = 0x51U;
+        for (std::size_t byte = 0U; byte < 4U; ++byte) {
+            input[at + 3U + byte] = static_cast<std::uint8_t>(address[i] >> (8U * byte));
+        }
+        input[at + 8U] = static_cast<std::uint8_t>(i);
+        input[at + 9U] = static_cast<std::uint8_t>(i + 1U);
+    }
+    const std::size_t last = 4U * record_size;
+    input[last + 1U] = 8U;
+    input[last + 2U] = 0x51U;
+    for (std::size_t i = 1U; i < request.size(); ++i) {
+        input[last + 2U + i] = request[i];
+    }
+    fuzz_seed("lss", input);
+}
+
 }  // namespace
 
 void a_scan_begins_with_nothing_confirmed() {
@@ -31,6 +57,7 @@ void a_scan_request_is_answered_as_cia_305_says() {
     LssFastscan scan = any<LssFastscan>();
     assume(is_consistent(scan));
     const auto request = any<LssFastscan::Request>();
+    offer_as_seed(scan.position(), request);
     const auto own = any<std::uint32_t>();
     const std::uint32_t position = scan.position();
     const std::uint32_t bit_check = request[5];
@@ -54,6 +81,7 @@ void a_scan_confirms_all_four_numbers() {
     assume(is_consistent(scan));
     const LssFastscan before = scan;
     const auto request = any<LssFastscan::Request>();
+    offer_as_seed(before.position_, request);
     const LssFastscan::Outcome outcome = scan.scan(request, any<std::uint32_t>());
     const bool answered = outcome != LssFastscan::Outcome::silent;
     const bool confirms = answered && (request[5] == 0U) && (request[7] != before.position_);

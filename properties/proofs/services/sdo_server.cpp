@@ -63,6 +63,16 @@ bool is_consistent(const SdoServer& server) {
            ((server.object_.bits & 0xFFU) == 0U);
 }
 
+/// Any frame: decided for each command.
+Frame any_request() {
+    Frame frame = any_frame();
+    const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;
+    frame.data[0] = static_cast<std::uint8_t>((std::uint32_t{each(8U)} << 5U) | rest);
+    return frame;
+}
+
+/// A server in any state without block transfer: decided for each state, and for a transfer in the server's own copy
+/// and in memory of the object.
 struct Served {
     AnyObjects objects{};
     TransmitQueue queue{};
@@ -71,9 +81,9 @@ struct Served {
     Served() {
         leave_open(server);
         server.offers_block_ = false;
-        // A transfer is in the server's own copy, or in memory of the object.
+        server.state_ = static_cast<State>(each(3U));
         const std::size_t size = any_size();
-        const bool is_copy = any<bool>();
+        const bool is_copy = each(2U) == 1U;
         assume(size <= (is_copy ? SdoServer::buffer_size : objects.staging_.size()));
         server.place_ = is_copy ? MutableBytes{server.buffer_.data(), size} : objects.staging_.part(0U, size);
         const std::size_t length = any_size();
@@ -101,7 +111,7 @@ void an_sdo_request_is_answered_at_most_once() {
     shows("any request in any state leaves the server consistent; it is answered at most once, with eight bytes");
     proves<req::CO_SDO_007, req::CO_FRAME_001>();
     Served node{};
-    const Frame frame = any_frame();
+    const Frame frame = any_request();
     node.server.receive(frame, any_time());
     claim(is_consistent(node.server));
     claim(node.queue.size() <= 1U);
@@ -118,7 +128,7 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
         "abort code");
     proves<req::CO_SDO_004, req::CO_SDO_011>();
     Served node{};
-    const Frame frame = any_frame();
+    const Frame frame = any_request();
     node.server.receive(frame, any_time());
     claim(node.objects.writes_ <= 1U);
     if (node.objects.writes_ == 1U) {
@@ -134,7 +144,7 @@ void an_sdo_abort_ends_the_transfer() {
     shows("an abort of either side ends the transfer; the client's is not answered");
     proves<req::CO_SDO_013, req::CO_SDO_042>();
     Served node{};
-    const Frame frame = any_frame();
+    const Frame frame = any_request();
     assume(frame.length == 8U);
     node.server.receive(frame, any_time());
     const bool from_client = (frame.data[0] >> 5U) == 4U;

@@ -9,22 +9,25 @@ namespace canproof::proofs {
 
 namespace {
 
+/// Any consistent queue: decided for each length, and for each place of the ring where it begins.
 TransmitQueue any_queue() {
     TransmitQueue queue{};
     leave_open(queue);
+    queue.first_ = (any<std::uint32_t>() * std::uint32_t{TransmitQueue::capacity}) + each(TransmitQueue::capacity);
+    queue.end_ = queue.first_ + each(TransmitQueue::capacity + 1U);
     assume(is_consistent(queue));
     return queue;
 }
 
-/// Returns the number of frames in a queue that stay before a new frame with this identifier: the boot-up message, and
-/// the frames whose identifier is not higher.
-std::size_t place_for(const TransmitQueue& queue, const std::uint32_t id) {
-    std::size_t place{0U};
-    for (std::size_t i = 0U; i < TransmitQueue::capacity; ++i) {
-        const bool stays = ((i == 0U) && queue.boot_up_waits_) || (waiting(queue, i).id <= id);
-        place += ((i < queue.size()) && stays) ? 1U : 0U;
-    }
-    return place;
+bool is_same(const Frame& a, const Frame& b) {
+    const bool head = both(a.id == b.id, a.length == b.length);
+    return both(head, field_le<0U, max_frame_length>(a.data) == field_le<0U, max_frame_length>(b.data));
+}
+
+/// Whether the frame at this place goes before a new one with this identifier: the boot-up message, and each whose
+/// identifier is not higher.
+bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t id) {
+    return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }
 
 }  // namespace
@@ -60,17 +63,16 @@ void push_puts_a_frame_behind_those_of_its_identifier() {
     TransmitQueue queue = any_queue();
     const TransmitQueue before = queue;
     const Frame frame = any<Frame>();
-    const std::size_t place = place_for(before, frame.id);
     assume(queue.push(frame));
-    const std::size_t looked_at = any<std::size_t>();
-    assume(looked_at < queue.size());
-    const Frame& found = waiting(queue, looked_at);
-    const bool is_new = looked_at == place;
-    const Frame& other = waiting(before, looked_at - ((looked_at > place) ? 1U : 0U));
-    claim(found.id == (is_new ? frame.id : other.id));
-    claim(found.length == (is_new ? frame.length : other.length));
-    claim(field_le<0U, max_frame_length>(found.data) ==
-          field_le<0U, max_frame_length>(is_new ? frame.data : other.data));
+    claim(queue.size() == (before.size() + 1U));
+    for (std::size_t i = 0U; i <= before.size(); ++i) {
+        const Frame& found = waiting(queue, i);
+        const bool stays = (i < before.size()) && goes_before(before, i, frame.id);
+        const bool moves = (i > 0U) && !goes_before(before, i - 1U, frame.id);
+        claim(!stays || is_same(found, waiting(before, i)));
+        claim(!moves || is_same(found, waiting(before, i - 1U)));
+        claim(stays || moves || is_same(found, frame));
+    }
 }
 
 void pop_takes_the_first_frame() {

@@ -36,15 +36,20 @@ inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
     return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
 }
 
-/// Invariant of a transmit queue between two calls: its length is within its bound; a closed queue is empty; only a
-/// waiting frame can be the boot-up message; the identifiers behind that message ascend.
+/// Returns `a && b` without a branch, of which a sum of conditions would have one for each.
+inline bool both(const bool a, const bool b) {
+    return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0U;
+}
+
+/// Invariant of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
+/// that waits can be the boot-up message; identifiers ascend behind it.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
                  (!queue.boot_up_waits_ || !queue.empty());
     for (std::size_t i = 1U; i < TransmitQueue::capacity; ++i) {
         const bool counts = (i < queue.size()) && !((i == 1U) && queue.boot_up_waits_);
         const bool ascends = waiting(queue, i - 1U).id <= waiting(queue, i).id;
-        sound = sound && (!counts || ascends);
+        sound = both(sound, !counts || ascends);
     }
     return sound;
 }

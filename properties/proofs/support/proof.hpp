@@ -3,6 +3,7 @@
 // for every open value, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -12,9 +13,11 @@ extern "C" {
 void canproof_any(void* at, std::size_t bytes) noexcept;
 void canproof_any_state(void* at, std::size_t bytes) noexcept;
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept;
+std::uint8_t canproof_each(std::size_t count) noexcept;
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept;
 void canproof_claim(bool holds, unsigned line) noexcept;
 void canproof_shows(const char* statement) noexcept;
+void canproof_seed(const char* target, const std::uint8_t* input, std::size_t bytes) noexcept;
 void canproof_proves(const char* requirement) noexcept;
 }
 
@@ -42,6 +45,13 @@ inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noex
     canproof_claim(holds, line);
 }
 
+/// Offers open values as an input of a fuzz target: `canproof prove --seeds` writes that of a counterexample. A harness
+/// calls it before what may fail.
+template <std::size_t N>
+void fuzz_seed(const char* const target, const std::array<std::uint8_t, N>& input) noexcept {
+    canproof_seed(target, input.data(), N);
+}
+
 /// Gives an object any value: each byte is open except those of addresses in it; a bool is 0 or 1.
 template <typename T>
 void leave_open(T& object) noexcept {
@@ -62,6 +72,11 @@ T any() noexcept {
         leave_open(value);
     }
     return value;
+}
+
+/// Returns each number below `count` (1…256): the theorem is decided again for each, and holds when it holds for all.
+inline std::uint8_t each(const std::size_t count) noexcept {
+    return canproof_each(count);
 }
 
 /// Returns memory of `size` (at most 2^32) bytes of any value; `size` may be open itself.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
-// the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged.
+// the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged. CANPROOF_SEEDS, when set, names a folder
+// of corpora: a seed goes to TARGET/CANPROOF_SEED there.
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -52,6 +54,12 @@ void canproof_any_state(void* at, std::size_t bytes) noexcept {
     put(static_cast<std::uint8_t*>(at), bytes);
 }
 
+std::uint8_t canproof_each(std::size_t /*count*/) noexcept {
+    std::uint8_t number{0U};
+    put(&number, sizeof(number));
+    return number;
+}
+
 // The memory is released at the end of the program, which runs one theorem.
 std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
     constexpr std::size_t room = 16;
@@ -75,6 +83,23 @@ void canproof_claim(bool holds, unsigned line) noexcept {
     if (!holds) {
         std::fprintf(stderr, "the claim in line %u does not hold\n", line);
         std::_Exit(claim_fails);
+    }
+}
+
+void canproof_seed(const char* target, const std::uint8_t* input, std::size_t bytes) noexcept {
+    const char* const corpora = std::getenv("CANPROOF_SEEDS");
+    const char* const name = std::getenv("CANPROOF_SEED");
+    if (corpora == nullptr || name == nullptr) {
+        return;
+    }
+    const std::filesystem::path corpus = std::filesystem::path{corpora} / target;
+    std::filesystem::create_directories(corpus);
+    std::ofstream file{corpus / name, std::ios::binary};
+    file.write(reinterpret_cast<const char*>(input), static_cast<std::streamsize>(bytes));
+    file.close();
+    if (!file) {
+        std::fputs("the seed cannot be written\n", stderr);
+        std::_Exit(file_ends);
     }
 }
 

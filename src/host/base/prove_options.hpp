@@ -13,7 +13,7 @@ struct ProveOption {
     const char* help;
 };
 
-inline constexpr std::array<ProveOption, 15> prove_options{{
+inline constexpr std::array<ProveOption, 16> prove_options{{
     {"--only", true, "proofs of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder of harnesses"},
     {"--theorem", true, "this one alone"},
@@ -26,6 +26,7 @@ inline constexpr std::array<ProveOption, 15> prove_options{{
     {"--merge", true, "folder of the JSON files of all shards, in place of proving"},
     {"--faults", true, "table of seeded faults: each must be refuted"},
     {"--every", true, "with --faults: only every Nth of the table"},
+    {"--seeds", true, "folder of corpora, such as fuzz/corpus: counterexamples go there as inputs of fuzz targets"},
     {"--no-replay", false, "do not run counterexamples natively"},
     {"--root", true, "the project's folder"},
     {"--build", true, "a build of the project; where canproof-prove lies without it"},

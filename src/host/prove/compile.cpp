@@ -31,6 +31,7 @@ const std::vector<std::string> bitcode_flags = {
     "-fno-exceptions",
     "-fno-rtti",
     "-fsanitize=undefined,float-divide-by-zero",
+    "-fstrict-flex-arrays=3",  // the last array of a struct has its bound, too
     "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr,function,bool,enum,float-divide-by-zero",
     "-fsanitize-trap=all",
     "-emit-llvm",
@@ -43,6 +44,7 @@ const std::vector<std::string> native_flags = {"-std=c++17",
                                                "-fno-exceptions",
                                                "-fno-rtti",
                                                "-fsanitize=address,undefined",
+                                               "-fstrict-flex-arrays=3",
                                                "-fno-sanitize=vptr",
                                                "-fno-sanitize-recover=all"};
 

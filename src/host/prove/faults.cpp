@@ -39,6 +39,7 @@ TheoremResult with_fault(const Fault& fault, ProveOptions options) {
     options.scratch /= fault.name;
     options.overlay = options.scratch / "overlay";
     options.theorem = fault.theorem;
+    options.seeds.name = "prove_" + fault.name;
     std::filesystem::create_directories(options.scratch);
     write_file(options.overlay / fault.file, changed_source(fault));
     const std::vector<TheoremResult> results = prove_all(options);

@@ -107,6 +107,22 @@ Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     return {base_of(proof.context, id)};
 }
 
+/// The number of the case that is being decided.
+Value each(Proof& proof, const HarnessCall& call) {
+    constexpr std::uint64_t most_cases = 256;
+    const auto count = number(call.arguments[0]);
+    if (!count || *count == 0 || *count > most_cases) {
+        throw Unknown{call.where + ": each() takes a number from 1 to 256"};
+    }
+    const Term chosen =
+        constant(proof.context, proof.at.number(proof.each_calls, static_cast<unsigned>(*count)), byte_width);
+    ++proof.each_calls;
+    Input input;
+    input.bytes.emplace_back(chosen);
+    proof.inputs.push_back(std::move(input));
+    return {chosen};
+}
+
 HarnessEffect assume(State& state, const Term& truth) {
     const Term plain = as_truth(truth).simplify();
     if (is_false(plain)) {
@@ -138,8 +154,12 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
         leave_open(proof, state, call);
     } else if (name == "canproof_any_state") {
         leave_state_open(proof, state, call);
+    } else if (name == "canproof_each") {
+        call.result = each(proof, call);
     } else if (name == "canproof_any_memory") {
         call.result = any_memory(proof, state, call);
+    } else if (name == "canproof_seed") {
+        return HarnessEffect::goes_on;  // for the native run alone
     } else if (name == "canproof_shows") {
         proof.statement = globals.text(call.arguments[0]);
         proof.noted();

@@ -102,7 +102,11 @@ Term UnknownBytes::at(const Term& offset) const {
         }
     }
     const Term value = fresh_(byte_width);
+    const bool is_number = number(offset).has_value();
     for (const AskedByte& one : asked_) {
+        if (is_number && number(one.offset)) {
+            continue;  // two numbers that differ
+        }
         const Term alike = (one.offset == offset).simplify();
         if (!is_false(alike)) {
             know_(z3::implies(alike, one.value == value));

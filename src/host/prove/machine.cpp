@@ -105,13 +105,13 @@ void Machine::leave(Frame& frame, const llvm::Instruction& terminator, Arrival a
     }
 }
 
-bool Machine::possible(const State& state, const Term& condition) {
+bool Machine::possible(const State& state, const Term& condition, unsigned milliseconds) {
     if (is_true(condition) || is_false(condition)) {
         return is_true(condition);
     }
     std::vector<Term> truths = state.path;
     truths.push_back(condition);
-    return proof_.solver.satisfiable(truths, proof_.limits.branch_milliseconds) != Answer::no;
+    return proof_.solver.satisfiable(truths, milliseconds) != Answer::no;
 }
 
 void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival) {
@@ -122,9 +122,11 @@ void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arriv
     }
     const Term condition = as_truth(scalar(branch.getCondition(), arrival));
     const Term opposite = (!condition).simplify();
-    if (!possible(arrival.state, condition)) {
+    const bool repeats = frame.visits[&here] > 1;
+    const unsigned time = repeats ? proof_.limits.loop_milliseconds : proof_.limits.branch_milliseconds;
+    if (!possible(arrival.state, condition, time)) {
         go(frame, here, *branch.getSuccessor(1), std::move(arrival));
-    } else if (!possible(arrival.state, opposite)) {
+    } else if (!possible(arrival.state, opposite, time)) {
         go(frame, here, *branch.getSuccessor(0), std::move(arrival));
     } else {
         Arrival other = arrival;
@@ -156,7 +158,7 @@ void Machine::choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival 
     targets[otherwise].push_back(all_of(proof_.context, none));
     for (const llvm::BasicBlock* target : in_order) {
         const Term condition = any_of(proof_.context, targets[target]);
-        if (!possible(arrival.state, condition)) {
+        if (!possible(arrival.state, condition, proof_.limits.branch_milliseconds)) {
             continue;
         }
         Arrival there = arrival;

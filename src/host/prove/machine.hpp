@@ -49,7 +49,7 @@ class Machine {
     void finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& arrival);
     void join(Arrival& first, const Arrival& second);
     Value joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of);
-    bool possible(const State& state, const Term& condition);
+    bool possible(const State& state, const Term& condition, unsigned milliseconds);
 
     bool run_call(Frame& frame, const llvm::CallBase& call, Arrival& arrival);
     bool call_function(const llvm::CallBase& call, const llvm::Function& callee, const std::vector<Value>& arguments,

@@ -85,7 +85,8 @@ bool Machine::call_address(const llvm::CallBase& call_here, const std::vector<Va
     const State before = arrival.state;
     for (const Place& place : places_of(address, proof_.objects.size())) {
         const llvm::Function* callee = place.object ? globals_.function(*place.object) : nullptr;
-        if (callee == nullptr || callee->isDeclaration() || !possible(before, place.when)) {
+        if (callee == nullptr || callee->isDeclaration() ||
+            !possible(before, place.when, proof_.limits.branch_milliseconds)) {
             continue;
         }
         known.push_back(place.when);

@@ -34,6 +34,7 @@ struct Arguments {
     std::string shard{};
     std::string merge{};
     std::string faults{};
+    std::string seeds{};
     unsigned every{1};
 };
 
@@ -72,6 +73,7 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     add("--merge", arguments.merge)->excludes(shard);
     add("--faults", arguments.faults);
     add("--every", arguments.every)->check(CLI::Range(1, 1000));
+    add("--seeds", arguments.seeds);
     add.off("--no-replay", options.replays);
     add("--root", arguments.root)->capture_default_str();
     add("--build", arguments.build);
@@ -89,6 +91,7 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     options.scratch = scratch.path();
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     options.generated = std::filesystem::absolute(arguments.build.empty() ? own : arguments.build) / "generated";
+    options.seeds.folder = absolute_or_empty(arguments.seeds);
     const std::filesystem::path json = absolute_or_empty(arguments.json);
     const std::filesystem::path out = absolute_or_empty(arguments.out);
     const std::filesystem::path xml = absolute_or_empty(arguments.xml);

@@ -17,11 +17,12 @@ namespace canproof::host::prove {
 
 /// The resources that a proof may use. A theorem that exceeds one of them is unknown.
 struct Limits {
-    unsigned seconds{3600};               ///< for one question about obligations; the bound of processor time
-                                          ///< (ProveOptions::seconds) is usually reached before
-    unsigned branch_milliseconds{20000};  ///< for the question whether a branch can be taken
-    unsigned visits{2000};                ///< of one block in one call: bounds the passes of loops
-    unsigned depth{64};                   ///< nesting depth of calls
+    unsigned seconds{3600};              ///< for one question about obligations; the bound of processor time
+                                         ///< (ProveOptions::seconds) is usually reached before
+    unsigned branch_milliseconds{1000};  ///< for the question whether a branch can be taken; it counts as possible then
+    unsigned loop_milliseconds{20000};   ///< for that question from the second pass of a loop on
+    unsigned visits{2000};               ///< of one block in one call: bounds the passes of loops
+    unsigned depth{64};                  ///< of calls inside calls
 };
 
 /// One value, object or memory that the harness leaves open: its bytes in the order in which the harness asked for
@@ -32,13 +33,34 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};  ///< only for any_memory(): its bytes that were read
 };
 
+/// One case of a theorem: the numbers that each() returns in it, in the order of the calls. The first case has zeros;
+/// next() goes on to the following one.
+class Case {
+  public:
+    /// Returns the number at `place`, which is below `count`.
+    unsigned number(std::size_t place, unsigned count);
+    /// Goes on to the next case. False behind the last one.
+    bool next();
+    /// The numbers as text; empty when each() was not called.
+    std::string text() const;
+
+  private:
+    struct Digit {
+        unsigned number;
+        unsigned count;
+    };
+    std::vector<Digit> digits_;
+};
+
 struct Proof {
-    explicit Proof(const Limits& bounds) : limits{bounds} {}
+    Proof(const Limits& bounds, Case& chosen) : limits{bounds}, at{chosen} {}
 
     /// Makes a new unknown value with `width` bits.
     Term fresh(unsigned width) { return context.bv_const(("v" + std::to_string(unknowns++)).c_str(), width); }
 
     Limits limits;
+    Case& at;
+    std::size_t each_calls{0};  ///< calls of each() so far
     z3::context context{};
     Solver solver{context};
     Objects objects{};

@@ -14,7 +14,6 @@
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
-#include "host/prove/replay.hpp"
 #include "host/prove/results.hpp"
 
 namespace canproof::host::prove {
@@ -78,7 +77,7 @@ class Task {
             const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
             result_.verdict = Verdict::unknown;
             result_.seconds = elapsed();
-            result_.reason = late ? fmt::format("not decided in {} s of processor time", seconds)
+            result_.reason = late ? fmt::format("not decided in {} s of processor time{}", seconds, result_.reason)
                                   : fmt::format("the process that decides it ended with status {}", status);
         }
         return result_;
@@ -97,7 +96,7 @@ class Task {
             result_.seconds = elapsed();
             bound_processor_time(RLIM_INFINITY);
             if (result_.verdict == Verdict::refuted && options.replays && !result_.inputs.empty()) {
-                replay(compiler, options.scratch, result_);
+                replay(compiler, options.scratch, options.seeds, result_);
             }
             save();
             _exit(0);

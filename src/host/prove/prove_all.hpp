@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/base/shard.hpp"
-#include "host/prove/theorem.hpp"
+#include "host/prove/replay.hpp"
 
 namespace canproof::host::prove {
 
@@ -23,6 +23,7 @@ struct ProveOptions {
     unsigned seconds{60};             ///< of processor time for one theorem; it is unknown after that
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< runs each counterexample as a native program
+    SeedPlace seeds{};                ///< where that program writes it as an input of a fuzz target
 };
 
 /// Returns the results of the theorems, in the order of the files and then in the order within a file. Paths are

@@ -35,7 +35,7 @@ std::string complaint(const std::string& messages) {
 
 }  // namespace
 
-void replay(Compiler& compiler, const std::filesystem::path& scratch, TheoremResult& result) {
+void replay(Compiler& compiler, const std::filesystem::path& scratch, const SeedPlace& seeds, TheoremResult& result) {
     try {
         const std::string stem = (scratch / ("counterexample_" + result.name)).string();
         std::string text;
@@ -45,9 +45,13 @@ void replay(Compiler& compiler, const std::filesystem::path& scratch, TheoremRes
         write_file(stem + ".txt", text);
         const std::string program = compiler.native(result.file, result.name).string();
         const std::string messages = stem + ".messages";
+        std::vector<std::string> settings{"CANPROOF_COUNTEREXAMPLE=" + stem + ".txt", "ASAN_OPTIONS=detect_leaks=0"};
+        if (!seeds.folder.empty()) {
+            settings.push_back("CANPROOF_SEEDS=" + seeds.folder.string());
+            settings.push_back("CANPROOF_SEED=" + (seeds.name.empty() ? "prove_" + result.name : seeds.name));
+        }
         const pid_t process =
-            start_process({"/bin/sh", "-c", "exec \"$0\" 2>'" + messages + "'", program},
-                          {"CANPROOF_COUNTEREXAMPLE=" + stem + ".txt", "ASAN_OPTIONS=detect_leaks=0"}, {});
+            start_process({"/bin/sh", "-c", "exec \"$0\" 2>'" + messages + "'", program}, settings, {});
         const int status = wait_for_process(process);
         const std::string why = complaint(read_file(messages));
         const bool fails = status != 0 && status != 11 && status != 12;

@@ -11,17 +11,35 @@ constexpr std::size_t most_models = 6;
 
 }  // namespace
 
+bool Solver::keeps_facts(Model& model) const {
+    while (model.keeps_facts && model.met < facts_.size()) {
+        model.keeps_facts = is_true(model.values.eval(facts_[model.met], true));
+        ++model.met;
+    }
+    return model.keeps_facts;
+}
+
 bool Solver::known_to_hold(const std::vector<Term>& truths) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
-        const z3::model& one = models_[i];
-        const auto holds = [&one](const Term& truth) { return is_true(one.eval(truth, true)); };
-        if (std::all_of(truths.rbegin(), truths.rend(), holds) && std::all_of(facts_.begin(), facts_.end(), holds)) {
+        Model& one = models_[i];
+        const auto holds = [&one](const Term& truth) { return is_true(one.values.eval(truth, true)); };
+        if (std::all_of(truths.rbegin(), truths.rend(), holds) && keeps_facts(one)) {
             std::rotate(models_.begin(), models_.begin() + static_cast<std::ptrdiff_t>(i),
                         models_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
             return true;
         }
     }
     return false;
+}
+
+std::vector<std::size_t> Solver::broken_facts(const z3::model& values) const {
+    std::vector<std::size_t> broken;
+    for (std::size_t i = 0; i < facts_.size(); ++i) {
+        if (!is_true(values.eval(facts_[i], true))) {
+            broken.push_back(i);
+        }
+    }
+    return broken;
 }
 
 Answer Solver::satisfiable(const std::vector<Term>& truths, unsigned milliseconds) {
@@ -36,18 +54,28 @@ Answer Solver::satisfiable(const std::vector<Term>& truths, unsigned millisecond
     z3::params params{context_};
     params.set("timeout", milliseconds);
     solver.set(params);
-    const auto add = [&solver](const Term& one) { solver.add(one); };
-    std::for_each(facts_.begin(), facts_.end(), add);
-    std::for_each(truths.begin(), truths.end(), add);
-    switch (solver.check()) {
-        case z3::unsat:
-            return Answer::no;
-        case z3::sat:
-            break;
-        default:
-            return Answer::unknown;
+    for (const std::size_t fact : needed_) {
+        solver.add(facts_[fact]);
     }
-    models_.push_front(solver.get_model());
+    for (const Term& truth : truths) {
+        solver.add(truth);
+    }
+    for (;;) {
+        const z3::check_result answer = solver.check();
+        if (answer != z3::sat) {
+            return answer == z3::unsat ? Answer::no : Answer::unknown;
+        }
+        const z3::model values = solver.get_model();
+        const std::vector<std::size_t> broken = broken_facts(values);
+        if (broken.empty()) {
+            models_.push_front({values, facts_.size(), true});
+            break;
+        }
+        for (const std::size_t fact : broken) {
+            needed_.insert(fact);
+            solver.add(facts_[fact]);
+        }
+    }
     if (models_.size() > most_models) {
         models_.pop_back();
     }

@@ -4,6 +4,7 @@
 #include <llvm/IR/Function.h>
 
 #include <algorithm>
+#include <set>
 
 #include "host/prove/machine.hpp"
 #include "host/prove/source_statement.hpp"
@@ -59,40 +60,41 @@ std::vector<Term> small_memory(Proof& proof) {
     return all;
 }
 
-/// Refutes a theorem whose end no values reach: its assumptions contradict each other, so that it would prove nothing.
-void refuse_vacuous(Proof& proof, const std::optional<Return>& end, TheoremResult& result) {
-    const Answer reached = end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
-    if (reached == Answer::no) {
-        result.verdict = Verdict::refuted;
-        result.reason = "no path comes to its end: its assumptions contradict each other";
-    } else if (reached == Answer::unknown) {
-        result.verdict = Verdict::unknown;
-        result.reason = "whether its assumptions can hold at all is not decided in time";
-    }
+/// Whether some values come to the end of a case.
+Answer reaches_end(Proof& proof, const std::optional<Return>& end) {
+    return end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
 }
 
-}  // namespace
+/// Adds what a case needed to the figures of its theorem.
+void add_figures(const Proof& proof, TheoremResult& result) {
+    std::set<std::string> functions{result.functions.begin(), result.functions.end()};
+    functions.insert(proof.functions.begin(), proof.functions.end());
+    result.functions.assign(functions.begin(), functions.end());
+    std::set<std::string> assumptions{result.assumptions.begin(), result.assumptions.end()};
+    for (const std::string& place : proof.assumptions) {
+        assumptions.insert(place + ": " + statement_at(place));
+    }
+    result.assumptions.assign(assumptions.begin(), assumptions.end());
+    result.obligations += proof.obligations.size();
+    result.questions += proof.solver.questions();
+}
 
-void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted) {
-    Proof proof{limits};
-    proof.noted = [&] {
-        result.statement = proof.statement;
-        result.requirements = proof.requirements;
-        noted();
-    };
+/// Decides one case. Returns whether values come to its end, where it is proven.
+Answer decide_case(const Program& program, Proof& proof, TheoremResult& result) {
+    Answer reached = Answer::no;
     try {
         Machine machine{proof, program.module()};
         const auto end = machine.call(program.theorem(result.name), {}, State{});
-        const Obligations::Outcome outcome = proof.obligations.settle(1000 * limits.seconds, small_memory(proof));
+        const Obligations::Outcome outcome = proof.obligations.settle(1000 * proof.limits.seconds, small_memory(proof));
         result.verdict = outcome.verdict;
         result.reason = outcome.reason;
         if (outcome.counterexample) {
             result.inputs = inputs_in(*outcome.counterexample, proof.inputs);
         }
         if (outcome.verdict == Verdict::proven) {
-            refuse_vacuous(proof, end, result);
+            reached = reaches_end(proof, end);
         }
-        result.paths = end ? end->state.paths : 0.0;
+        result.paths += end ? end->state.paths : 0.0;
     } catch (const Unknown& why) {
         result.verdict = Verdict::unknown;
         result.reason = why.what();
@@ -100,12 +102,37 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
         result.verdict = Verdict::unknown;
         result.reason = std::string{"z3: "} + error.msg();
     }
-    result.functions.assign(proof.functions.begin(), proof.functions.end());
-    for (const std::string& place : proof.assumptions) {
-        result.assumptions.push_back(place + ": " + statement_at(place));
+    if (const std::string text = proof.at.text(); !text.empty() && result.verdict != Verdict::proven) {
+        result.reason += " (case " + text + ")";
     }
-    result.obligations = proof.obligations.size();
-    result.questions = proof.solver.questions();
+    add_figures(proof, result);
+    return reached;
+}
+
+}  // namespace
+
+void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted) {
+    Case one;
+    Answer reached = Answer::no;
+    do {
+        Proof proof{limits, one};
+        const std::string name = one.text();
+        result.reason = name.empty() ? "" : " (case " + name + ")";  // where it is when its time is over
+        proof.noted = [&] {
+            result.statement = proof.statement;
+            result.requirements = proof.requirements;
+            noted();
+        };
+        const Answer here = decide_case(program, proof, result);
+        reached = here == Answer::no || reached == Answer::yes ? reached : here;
+    } while (result.verdict == Verdict::proven && one.next());
+    if (result.verdict == Verdict::proven && reached == Answer::no) {
+        result.verdict = Verdict::refuted;
+        result.reason = "no path comes to its end: its assumptions contradict each other";
+    } else if (result.verdict == Verdict::proven && reached == Answer::unknown) {
+        result.verdict = Verdict::unknown;
+        result.reason = "whether its assumptions can hold at all is not decided in time";
+    }
 }
 
 }  // namespace canproof::host::prove

@@ -34,8 +34,9 @@ struct TheoremResult {
     std::string replay{};  ///< result of the native program with these inputs
 };
 
-/// Executes the theorem and decides its obligations. A theorem whose end no path reaches is refuted: its assumptions
-/// contradict each other. `noted` is called whenever the statement or the requirements in `result` have changed.
+/// Executes the theorem and decides its obligations, case by case (each()). A theorem whose end no path reaches is
+/// refuted: its assumptions contradict each other. `noted` is called whenever the statement or the requirements in
+/// `result` have changed.
 void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted);
 
 }  // namespace canproof::host::prove
