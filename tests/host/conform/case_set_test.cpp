@@ -122,6 +122,17 @@ Part slave_with_more_objects() {
     return part;
 }
 
+/// Returns the slave with its heartbeat on by default, which excludes guarding.
+Part slave_with_heartbeat() {
+    Part part = canproof::test::slave_part();
+    for (Object& one : part.objects) {
+        if (one.index == 0x1017) {
+            one.entries.front().value = 1000;
+        }
+    }
+    return part;
+}
+
 }  // namespace
 
 TEST(ConformCases, CasesCoverThePublicTranscriptNumberByNumber) {
@@ -190,7 +201,7 @@ TEST(ConformCases, CasesPassOnEachSlaveAndEachCaseAppliesToOne) {
     for (const std::string& name : canproof::test::every_device()) {
         run_on(make_device(name), sheet_of(built_in_register(), device_named(name)), applied);
     }
-    for (const Part& part : {canproof::test::slave_part(), slave_with_more_objects()}) {
+    for (const Part& part : {canproof::test::slave_part(), slave_with_more_objects(), slave_with_heartbeat()}) {
         run_on(std::make_unique<GenericSimulation>(part), sheet_of(part), applied);
     }
     const std::set<std::string> unseen{"dictionary-structure"};  // none of our slaves answers sub-index FFh
