@@ -27,9 +27,11 @@ void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
     require(outputs.value() == wanted.value(), "a reset node drives what a fresh one drives");
 }
 
-/// Checks that a unit after reset node behaves like one that is switched on then with the same memory and inputs
-/// (CO-NMT-005). Skips a unit that receives no command, because it has no node-ID or LSS switches its bit rate, and a
-/// unit that gets another node-ID or bit rate at power-on only.
+/// Checks that a unit after the NMT command reset node behaves like a unit that is switched on at the same moment with
+/// the same memory and inputs (CO-NMT-005). Skips three kinds of unit:
+/// - It receives no command, because it has no node-ID or LSS switches its bit rate.
+/// - It takes another node-ID or bit rate at power-on, but not at reset node.
+/// - It keeps the value of an output over the reset (Unit::keeps_outputs()).
 template <typename Unit>
 void check_reset(DeviceWorld<Unit>& used) {
     used.recover();

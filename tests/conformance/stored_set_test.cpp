@@ -76,7 +76,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsU
     }
 }
 
-TEST_P(StoredSetOfTheDevice, SaveAfterDamageIsLoaded) {
+TEST_P(StoredSetOfTheDevice, SetSavedAfterDamageIsLoaded) {
     verifies<req::CO_STORE_006, req::CO_STORE_001>();
     for (const int saves : {1, 2, 3}) {
         Stored unit{GetParam()};

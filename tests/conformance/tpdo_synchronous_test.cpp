@@ -242,7 +242,7 @@ TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
     }
 }
 
-TEST_F(Tpdo, EventDrivenTypesAnswerRequestsAfterTheInhibitTime) {
+TEST_F(Tpdo, EventDrivenTpdoAnswersARequestAfterTheInhibitTime) {
     verifies<req::CO_PDO_016>();
     start();
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));

@@ -111,7 +111,7 @@ TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
     EXPECT_EQ(device->next_deadline(), never);
 }
 
-TEST_F(Tpdo, WritesToOtherParametersKeepTheEventTimerRunning) {
+TEST_F(Tpdo, WriteOfTheUnchangedCobIdKeepsTheEventTimerRunning) {
     verifies<req::CO_PDO_025>();
     EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 100 ms
     start();

@@ -159,7 +159,7 @@ TEST(PendingTimer, TpdoInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, TpdoSyncCountIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, TpdoSyncCountContinuesOrRestartsDependingOnTheEvent) {
     verifies<req::CO_PDO_014>();
     const std::vector<Case> cases{
         {"nothing", {}, {"1"}},

@@ -8,7 +8,8 @@
 
 namespace canproof::test {
 
-/// Starts as node 5 at 125 kbit/s with the bit rates of CiA 305. Only its master resets it.
+/// A bench whose slave starts as node 5 at 125 kbit/s. By default the slave has the bit rates of CiA 305, and only
+/// a command of the NMT master resets it; `resets_itself` changes both.
 class LssBench : public SlaveBench {
   public:
     LssBench() { start({5, 125000}); }

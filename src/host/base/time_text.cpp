@@ -13,7 +13,8 @@ constexpr std::uint64_t micros = 1000000;
 constexpr std::size_t most_whole_digits = 12;
 constexpr std::size_t most_decimals = 6;
 
-/// Parses a decimal number of at most eighteen digits.
+/// Parses a decimal number; `digits` must have at most eighteen characters. Returns nothing for an empty text and when
+/// a character is no digit.
 std::optional<std::uint64_t> decimal(std::string_view digits) {
     std::uint64_t value = 0;
     for (const char c : digits) {

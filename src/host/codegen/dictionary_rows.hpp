@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of an object dictionary as values. The register's compiler prints them as C++, and the host runs a
-// dictionary on them that was read at run time.
+// The rows of an object dictionary as values. The compiler of the requirements register prints them as C++. For a
+// dictionary that is read at run time, the host uses the rows directly.
 #pragma once
 
 #include <cstdint>

@@ -68,7 +68,7 @@ Term Globals::scalar(const llvm::Constant& constant) {
         const Term any = proof_.fresh(width);
         return width == 1 ? as_truth(any) : any;
     }
-    throw Unknown{"a constant of a kind that the prover does not know"};
+    throw Unknown{"a constant of this kind is not modelled"};
 }
 
 Term Globals::of_expression(const llvm::ConstantExpr& expression) {
@@ -84,7 +84,7 @@ Term Globals::of_expression(const llvm::ConstantExpr& expression) {
         const auto width = static_cast<unsigned>(layout_.getTypeSizeInBits(expression.getType()).getFixedValue());
         return resized(scalar(*expression.getOperand(0)), width);
     }
-    throw Unknown{std::string{"a constant that is computed by `"} + expression.getOpcodeName() + "`"};
+    throw Unknown{std::string{"a constant computed by `"} + expression.getOpcodeName() + "` is not modelled"};
 }
 
 Term Globals::address_of(const llvm::GlobalValue& global) {

@@ -72,7 +72,7 @@ void Program::prepare() {
         }
     }
     if (llvm::verifyModule(*module_)) {
-        throw InputError{"LLVM finds its own module unsound"};
+        throw InputError{"LLVM rejects the program after simplifying it; please report this as a defect of canproof"};
     }
 }
 

@@ -12,8 +12,8 @@ struct State {
     double paths{1.0};  ///< the number of paths through the program that are merged in it
 };
 
-/// The condition under which two paths meet: `first_holds` is true on the first path and false on the second, and
-/// chooses between their values. `path` is the condition of the merged path.
+/// The conditions that two paths have when they merge. `first_holds` is true on the first path and false on the second;
+/// it chooses between their values. `path` is the condition of the merged path.
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;

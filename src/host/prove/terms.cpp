@@ -8,7 +8,7 @@ namespace canproof::host::prove {
 namespace {
 
 constexpr unsigned longest_word = 64;
-constexpr unsigned deepest_look = 8;  ///< depth of the search in a term; deeper parts count as open
+constexpr unsigned deepest_look = 8;  ///< depth of the search in a term; no bit of a deeper part counts as known
 
 KnownBits lowest(std::uint64_t bits, unsigned count) {
     const unsigned kept = std::min(count, longest_word);

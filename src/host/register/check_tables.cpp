@@ -140,7 +140,7 @@ class TableCheck {
         const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
         bool fits = false;
         if (input && column.kind == Column::Kind::reals) {
-            return;  // the check of the column reports it
+            return;  // check_column() reports an input column of reals
         }
         if (!input && is_known_type(column.type)) {
             fits = fits_type(part.first, column.type);

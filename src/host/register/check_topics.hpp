@@ -6,8 +6,10 @@
 
 namespace canproof::host {
 
-/// Adds a fault for items that answer one question differently without a reason: in one folder, against a shared item,
-/// or in two devices of the same manufacturer.
+/// Adds a fault where two items answer the same question (topic) differently:
+/// - two items of one folder;
+/// - an item of a device and one of spec/canopen, when the device states no reason;
+/// - items of two devices of the same manufacturer, when no reason is stated.
 void check_topics(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -45,7 +45,7 @@ Frame with_next_code(WrongSlave&, const Frame& frame) {
     return code_of(frame) == 0 ? frame : with_byte(frame, 0, frame.data[0] + 0x10U);
 }
 
-/// Shows another error register, in 1001h and in the messages.
+/// Makes the slave report a wrong error register, in 1001h and in the EMCY messages.
 Distortion shows_register(std::function<unsigned(WrongSlave&, unsigned)> change) {
     return says([change = std::move(change)](WrongSlave& slave, const Frame& frame) {
         const bool reads = is_sdo_answer(slave, frame) && is_expedited_answer(frame) && index_of(frame) == 0x1001;
@@ -62,7 +62,7 @@ unsigned with_old_bits(WrongSlave& slave, unsigned bits) {
     return slave.notes[0];
 }
 
-/// Keeps the newest error only.
+/// Makes the slave keep the newest error only.
 void keep_newest(WrongSlave& slave, const Frame& frame) {
     if (is_error(slave, frame)) {
         slave.dictionary().write(history, 0, 1);
@@ -73,7 +73,7 @@ void keep_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Puts the newest error behind the others.
+/// Makes the slave list the newest error behind the others.
 void append_newest(WrongSlave& slave, const Frame& frame) {
     if (is_error(slave, frame)) {
         const auto count = static_cast<std::uint8_t>(slave.dictionary().read(history, 0));
@@ -87,7 +87,7 @@ void append_newest(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Also lists the end of an error.
+/// Makes the slave also list the end of an error.
 void list_end(WrongSlave& slave, const Frame& frame) {
     if (is_end_of_error(slave, frame)) {
         const std::uint32_t count = slave.dictionary().read(history, 0);
@@ -101,7 +101,7 @@ void list_end(WrongSlave& slave, const Frame& frame) {
     slave.say(frame);
 }
 
-/// Confirms a write that clears the history, without clearing it.
+/// Makes the slave confirm a write that clears the history, without clearing it.
 void keep_history(WrongSlave& slave, const Frame& frame) {
     const bool clears = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == history &&
                         sub_of(frame) == 0 && frame.data[4] == 0;

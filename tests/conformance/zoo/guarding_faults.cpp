@@ -31,7 +31,7 @@ Frame with_other_toggle(WrongSlave&, const Frame& frame) {
     return with_byte(frame, 0, frame.data[0] ^ toggle);
 }
 
-/// Keeps the toggle bit over a reset.
+/// Makes the slave keep the toggle bit over a reset.
 Frame with_kept_toggle(WrongSlave& slave, const Frame& frame) {
     const unsigned next = slave.notes[0];
     slave.notes[0] = next ^ toggle;
@@ -46,7 +46,7 @@ Frame of_two_bytes(WrongSlave&, const Frame& frame) {
     return with_length(frame, 2);
 }
 
-/// Answers guarding also while 1017h is not 0.
+/// Makes the slave answer guarding requests also while 1017h (producer heartbeat time) is not 0.
 void answer_beside_heartbeat(WrongSlave& slave, const Frame& frame) {
     if (is_request(slave, frame) && slave.dictionary().read(0x1017, 0) != 0) {
         slave.say(with_byte(data_frame(frame.id, 1), 0, static_cast<unsigned>(slave.state())));

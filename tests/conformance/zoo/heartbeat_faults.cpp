@@ -34,7 +34,7 @@ bool is_silent_when_stopped(WrongSlave& slave, const Frame& frame) {
     return is_heartbeat(slave, frame) && frame.data[0] == 4;
 }
 
-/// Keeps the heartbeat on once it was started.
+/// Makes the slave continue the heartbeat after a client has written 0 to 1017h (producer heartbeat time).
 Frame without_end(WrongSlave& slave, const Frame& frame) {
     if (!is_expedited_download(frame) || index_of(frame) != 0x1017) {
         return frame;
@@ -43,7 +43,7 @@ Frame without_end(WrongSlave& slave, const Frame& frame) {
     return with_value(frame, slave.notes[0]);
 }
 
-/// Monitors from the write on, not from the first heartbeat.
+/// Makes the slave monitor a heartbeat from the write on, not from the first heartbeat on.
 void watch_at_once(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool writes = is_sdo_request(slave, frame) && is_expedited_download(frame) && index_of(frame) == 0x1016;

@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Serves requests of LSS configuration in LSS waiting.
+/// Makes the slave serve requests of LSS configuration in LSS waiting.
 bool serve_in_waiting(WrongSlave& slave, const Frame& frame) {
     const unsigned command = frame.data[0];
     const bool asks = command >= 0x5A && command <= 0x5E;
@@ -21,7 +21,7 @@ bool serve_in_waiting(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Accepts any number in frame `command` of switch state selective.
+/// Makes the slave accept any number in frame `command` of switch state selective.
 Distortion selects_any(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
         if (frame.data[0] != command) {
@@ -32,7 +32,7 @@ Distortion selects_any(unsigned command) {
     });
 }
 
-/// Accepts any range of identify remote slave.
+/// Makes the slave accept any range of identify remote slave.
 bool identify_always(WrongSlave& slave, const Frame& frame) {
     constexpr unsigned first = 0x46;
     constexpr unsigned numbers[]{0, 1, 2, 2, 3, 3};
@@ -44,7 +44,7 @@ bool identify_always(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Excludes the upper ends of the ranges of identify remote slave.
+/// Makes the slave exclude the upper ends of the ranges of identify remote slave.
 bool exclude_upper_end(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x49 && frame.data[0] != 0x4B) {
         return false;
@@ -67,7 +67,7 @@ bool ignore_leaving(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x04 && frame.data[1] == 0;
 }
 
-/// Answers Fastscan although it has a node-ID.
+/// Makes the slave answer Fastscan although it has a node-ID.
 bool scan_configured(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (frame.data[0] == 0x51 && frame.data[5] == 0x80 && slave.node_id() <= 127) {
@@ -84,7 +84,7 @@ bool answer_non_configured(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Enters LSS configuration after the third number.
+/// Makes the slave enter LSS configuration after the third number instead of the fourth.
 bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     const bool third = frame.data[0] == 0x51 && frame.data[5] == 0 && frame.data[6] == 2 && frame.data[7] == 3;
@@ -94,7 +94,7 @@ bool finish_scan_early(WrongSlave& slave, const Frame& frame) {
     return true;
 }
 
-/// Accepts every number of Fastscan as its own.
+/// Makes the slave accept every number of Fastscan as its own.
 bool match_any(WrongSlave& slave, const Frame& frame) {
     if (frame.data[0] != 0x51 || frame.data[6] > 3) {
         return false;

@@ -15,7 +15,7 @@ Distortion tells_error(unsigned command, unsigned error, unsigned other) {
     });
 }
 
-/// Confirms a request of LSS configuration and ignores it.
+/// Makes the slave confirm a request of LSS configuration and ignore it.
 Distortion forgets(unsigned command) {
     return serves_lss([command](WrongSlave& slave, const Frame& frame) {
         const bool known = command != 0x11 || (frame.data[1] >= 1 && frame.data[1] <= 127) || frame.data[1] == 255;
@@ -31,7 +31,7 @@ bool ignore_activation(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x15;
 }
 
-/// Uses the node-ID set by LSS also at reset node, where the stored one applies.
+/// Makes the slave use the node-ID set by LSS also at reset node, where the stored one applies.
 Distortion stores_unasked() {
     return serves_lss([](WrongSlave& slave, const Frame& frame) {
         slave.pass(frame);

@@ -33,7 +33,7 @@ Distortion confirms_locked(bool of_valid) {
     });
 }
 
-/// Confirms writes of mapping entries, and keeps the old entries.
+/// Makes the slave confirm writes of mapping entries and keep the old entries.
 void keep_lines(WrongSlave& slave, const Frame& frame) {
     const bool writes =
         is_sdo_request(slave, frame) && is_expedited_download(frame) && is_line(index_of(frame), sub_of(frame));

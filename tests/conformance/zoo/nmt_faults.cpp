@@ -29,7 +29,7 @@ Distortion takes_commands_as(FrameChange change) {
         [change = std::move(change)](WrongSlave& slave, const Frame& frame) { slave.pass(change(slave, frame)); });
 }
 
-/// Executes another command.
+/// Makes the slave execute NMT command `other` when it receives `command`.
 Distortion obeys_as(unsigned command, unsigned other) {
     return takes_commands_as([=](WrongSlave& slave, const Frame& frame) {
         return is_command(slave, frame, command) ? with_byte(frame, 0, other) : frame;
@@ -90,7 +90,7 @@ Frame unknown_as_stop(WrongSlave&, const Frame& frame) {
     return is_command(frame) && !known ? with_byte(frame, 0, stop) : frame;
 }
 
-/// Sends the boot-up message without resetting any value.
+/// Makes the slave send the boot-up message without resetting any value.
 void keep_communication(WrongSlave& slave, const Frame& frame) {
     if (!is_command(slave, frame, reset_communication)) {
         slave.pass(frame);

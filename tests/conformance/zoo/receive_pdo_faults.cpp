@@ -27,7 +27,7 @@ void complete_short(WrongSlave& slave, const Frame& frame) {
     slave.pass(is_too_short(slave, frame) ? with_length(frame, 8) : frame);
 }
 
-/// Applies RPDOs in a state without RPDOs.
+/// Makes the slave apply RPDOs in a state without RPDOs.
 Distortion applies_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const auto number = rpdo_of(slave, frame);
@@ -61,7 +61,7 @@ void take_high_byte_first(WrongSlave& slave, const Frame& frame) {
     slave.pass(swapped);
 }
 
-/// Keeps the first of several synchronous RPDOs between two SYNCs.
+/// Makes the slave keep the first of several synchronous RPDOs between two SYNCs instead of the last.
 void keep_first(WrongSlave& slave, const Frame& frame) {
     const auto number = rpdo_of(slave, frame);
     const bool waits = number && pdo_parameter(slave, rpdo_communication, *number, 2) <= 240;
@@ -73,7 +73,7 @@ void keep_first(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Starts the event timers at the start command.
+/// Makes the slave start the event timers of RPDOs at the start command, not at the first RPDO.
 void watch_from_start(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (!is_data(frame, 0) || slave.state() != NmtState::operational) {

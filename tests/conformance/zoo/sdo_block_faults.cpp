@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of SDO block transfer.
+// Faults of SDO block transfer: ways in which a wrong slave breaks its rules.
 #include "firmware/base/crc16.hpp"
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
@@ -21,7 +21,7 @@ bool is_download_initiate(const Frame& frame) {
     return (command_of(frame) & 0xE1U) == 0xC0;
 }
 
-/// Changes the end of a block upload: unused bytes and CRC.
+/// Makes the slave end a block upload with a wrong number of unused bytes or a wrong CRC.
 Distortion ends_upload_otherwise(FrameChange change) {
     return answers_otherwise([change = std::move(change)](WrongSlave& slave, const Frame& frame) {
         return is_upload_end(frame) ? change(slave, frame) : frame;
@@ -33,7 +33,7 @@ Frame with_crc(Frame frame, std::uint16_t crc) {
     return frame;
 }
 
-/// Computes the CRC over whole segments.
+/// Makes the slave compute the CRC of an upload over whole segments, with the unused bytes of the last one.
 Distortion crc_over_padding() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && is_upload_initiate(frame)) {
@@ -57,14 +57,14 @@ Frame without_crc_flag(WrongSlave&, const Frame& frame) {
     return is_download_initiate(frame) ? with_command(frame, command_of(frame) & ~4U) : frame;
 }
 
-/// Replaces the block size in the initiate of a block upload.
+/// Makes the slave use another block size than the initiate of a block upload requests.
 Distortion takes_block_size(std::function<unsigned(unsigned)> change) {
     return takes_requests_as([change = std::move(change)](WrongSlave&, const Frame& frame) {
         return is_upload_initiate(frame) ? with_byte(frame, 4, change(frame.data[4])) : frame;
     });
 }
 
-/// Keeps the block size of the initiate.
+/// Makes the slave keep the block size of the initiate, whatever size a later acknowledgement requests.
 Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     if (is_upload_initiate(frame)) {
         slave.notes[0] = frame.data[4];
@@ -72,7 +72,7 @@ Frame with_first_block_size(WrongSlave& slave, const Frame& frame) {
     return is_upload_acknowledge(frame) ? with_byte(frame, 2, slave.notes[0]) : frame;
 }
 
-/// Continues with the next segment, whatever the client has acknowledged.
+/// Makes the slave continue an upload with the next segment and never repeat one that the client has not acknowledged.
 Distortion repeats_nothing() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool acknowledges = is_sdo_request(slave, frame) && is_upload_acknowledge(frame) && frame.data[1] < 128;
@@ -87,7 +87,7 @@ Distortion repeats_nothing() {
     return hears_and_says(hear, say);
 }
 
-/// Counts the segments over all blocks.
+/// Makes the slave number the segments of an upload on from block to block. A correct slave begins each block at 1.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && command_of(frame) == 0xA3) {
@@ -110,7 +110,8 @@ void say_without_last_mark(WrongSlave& slave, const Frame& frame) {
     slave.say(slave.says_segment() ? with_command(frame, command_of(frame) & 0x7FU) : frame);
 }
 
-/// Acknowledges the newest segment of a download even when one was lost. notes[1] is not 0 while a download is open.
+/// Makes the slave acknowledge the newest segment of a download even when an earlier one was lost. notes[1] is not 0
+/// while a download is open.
 Distortion misses_no_segment() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = command_of(frame) & 0x7FU;

@@ -40,7 +40,7 @@ void without_lower_limits(host::Part& part) {
     }
 }
 
-/// Reads a write-only entry.
+/// Makes the slave answer the upload of a write-only entry with its value.
 void read_write_only(WrongSlave& slave, const Frame& frame) {
     if (!is_sdo_answer(slave, frame) || !is_abort(frame, 0x06010001)) {
         slave.say(frame);

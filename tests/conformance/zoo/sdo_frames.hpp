@@ -80,7 +80,8 @@ inline bool is_abort(const Frame& frame, std::uint32_t code) {
     return is_abort(frame) && value_of(frame) == code;
 }
 
-/// Returns the answer 60h to the download in `frame`; `frame` may also be an answer to it.
+/// Returns the confirmation 60h of a download. `frame` is the request or an answer to it, and gives index and
+/// sub-index.
 inline Frame confirmation(std::uint8_t node, const Frame& frame) {
     return with_value(with_command(with_id(with_length(frame, 8), sdo_answers + node), 0x60), 0);
 }

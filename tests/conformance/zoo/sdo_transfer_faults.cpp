@@ -63,7 +63,7 @@ void put_gathered(WrongSlave& slave) {
     }
 }
 
-/// Keeps the bytes of a string download that the client aborts.
+/// Makes the slave keep the bytes of a string download that the client aborts.
 void keep_aborted(WrongSlave& slave, const Frame& frame) {
     if (is_sdo_request(slave, frame) && (command_of(frame) & 0xE2U) == 0x20) {
         slave.notes[0] = index_of(frame);

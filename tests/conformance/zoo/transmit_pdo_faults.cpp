@@ -28,7 +28,7 @@ void say_tpdos(WrongSlave& slave, bool synchronous, bool valid = true) {
     }
 }
 
-/// Sends TPDOs in a state without TPDOs: at SYNC and when a mapped value is written.
+/// Makes the slave send TPDOs in a state without TPDOs: at SYNC and when a mapped value is written.
 Distortion sends_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const bool is_state = slave.state() == state;
@@ -43,7 +43,7 @@ Distortion sends_in(NmtState state) {
     });
 }
 
-/// Sends disabled TPDOs at SYNC.
+/// Makes the slave send disabled TPDOs at SYNC.
 void send_invalid(WrongSlave& slave, const Frame& frame) {
     slave.pass(frame);
     if (slave.state() == NmtState::operational && is_sync(slave, frame)) {
@@ -56,7 +56,7 @@ bool is_tpdo_request(WrongSlave& slave, const Frame& frame) {
     return frame.remote && pdo_of(slave, tpdo_communication, frame).has_value();
 }
 
-/// Answers a remote frame although bit 30 of the COB-ID forbids it.
+/// Makes the slave answer a remote frame although bit 30 of the COB-ID forbids it.
 void answer_forbidden(WrongSlave& slave, const Frame& frame) {
     const auto number = pdo_of(slave, tpdo_communication, frame);
     const bool forbidden = number && (pdo_parameter(slave, tpdo_communication, *number, 1) & 0x40000000U) != 0;
@@ -67,7 +67,7 @@ void answer_forbidden(WrongSlave& slave, const Frame& frame) {
     }
 }
 
-/// Sends nothing at the start command. notes[0] is the time of that command.
+/// Makes the slave send nothing at the start command. notes[0] is the time of that command.
 Distortion starts_silently() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_data(frame, 0) && frame.data[0] == 1) {

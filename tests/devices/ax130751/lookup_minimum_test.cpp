@@ -70,7 +70,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheScalingOfItsSource) {
     EXPECT_EQ(x(1, 1), 0);
 }
 
-TEST_F(Ax130751LookupMinimum, LastPointOfTheSourceTableSetsTheMinimum) {
+TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsTheMinimum) {
     verifies<req::AOR_LT_018>();
     choose(5, lookup_source, 10);
     set16(0x3107, 11, -90);
@@ -80,7 +80,7 @@ TEST_F(Ax130751LookupMinimum, LastPointOfTheSourceTableSetsTheMinimum) {
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, EverySourceOfTable5SetsTheMinimum) {
+TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
     verifies<req::AOR_LT_018>();
     // 7320h in thousandths of a volt
     set8(0x3013, 0, 3);

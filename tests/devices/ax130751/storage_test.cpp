@@ -362,7 +362,8 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     const std::size_t before = memory.written();
     store();
     const std::size_t of_a_save = memory.written() - before;
-    for (const std::size_t more : {0U, 1U, 19U}) {  // of the 20 bytes of node-ID and bit rate
+    // The power fails when so many of the 20 bytes of node-ID and bit rate are written.
+    for (const std::size_t more : {0U, 1U, 19U}) {
         SCOPED_TRACE(more);
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
         EXPECT_EQ(write(0x5032, 0, 91 + static_cast<int>(more), 1), "");

@@ -57,7 +57,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    seen_ = 0;  // mean_of_window() then ignores all older runs
+    seen_ = 0;  // mean_of_window() then ignores all sums in runs_ from before
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;

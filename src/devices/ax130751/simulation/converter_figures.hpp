@@ -13,7 +13,7 @@ LinePlot joystick_plot();
 /// Plots a math block that adds 75 % of a joystick and 25 % of a potentiometer (1.7).
 LinePlot trimmed_joystick_plot();
 
-/// Plots a logic block that combines three tables to 30 slopes (1.5, 1.6).
+/// Plots a logic block that combines three lookup tables into one curve with 30 slopes (sections 1.5 and 1.6).
 LinePlot thirty_slopes_plot();
 
 }  // namespace canproof::host

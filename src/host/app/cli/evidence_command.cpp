@@ -120,7 +120,9 @@ void check_place(const std::filesystem::path& folder) {
         return;
     }
     if (!std::filesystem::exists(folder / "manifest.json")) {
-        throw InputError{fmt::format("{} contains other files; name an empty folder or remove it", folder.string())};
+        throw InputError{
+            fmt::format("{} contains files but no evidence pack; name an empty folder or one that does not exist yet",
+                        folder.string())};
     }
 }
 

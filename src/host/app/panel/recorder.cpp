@@ -15,8 +15,8 @@ namespace {
 using generated::canopen::index::error_register;
 constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // lower indices are the communication area
 
-/// Returns the unit of this sub-index: the n-th part of `0.1 degC; 0.1 V`. A unit without parts applies to every
-/// sub-index.
+/// Returns the unit of a sub-index. In a list such as `0.1 degC; 0.1 V`, the first unit is that of sub-index 1. A text
+/// without `;` is the unit of every sub-index.
 std::string own_unit(const std::string& units, std::uint8_t subindex) {
     std::istringstream parts{units};
     std::string one = units;

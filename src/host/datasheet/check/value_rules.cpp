@@ -169,7 +169,7 @@ class ValueCheck {
         }
     }
 
-    /// Reports the default with the right spelling as fix.
+    /// Adds a finding about the spelling of the default. The fix of the finding replaces the default with `right`.
     void respell(const char* rule, std::string what, const std::string& right) {
         const EdsLine& line = sheet_.line(entry_.value->line);
         findings_.add(rule, entry_.value->line, std::move(what),

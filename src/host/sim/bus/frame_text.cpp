@@ -24,7 +24,8 @@ unsigned digit_of(char c) {
                                   : no_digit;
 }
 
-/// Parses up to eight hexadecimal digits; returns nothing for another character.
+/// Parses a hexadecimal number; `digits` must have one to eight characters. Returns nothing when one of them is no
+/// hexadecimal digit.
 std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
     std::uint32_t value = 0;
     for (const char c : digits) {

@@ -26,8 +26,9 @@ namespace canproof::host {
 namespace {
 
 constexpr int waiting_connections = 8;
-constexpr int kernel_room = 64 * 1024;  // bytes per client, in addition to the session's own limit: a client that does
-                                        // not read must be detected
+// Send buffer of the kernel in bytes per client. A small buffer fills soon when a client does not read. Then the unread
+// text reaches the limit of the session, SocketcandSession::output_limit, and the client is dropped.
+constexpr int kernel_room = 64 * 1024;
 
 [[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
     throw InputError{

@@ -86,7 +86,7 @@ TEST(RegisterDiff, RegisterDoesNotDifferFromItself) {
     EXPECT_TRUE(compare(read("Opens.", 5, 1), read("Opens.", 5, 1)).empty());
 }
 
-TEST(RegisterDiff, ChangedTextDefaultAndCellAreListed) {
+TEST(RegisterDiff, ChangesOfATextADefaultAndACellAreListed) {
     const auto changes = compare(read("Opens.", 5, 1), read("Closes.", 6, 2));
     ASSERT_EQ(changes.size(), 3U);
     EXPECT_THAT(change_of("AO4-R-1", changes)->details, ElementsAre("text: Opens. -> Closes."));

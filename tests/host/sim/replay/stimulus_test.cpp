@@ -91,7 +91,7 @@ TEST(StimulusText, HeadingIsAcceptedInTheFirstLineOnly) {
     EXPECT_NE(refusal_of("Seconds,signal,value\n"), "taken");
 }
 
-TEST(StimulusValue, StimulusValueLiesWithinItsRangeLimitsIncluded) {
+TEST(StimulusValue, OnlyValuesFromTheLowestToTheHighestAreAccepted) {
     for (const char* fits :
          {"real,-1.5", "real,2.5", "real,0.25", "exact,0.5", "number,-3", "number,4", "truth,0", "truth,1"}) {
         EXPECT_EQ(verdict(fits), "taken") << fits;
