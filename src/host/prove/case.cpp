@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of a theorem, counted as the digits of a number.
-#include <fmt/format.h>
+#include "host/prove/case.hpp"
 
-#include "host/prove/proof.hpp"
+#include <fmt/format.h>
 
 namespace canproof::host::prove {
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/prove/case.hpp"
 #include "host/prove/layered_contents.hpp"
 #include "host/prove/memory.hpp"
 #include "host/prove/obligations.hpp"
@@ -31,25 +32,6 @@ struct Input {
     std::vector<std::optional<Term>> bytes;
     std::optional<Term> size{};                    ///< only for any_memory(): its size
     std::shared_ptr<const UnknownBytes> memory{};  ///< only for any_memory(): its bytes that were read
-};
-
-/// One case of a theorem: the numbers that each() returns in it, in the order of the calls. The first case has zeros;
-/// next() goes on to the following one.
-class Case {
-  public:
-    /// Returns the number at `place`, which is below `count`.
-    unsigned number(std::size_t place, unsigned count);
-    /// Goes on to the next case. False behind the last one.
-    bool next();
-    /// The numbers as text; empty when each() was not called.
-    std::string text() const;
-
-  private:
-    struct Digit {
-        unsigned number;
-        unsigned count;
-    };
-    std::vector<Digit> digits_;
 };
 
 struct Proof {
