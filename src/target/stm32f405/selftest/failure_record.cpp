@@ -20,6 +20,7 @@ void FailureRecord::keep(const SelfTest test) noexcept {
     words_.complement.write(~code);
 }
 
+static_assert(implements<req::CO_SELF_009>);
 SelfTest FailureRecord::take() noexcept {
     constexpr std::array<SelfTest, 7U> all{SelfTest::core,  SelfTest::stack,   SelfTest::clock, SelfTest::ram,
                                            SelfTest::flash, SelfTest::outputs, SelfTest::flow};

@@ -17,6 +17,7 @@ SelfTest SelfTests::start(const Instant now) noexcept {
     return ram_.pass() ? SelfTest::none : SelfTest::ram;
 }
 
+static_assert(implements<req::CO_SELF_004> && implements<req::CO_SELF_006>);
 SelfTest SelfTests::step(const Instant now) noexcept {
     if (!guard_.is_intact()) {
         return SelfTest::stack;
