@@ -24,6 +24,7 @@ unsigned set(unsigned a) noexcept;
 unsigned apart(unsigned a, unsigned b) noexcept;
 unsigned element(unsigned a) noexcept;
 unsigned declared(unsigned a) noexcept;
+unsigned by_macro(unsigned a) noexcept;
 bool of_a_device(unsigned a, unsigned b) noexcept;
 }  // namespace canproof
 
@@ -177,6 +178,10 @@ int main() {
         0, nullptr, [](unsigned a, unsigned) { return set(a); }, [](unsigned a, unsigned) { return a; });
     count += faults(
         0, nullptr, [](unsigned a, unsigned) { return element(a); }, [](unsigned a, unsigned) { return 10U + a; });
+    // A choice that a macro makes has no mutants: its text is not in the file.
+    count += faults(
+        0, nullptr, [](unsigned a, unsigned) { return by_macro(a); },
+        [](unsigned a, unsigned) { return a != 0U ? 10U : 11U; });
     std::printf("%zu mutants, %u faults\n", all.count, count);
     return count == 0U ? 0 : 1;
 }

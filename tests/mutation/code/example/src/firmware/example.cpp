@@ -87,5 +87,10 @@ unsigned declared(const unsigned a) noexcept {
     }
     return 9U;
 }
+#define FIRST_OF(a) ((a) != 0U ? &list[0] : &list[1])
+unsigned by_macro(const unsigned a) noexcept {
+    const unsigned* const first = FIRST_OF(a);
+    return *first;
+}
 
 }  // namespace canproof
