@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/inject/run_faults.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,6 +35,14 @@ Texts play(SimulatedDevice& device, const ReplayInput& input) {
     return {frames.str(), outputs.str()};
 }
 
+/// Discards what the libraries print when a damaged object ends the process.
+void be_quiet() {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0) {
+        _exit(not_judged);
+    }
+}
+
 /// Limits the processor time of this process; the kernel then ends it with SIGXCPU.
 void limit_time(double seconds) {
     const auto whole = static_cast<rlim_t>(seconds + 1.0);
@@ -59,7 +68,8 @@ FaultEffect effect_of_status(int status) {
         }
         return FaultEffect::processor_fault;
     }
-    throw InputError{"a run with a fault could not be judged: the system refused a limit of its processor time"};
+    throw InputError{
+        "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
 }
 
 /// Plays the workload once; starts the process of a fault before its call.
@@ -123,6 +133,7 @@ class Injector {
             }
             if (process == 0) {
                 is_child_ = true;
+                be_quiet();
                 limit_time(options_.most_seconds);
                 turn(faults_[next_]);
                 return;

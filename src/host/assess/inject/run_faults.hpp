@@ -31,7 +31,7 @@ struct InjectionOptions {
     std::uint64_t seed{1};
     std::size_t faults{1000};
     unsigned jobs{1};          ///< processes at once
-    double most_seconds{5.0};  ///< processor time after which the watchdog has ended a run
+    double most_seconds{1.0};  ///< processor time after which the watchdog has ended a run
     Shard shard{};             ///< only the faults of this part
 };
 
