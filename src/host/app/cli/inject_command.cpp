@@ -2,11 +2,11 @@
 #include "host/app/cli/inject_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "host/app/cli/chosen_devices.hpp"
+#include "host/app/cli/progress.hpp"
 #include "host/assess/inject/injection_report.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
@@ -42,13 +42,6 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
         check_stimuli(input.stimuli, {chosen.part});
     }
     return input;
-}
-
-void show_progress(std::size_t done, std::size_t all) {
-    constexpr std::size_t step = 100;
-    if (isatty(STDERR_FILENO) != 0 && (done % step == 0 || done == all)) {
-        fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
-    }
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/app/cli/progress.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
@@ -78,12 +78,6 @@ void print_survivors(const std::vector<MutationOutcome>& outcomes) {
         }
         fmt::print("  {}: {}{}\n", outcome.cell.cell, outcome.cell.change,
                    outcome.claimed ? "" : " (no test can notice)");
-    }
-}
-
-void show_progress(std::size_t done, std::size_t all) {
-    if (isatty(STDERR_FILENO) != 0) {
-        fmt::print(stderr, "\r{} of {}{}", done, all, done == all ? "\n" : "");
     }
 }
 

@@ -2,6 +2,8 @@
 #include "host/assess/inject/fault_effect.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>

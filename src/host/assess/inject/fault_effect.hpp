@@ -2,9 +2,8 @@
 // The effect of an injected fault: what a run with the fault did differently from the run without it.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
