@@ -17,15 +17,21 @@ constexpr std::uint64_t most_compared = 4096;
 /// Returns the name of the sanitizer check to which a trap belongs. The numbers are clang's own (its
 /// CodeGenFunction.h).
 std::string broken_rule(const Value& arguments) {
-    const auto rule = arguments.empty() ? std::nullopt : number(arguments[0]);
     static const std::map<std::uint64_t, std::string> names = {
         {0, "a sum without overflow"},        {1, "a call of __builtin_unreachable is never reached"},
         {3, "a quotient without overflow"},   {8, "the end of a function with a result is never reached"},
         {12, "a product without overflow"},   {13, "a negation without overflow"},
         {18, "an index lies in its array"},   {20, "a shift by less than the width"},
         {21, "a difference without overflow"}};
-    const auto found = rule ? names.find(*rule) : names.end();
-    return found == names.end() ? "a check of the sanitizer holds" : found->second;
+    if (!arguments.empty()) {
+        const auto rule = number(arguments[0]);
+        for (const auto& [code, name] : names) {
+            if (rule == code) {
+                return name;
+            }
+        }
+    }
+    return "a check of the sanitizer holds";
 }
 
 CallEffect overflow_checked(Proof& proof, llvm::Intrinsic::ID id, const Value& arguments, Value& result) {

@@ -263,8 +263,11 @@ class ObjectCheck {
             }
             std::size_t count = 0;
             for (const auto& [key, value] : section.values) {
-                const auto sub = key == "nrofentries" ? std::nullopt : eds_unsigned(key);
-                count += key == "nrofentries" ? 0 : 1;
+                if (key == "nrofentries") {
+                    continue;
+                }
+                ++count;
+                const auto sub = eds_unsigned(key);
                 if (sub && (*sub == 0 || *sub > object->compact)) {
                     findings_.add(
                         "compact-beyond", value.line,
