@@ -17,7 +17,7 @@ namespace {
 
 const std::string byte_order_mark = "\xEF\xBB\xBF";
 
-/// Returns the text on one line without blanks at its ends, as the value of an EDS.
+/// Returns the text on one line and without blanks at its ends, like a value in an EDS.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, ' ');
@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Parses an index. CiA 311 has hexadecimal digits without 0x; some files contain 0x all the same.
+/// Parses an index in hexadecimal digits. CiA 311 writes it without 0x, but some files contain 0x.
 std::optional<std::uint64_t> hexadecimal(const std::string& text) {
     return eds_unsigned(lower_case(text).rfind("0x", 0) == 0 ? text : "0x" + text);
 }
@@ -82,7 +82,7 @@ class XddReader {
     IniSection& section(const std::string& name, const pugi::xml_node& node) {
         return file_.sections.emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
     }
-    /// Sets a value that is not empty. A key has one value.
+    /// Sets the value of a key, unless the text is empty. A second value of the same key gets a note.
     void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) {
         const std::string value = one_line(text);
         if (!value.empty()) {
@@ -110,7 +110,8 @@ class XddReader {
             rate ? configured : rates);
     }
 
-    /// Returns `250` for `250 Kbps`; empty for a rate that the device detects itself.
+    /// Returns the number of a bit rate: `250` for `250 Kbps`. Returns an empty text when the rate does not begin with
+    /// a number, as for a rate that the device detects.
     static std::string kilobits(const std::string& text) {
         const std::string number = text.substr(0, text.find_first_not_of("0123456789"));
         return number;
@@ -154,7 +155,8 @@ class XddReader {
         }
     }
 
-    /// Adds the values of an element. Its attributes have priority over those of the parameter to which it refers.
+    /// Adds the values of an element. The attributes of the element have priority over those of the parameter to which
+    /// it refers.
     void add_values(IniSection& into, const pugi::xml_node& node, const XddParameters& parameters) {
         const XddParameter parameter = parameters.find(node.attribute("uniqueIDRef").value());
         const auto both = [&](const char* key, const char* attribute, const std::string& otherwise) {

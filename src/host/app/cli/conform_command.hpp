@@ -25,7 +25,7 @@ struct ConformCommandOptions {
     bool allow_store{false};
     bool allow_lss{false};
     bool by_hand{false};           ///< the user switches the slave off and on
-    bool no_remote_frames{false};  ///< the user's adapter does not carry them
+    bool no_remote_frames{false};  ///< the user's adapter does not transmit remote frames
     double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof coverage`: places in the firmware that no test reaches.
+// Checks the records against the sources, without a measurement. Returns the exit status: 1 for a record that matches
+// no place.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `mutate` command: alters every generated cell, or every operator and condition of the firmware and of the host's
-// buses and replay, one at a time. It prints by item the survivors that have no recorded reason.
+// The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
+// cell, or each operator and condition of the firmware and of the host's buses and replay. It prints, by item, the
+// survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Removes the cells of shared rules that come with an installed canproof: the tests of canproof cover them.
+/// Removes the cells of shared rules that come with an installed canproof, because canproof's own tests cover them.
 void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     const auto inherited = [&](const AlteredCell& cell) {
         return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
@@ -86,7 +87,7 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.noticed, count.justified, count.open());
 }
 
-/// Prints the counts. For mutants of code, prints those of the host separately.
+/// Prints the counts. With `code`, prints the counts of the host's mutants separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -124,7 +125,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Judges alterations with the test programs. `count` is the number of alterations.
+/// Judges `count` alterations with the test programs.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
@@ -156,7 +157,7 @@ int judge_shard(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Returns a line for each of these records of survivors, with its file and line.
+/// Returns one line for each record of a survivor: the file, the line of the record, and `what`.
 std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& records,
                                      const std::filesystem::path& file, const char* what) {
     std::vector<std::string> lines;
@@ -166,7 +167,7 @@ std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& r
     return lines;
 }
 
-/// Keeps the outcomes of a whole run for the evidence pack.
+/// Saves the outcomes of a complete run for the evidence pack.
 void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& options,
           const std::filesystem::path& programs) {
     write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));

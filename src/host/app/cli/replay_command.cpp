@@ -38,7 +38,7 @@ void tell_counts(const LogCounts& counts) {
 }  // namespace
 
 int replay_log(const ReplayOptions& options) {
-    std::ios::sync_with_stdio(false);  // otherwise a read error of standard input looks like its end
+    std::ios::sync_with_stdio(false);  // otherwise a read error of standard input looks like the end of the input
     FactoryOptions factory{options.factory};
     ChosenDevice chosen = options.eds.empty() ? choose_device(options.device, factory) : choose_eds(options.eds);
     factory.check_used();

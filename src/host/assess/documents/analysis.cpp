@@ -145,7 +145,7 @@ class AnalysisCheck {
 
 std::vector<std::string> modes_of(const Signal& signal) {
     if (!signal.input) {
-        return {};  // the hazards already describe the failures of outputs, so there is none here
+        return {};  // this device's hazards already describe the failures of its outputs
     }
     if (signal.type == "BOOLEAN") {
         return {"stuck at true", "stuck at false"};

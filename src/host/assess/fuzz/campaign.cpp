@@ -65,7 +65,8 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
     }
 }
 
-/// Returns the number of slices of each target's time: about a minute each, at most `most_rounds`.
+/// Returns the number of slices into which the time of each target is divided: slices of about a minute, at most
+/// `most_rounds`.
 unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     const double share = options.minutes * options.jobs / static_cast<double>(targets);
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
@@ -105,7 +106,7 @@ bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targ
                       [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
 }
 
-/// Returns the state of the unfinished campaign of the same command, or of a new campaign.
+/// Returns the state of the unfinished campaign if the same command started it; otherwise the state of a new campaign.
 CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                              const CampaignFiles& files, CampaignDisplay& display) {
     const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
@@ -165,7 +166,7 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard, and keeps their findings for `--merge`.
+/// Fuzzes the targets of one shard and saves their findings for `--merge`.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);
@@ -183,7 +184,7 @@ int run_shard(const CampaignContext& context) {
     return is_broken(context.state) ? was_broken : 0;
 }
 
-/// Runs the campaign from the phase in its state on. Returns false when interrupted.
+/// Runs the campaign from the phase that its state names. Returns false when interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });

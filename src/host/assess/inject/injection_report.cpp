@@ -26,7 +26,7 @@ std::size_t memory_size(const InjectionCampaign& campaign) {
                            [](std::size_t sum, const RegionSize& region) { return sum + region.bytes; });
 }
 
-/// Returns a row of the table: a name, and a number per region and for all.
+/// Returns a row of the table: a name, one number for each region, and the number for all regions.
 std::string row(const std::string& name, const std::vector<std::size_t>& numbers) {
     std::string text = fmt::format("{:<22}", name);
     for (const std::size_t number : numbers) {
@@ -59,7 +59,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
                 {"regions", json_of(campaign.regions)}};
 }
 
-/// One file of a shard, as read.
+/// The content of one shard's file.
 struct ShardFile {
     Shard shard;
     std::string name;

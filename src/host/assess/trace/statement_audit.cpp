@@ -20,8 +20,8 @@ const std::string& worse(const std::string& one, const std::string& other) {
 
 const std::string shown = "shown";
 
-/// Returns the state of each item, and of each decision: the worst state of its affected items. It does not contain
-/// items that are shown in another project, such as its shared rules.
+/// Returns the state of each item and of each decision by id. The state of a decision is the worst state of the items
+/// that it affects. Items whose evidence belongs to another project, such as shared rules of canproof, are left out.
 std::map<std::string, std::string> states_of(const std::vector<PartAudit>& audits) {
     std::map<std::string, std::string> states;
     for (const auto& audit : audits) {

@@ -30,7 +30,8 @@ struct Block {
     std::uint32_t abort{0};
 };
 
-/// Receives the segments of one block.
+/// Receives the segments of one block: at most `size`, and at most `most`. Ends early after the last segment of the
+/// transfer or an abort. Throws SlaveFailed for a wrong segment number.
 Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
     Block block;
     while (!block.last && block.segments < std::min<std::size_t>(size, most)) {
@@ -124,15 +125,15 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
 
 namespace {
 
-/// Sends the blocks of a download, with the faults that a case requests.
+/// Sends the blocks of a download, with the errors that a case requests.
 class BlockSender {
   public:
     BlockSender(Link& link, std::uint32_t id, const Bytes& data, const BlockWrite& how)
         : link_{link}, id_{id}, data_{data}, how_{how} {}
 
     std::size_t segments() const { return std::max<std::size_t>(1, (data_.size() + segment_size - 1) / segment_size); }
-    /// Sends the segments from `from` on, with the numbers 1 to `size`. Returns false when the transfer was ended
-    /// early.
+    /// Sends up to `size` segments from number `from` on. In the block they are numbered from 1. Returns false when the
+    /// transfer ends early.
     bool send_block(std::size_t from, std::uint8_t size, bool first) {
         const std::size_t count = std::min<std::size_t>(size, segments() - from);
         for (std::size_t i = 1; i <= count; ++i) {
@@ -169,7 +170,7 @@ class BlockSender {
 
 }  // namespace
 
-/// Ends a transfer whose segment was lost. The server still waits for that segment.
+/// Ends a transfer of which a segment was lost on purpose. The server still waits for that segment.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);

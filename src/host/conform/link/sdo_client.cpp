@@ -77,7 +77,7 @@ SdoOutcome SdoClient::read(const ObjectPlace& place) {
     return take_upload(place, answer());
 }
 
-/// Completes an upload from its first answer: abort, expedited, or segmented.
+/// Completes an upload from its first answer: an abort, an expedited value, or the start of segments.
 SdoOutcome SdoClient::take_upload(const ObjectPlace& place, const Bytes& first) {
     SdoOutcome outcome;
     if (const auto code = abort_code(first)) {

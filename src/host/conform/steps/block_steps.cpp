@@ -12,7 +12,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// An optional number that is computed when the step runs.
+/// An optional number, which is computed when the step runs.
 struct Option {
     Expression value;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t usual_wait_us = 1000000;
 
-/// Parses `within 2 s`; the default is 1 s.
+/// Parses `within 2 s`. Without it, returns 1 s.
 Expression parse_within(Scanner& line) {
     if (line.take_word("within")) {
         return parse_expression(line, Radix::decimal);
@@ -23,7 +23,7 @@ Expression parse_within(Scanner& line) {
     return [](const Scope&) { return Value{std::int64_t{usual_wait_us}}; };
 }
 
-/// Parses `-> name`; returns an empty name without it.
+/// Parses `-> name`. Without it, returns an empty name.
 std::string parse_capture(Scanner& line) {
     return line.take("->") ? parse_name(line) : std::string{};
 }

@@ -52,7 +52,7 @@ Action parse_nmt(Scanner& line, StepSource&) {
     };
 }
 
-/// Returns when the boot-up message went over the bus.
+/// Waits for the boot-up message. Returns the time at which it was on the bus.
 Instant want_boot_up(Context& context) {
     const std::optional<Instant> time = take_boot_up(context.link, context.node());
     if (!time) {

@@ -15,10 +15,10 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // a step waits this many times the expected period
+constexpr std::uint64_t patience = 3;  // number of expected periods for which a step waits
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch when the step ends, also by an exception.
+/// Ends a watch when the step ends, even by an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -33,7 +33,7 @@ class EndingWatch {
     std::shared_ptr<const Watched> watched_;
 };
 
-/// The tolerance of a number: `+- 5 %`, `+- 1`.
+/// The tolerance of a number, absolute or in per cent: `+- 5 %`, `+- 1`.
 struct Tolerance {
     Expression amount;
     bool percent{false};
@@ -150,7 +150,7 @@ std::string ms(double us) {
     return fmt::format("{:.3f} ms", us / 1000.0);
 }
 
-/// The gaps between the frames, with the limits that the step gives.
+/// Returns the gaps between the frames, with the limits that the step sets for them.
 Measured measured_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
     Measured measured{gaps, {}, {}};
     TimeLimits each{0.0, std::numeric_limits<double>::infinity()};

@@ -155,7 +155,7 @@ class DeviceInfoCheck {
         }
     }
 
-    /// CiA 305: vendor-ID, product code, revision number and serial number together form the LSS address.
+    /// The LSS address consists of vendor-ID, product code, revision number and serial number (CiA 305).
     void check_lss() {
         if (number("LSS_Supported").value_or(0) != 1) {
             return;
