@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the name before the port: `[::1]` for `[::1]:8404`.
+/// Returns the host without its port: `[::1]` for `[::1]:8404`.
 std::string without_port(const std::string& host) {
     const auto colon = host.rfind(':');
     const bool in_brackets = host.find(']') != std::string::npos && host.find(']') > colon;
@@ -30,7 +30,7 @@ bool is_json(const std::string& type) {
 }  // namespace
 
 PanelResponse error_response(int status, const std::string& text) {
-    // Invalid UTF-8 comes from the request: it is replaced instead of causing an exception.
+    // The text can contain invalid UTF-8 from the request. It is replaced, so that it causes no exception.
     const nlohmann::json body{{"error", text}};
     return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }

@@ -24,7 +24,7 @@ std::string text_of(const toml::table& fault, const char* key, const std::filesy
     return *text;
 }
 
-/// Returns the text of the source after the replacement.
+/// Returns the text of the source with the replacement of the fault.
 std::string changed_source(const Fault& fault) {
     std::string text = read_file(fault.file, longest_toml_file);
     const std::size_t at = text.find(fault.from);
@@ -34,7 +34,7 @@ std::string changed_source(const Fault& fault) {
     return text.replace(at, fault.from.size(), fault.to);
 }
 
-/// Returns the result of the theorem when it is proven against the changed source.
+/// Returns the result of the fault's theorem with the changed source.
 TheoremResult with_fault(const Fault& fault, ProveOptions options) {
     options.scratch /= fault.name;
     options.overlay = options.scratch / "overlay";

@@ -109,7 +109,7 @@ ObjectId Globals::add(const llvm::GlobalValue& global) {
     std::vector<Cell> cells(size, Cell{constant(proof_.context, 0, byte_width), 0});
     const ObjectId id =
         proof_.objects.add({variable->getName().str(), number_of(size), alignment, !variable->isConstant()});
-    ids_.emplace(&global, id);  // before the initial value: that may hold the variable's own address
+    ids_.emplace(&global, id);  // done before reading the initial value, which may contain the variable's own address
     fill(cells, 0, *variable->getInitializer());
     proof_.objects.initialise(id, std::make_shared<CellContents>(std::move(cells)));
     return id;

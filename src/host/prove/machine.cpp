@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How execution moves on: calls, blocks, branches, and paths that meet again.
+// Moves execution on: calls, blocks, branches, and paths that merge.
 #include "host/prove/machine.hpp"
 
 #include "host/prove/block_order.hpp"
@@ -11,7 +11,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Counts one more open call during the lifetime of this object.
+/// Counts one more nested call while this object exists.
 class Deeper {
   public:
     explicit Deeper(unsigned& depth) : depth_{depth} { ++depth_; }

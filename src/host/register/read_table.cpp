@@ -82,7 +82,7 @@ Cell read_cell(const toml::node& node) {
             cell.parts.push_back(read_part(one));
         }
         if (list->empty()) {
-            cell.parts.push_back({});  // allows no value: the check of the column's domain reports it
+            cell.parts.push_back({});  // a part that allows no value; the check of the column's domain reports it
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));
@@ -90,7 +90,7 @@ Cell read_cell(const toml::node& node) {
     return cell;
 }
 
-/// Determines a column's kind and, for words, its domain, from its values.
+/// Determines the kind of a column from its values and, for words, also its domain.
 void infer(Column& column, const Table& table, std::size_t at) {
     bool words = !column.words.empty() || !column.enumeration.empty();
     bool booleans = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the register. A fault does not stop the reading, so that one run reports all faults.
+// Reads the register. Reading continues after a fault, so that one run reports all faults.
 #include "host/register/reader.hpp"
 
 #include <fmt/format.h>
@@ -62,8 +62,8 @@ void read_device(TomlItem& item, Part& part) {
     item.finish();
 }
 
-/// Returns whether the text consists of words of lower-case letters and digits, joined by characters of `joints`, such
-/// as no-block-transfer.
+/// Returns whether the text consists of words of lower-case letters and digits, such as no-block-transfer. `joints`
+/// contains the characters that may stand between words.
 bool is_joined_words(const std::string& text, const std::string& joints) {
     bool within = false;
     for (const char c : text) {
@@ -263,8 +263,8 @@ Part& part_named(Register& content, const std::string& name) {
     return content.parts.back();
 }
 
-/// Returns the part of a path: NAME for `spec/devices/NAME/…`, canopen for `spec/canopen/…` and
-/// `canproof/spec/canopen/…`, otherwise an empty text.
+/// Returns the name of the part to which a file belongs: NAME for `spec/devices/NAME/…`, canopen for `spec/canopen/…`
+/// and `canproof/spec/canopen/…`, and otherwise an empty text.
 std::string part_of(const std::string& path) {
     const std::string devices = "spec/devices/";
     if (path.rfind(shared_rules, 0) == 0 || path.rfind(from_package + shared_rules, 0) == 0) {
@@ -286,7 +286,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
-        // A review does not change the generated code.
+        // Generated code does not depend on reviews, so their files are not listed.
         if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
             part_named(content, part).files.push_back(path);
         }
@@ -300,7 +300,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
 Register read_register(const SpecFiles& files, Faults& faults) {
     Register content;
     part_named(content, "canopen");
-    // device.toml is read first: it contains the prefix of the objects' ids.
+    // device.toml is read first, because it contains the prefix of the objects' ids.
     for (const bool device_files : {true, false}) {
         for (const auto& [path, text] : files) {
             const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";

@@ -15,7 +15,7 @@ struct Claim {
     std::string parent;  ///< id of the claim above; empty: this is the top claim
     std::string text;
     std::vector<std::string> evidence;  ///< keys of exhibits
-    std::string limits;                 ///< what the evidence does not show
+    std::string limits;                 ///< properties that the evidence does not show
 };
 
 /// An element of a complete pack, present or absent.

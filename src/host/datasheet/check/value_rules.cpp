@@ -194,7 +194,7 @@ class ValueCheck {
         }
     }
 
-    /// Returns the limit of this key as a number; nothing when it is absent. Reports a limit that is no number.
+    /// Returns the limit of this key as a number; nothing when it is absent. Reports a limit that is not a number.
     std::optional<Number> limit(const char* key) {
         const IniValue* given = entry_.section->filled(key);
         if (given == nullptr) {
@@ -229,7 +229,7 @@ class ValueCheck {
         return term->has_node_id ? std::nullopt : value;
     }
 
-    /// Returns the default as a number. Returns nothing when it is absent, is no number, or contains the node-ID.
+    /// Returns the default as a number. Returns nothing when it is absent, is not a number, or contains the node-ID.
     std::optional<Number> plain_default() const {
         if (entry_.value == nullptr || entry_.value->text.find('$') != std::string::npos) {
             return std::nullopt;
