@@ -10,8 +10,8 @@
 
 namespace canproof::host {
 
-/// The demand of one sentence of a manual, and the items that cover it. A statement with neither items nor a reason is a
-/// gap.
+/// The demand of one sentence of a manual, and the items that cover it. A statement with neither items nor a reason is
+/// a gap.
 struct Statement {
     std::string section;               ///< the section, table, figure or object of the manual to which it belongs
     unsigned number{0};                ///< number among the statements of that section, from 1
