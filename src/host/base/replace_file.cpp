@@ -113,7 +113,7 @@ bool FileBeside::create() {
     const bool moved = !linked && errno == EPERM &&
                        renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
     if (!linked && !moved) {
-        // ENOENT: another process was faster and has removed the temporary file
+        // EEXIST: the target exists. ENOENT: another process was faster and has removed the temporary file
         if (errno == EEXIST || errno == ENOENT) {
             return false;
         }

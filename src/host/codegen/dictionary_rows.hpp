@@ -19,7 +19,7 @@ struct DictionaryRows {
     std::vector<EntryRow> entries;
     std::vector<LimitRow> limits;
     std::vector<std::uint32_t> allowed;
-    std::vector<std::uint16_t> slots;  ///< see object_slot()
+    std::vector<std::uint16_t> slots;  ///< hash slots; object_slot() returns the slot of an index
     std::uint32_t slot_factor{0};
     Layout layout;
 

@@ -40,7 +40,7 @@ class XddReader {
         }
         const auto outcome = document_.load_buffer(plain.data(), plain.size());
         if (!outcome) {
-            tell_.fault(line_at(outcome.offset), fmt::format("not XML: {}", outcome.description()),
+            tell_.fault(line_at(outcome.offset), fmt::format("the file is not XML: {}", outcome.description()),
                         "name an EDS, DCF or XDD file");
         }
         sound_ = static_cast<bool>(outcome);
@@ -49,7 +49,7 @@ class XddReader {
     IniFile read() {
         const pugi::xml_node list = sound_ ? found("CANopenObjectList") : pugi::xml_node{};
         if (sound_ && !list) {
-            tell_.fault(1, "XML without CANopenObjectList of CiA 311", "name an EDS, DCF or XDD file");
+            tell_.fault(1, "the XML contains no CANopenObjectList of CiA 311", "name an EDS, DCF or XDD file");
         }
         if (!list) {
             return {};
@@ -82,7 +82,7 @@ class XddReader {
     IniSection& section(const std::string& name, const pugi::xml_node& node) {
         return file_.sections.emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
     }
-    /// Sets the value of a key, unless the text is empty. A second value of the same key gets a note.
+    /// Adds a value of a key, unless the text is empty. If a key has several values, sort_values() keeps the first.
     void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) {
         const std::string value = one_line(text);
         if (!value.empty()) {
@@ -121,7 +121,7 @@ class XddReader {
         const std::string text = node.attribute("index").value();
         const auto index = hexadecimal(text);
         if (!index || *index > 0xFFFFU) {
-            tell_.note(line_of(node), fmt::format("index `{}` is none", text.substr(0, 40)), "it is ignored");
+            tell_.note(line_of(node), fmt::format("`{}` is no index", text.substr(0, 40)), "it is ignored");
             return;
         }
         const std::string name = fmt::format("{:04X}", *index);
@@ -146,7 +146,7 @@ class XddReader {
         const auto subindex = hexadecimal(text);
         const std::string name = fmt::format("{}sub{:X}", index, subindex.value_or(0));
         if (!subindex || *subindex > 0xFEU) {
-            tell_.note(line_of(node), fmt::format("subIndex `{}` is none", text.substr(0, 40)), "it is ignored");
+            tell_.note(line_of(node), fmt::format("`{}` is no sub-index", text.substr(0, 40)), "it is ignored");
         } else if (file_.find(name) != nullptr) {
             tell_.note(line_of(node), fmt::format("[{}] is already in line {}", name, file_.find(name)->line),
                        "the first counts");

@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_number = 9;  // digits of a length in bytes
+constexpr std::size_t longest_number = 9;  // greatest number of digits of a Content-Length
 
 bool is_digit(char one) {
     return one >= '0' && one <= '9';
@@ -143,10 +143,10 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
                                                    {"content-type", &request_.content_type}};
     const auto place = kept.find(name);
     if (name == "transfer-encoding") {
-        return refuse_with(411, "send the length of the body instead of pieces");
+        return refuse_with(411, "a body in pieces is not supported; send the length of the body");
     }
     if (name == "expect") {
-        return refuse_with(417, "send the body at once");
+        return refuse_with(417, "the header Expect is not supported; send the body at once");
     }
     if (place == kept.end() && name != "content-length") {
         return;

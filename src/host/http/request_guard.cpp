@@ -52,7 +52,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return error_response(403, "only the panel's own page may change something");
     }
     if (!is_json(request.content_type)) {
-        return error_response(415, "send JSON as application/json");
+        return error_response(415, "the body is not of the type application/json; send JSON");
     }
     if (request.body.size() > longest_body) {
         return error_response(413, fmt::format("a request may carry at most {} bytes", longest_body));

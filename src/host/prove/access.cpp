@@ -108,7 +108,7 @@ void copy(Proof& proof, State& state, const Term& to, const Term& from, const Te
 void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Term& count, const std::string& where) {
     const auto bytes = number(count);
     if (!bytes || *bytes > most_filled) {
-        throw Unknown{where + ": fills memory of a size that is not constant"};
+        throw Unknown{where + ": canproof prove does not support filling memory whose size is not a small constant"};
     }
     const std::vector<Place> targets = live_places(proof, state, to);
     const Term nothing = proof.context.bool_val(*bytes == 0);

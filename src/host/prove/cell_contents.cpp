@@ -18,7 +18,8 @@ constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {
     if (size > most_choices) {
-        throw Unknown{"an offset that is not constant, in an object of more than 8192 bytes"};
+        throw Unknown{
+            "canproof prove does not support an offset that is not constant in an object of more than 8192 bytes"};
     }
 }
 

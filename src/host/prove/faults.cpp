@@ -29,7 +29,8 @@ std::string changed_source(const Fault& fault) {
     std::string text = read_file(fault.file, longest_toml_file);
     const std::size_t at = text.find(fault.from);
     if (at == std::string::npos || text.find(fault.from, at + 1) != std::string::npos) {
-        throw InputError{fmt::format("fault {}: `{}` does not stand once in {}", fault.name, fault.from, fault.file)};
+        throw InputError{
+            fmt::format("fault {}: the text `{}` must be in {} exactly once", fault.name, fault.from, fault.file)};
     }
     return text.replace(at, fault.from.size(), fault.to);
 }
@@ -66,7 +67,7 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
             fmt::format("{}:{}: {}", table.string(), error.source().begin.line, std::string{error.description()})};
     }
     if (all.empty()) {
-        throw InputError{table.string() + " holds no fault"};
+        throw InputError{table.string() + " contains no fault"};
     }
     return all;
 }

@@ -20,12 +20,12 @@ struct Fault {
     std::string theorem;  ///< name of the theorem that must be refuted
 };
 
-/// Reads the table of faults from a TOML file. Throws InputError for content of another form.
+/// Reads the table of faults from a TOML file. Throws InputError when the file does not contain a valid fault.
 std::vector<Fault> read_faults(const std::filesystem::path& table);
 
-/// Tries each fault whose number is a multiple of `every`: its theorem must be refuted, and the counterexample must
-/// also fail in the native program. Prints two lines for each fault. Returns 0 when every tried fault meets both
-/// conditions, otherwise 1. Without replays, the second condition is not checked.
+/// Tries each fault whose number, counted from 0, is a multiple of `every`: its theorem must be refuted, and the
+/// counterexample must also fail in the native program. Prints two lines for each fault. Returns 0 when every tried
+/// fault meets both conditions, otherwise 1. Without replays, the second condition is not checked.
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options);
 
 }  // namespace canproof::host::prove

@@ -25,12 +25,12 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
     const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
-        throw Unknown{call.where + ": what is left open must be one object"};
+        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
     }
     const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
     const auto* cells = dynamic_cast<const CellContents*>(contents.get());
     if (cells == nullptr || *offset + bytes > cells->cells().size()) {
-        throw Unknown{call.where + ": what is left open must be one object"};
+        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
     }
     return {*places.front().object, *offset, cells->cells()};
 }
@@ -38,7 +38,7 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
 std::uint64_t size_argument(const HarnessCall& call) {
     const auto bytes = number(call.arguments[1]);
     if (!bytes) {
-        throw Unknown{call.where + ": the size of what is left open must be a number"};
+        throw Unknown{call.where + ": the size of the memory to leave open must be a number"};
     }
     return *bytes;
 }
@@ -69,7 +69,7 @@ bool holds_address(const Proof& proof, const std::vector<Cell>& cells, std::size
     return false;
 }
 
-/// Lets the bytes at an address have any values, except the bytes of an address, which keep their values.
+/// Lets the bytes at an address have any values. Bytes that are part of a stored address keep their values.
 void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
     Target target = target_of(proof, state, call, bytes);

@@ -55,7 +55,7 @@ CallEffect overflow_checked(Proof& proof, llvm::Intrinsic::ID id, const Value& a
 Term memory_compared(Proof& proof, const State& state, const Value& arguments, const std::string& where) {
     const auto count = number(arguments[2]);
     if (!count || *count > most_compared) {
-        throw Unknown{where + ": compares memory of a size that is not constant"};
+        throw Unknown{where + ": canproof prove does not support comparing memory whose size is not a small constant"};
     }
     constexpr unsigned int_width = 32;
     Term order = constant(proof.context, 0, int_width);

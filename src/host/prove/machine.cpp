@@ -28,7 +28,8 @@ class Deeper {
 std::optional<Return> Machine::call(const llvm::Function& function, const std::vector<Value>& arguments, State state) {
     const Deeper deeper{depth_};
     if (depth_ > proof_.limits.depth) {
-        throw Unknown{readable_name(function) + ": more than " + std::to_string(proof_.limits.depth) + " calls deep"};
+        throw Unknown{readable_name(function) + ": calls are nested more than " + std::to_string(proof_.limits.depth) +
+                      " deep, which is the limit"};
     }
     auto order = orders_.find(&function);
     if (order == orders_.end()) {
@@ -61,7 +62,7 @@ std::optional<Return> Machine::call(const llvm::Function& function, const std::v
 void Machine::run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival) {
     if (++frame.visits[&block] > proof_.limits.visits) {
         throw Unknown{where_is(*block.getFirstNonPHI()) + ": a loop makes more than " +
-                      std::to_string(proof_.limits.visits) + " passes"};
+                      std::to_string(proof_.limits.visits) + " passes, which is the limit"};
     }
     for (const llvm::Instruction& instruction : block) {
         if (instruction.isTerminator()) {

@@ -114,13 +114,13 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A byte with any value (from the harness) that a value may be, and the condition under which it is that byte.
+/// A byte that the harness left open and that a value may be, with the condition under which it is that byte.
 struct OpenByte {
     Term when;
     Term byte;
 };
 
-/// Collects the bytes of states with any value from which a value is chosen while `when` is true.
+/// Collects the bytes that the harness left open and from which a value is chosen while `when` is true.
 void collect_inputs(const Proof& proof, const Term& value, const Term& when, std::vector<OpenByte>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
         collect_inputs(proof, value.arg(1), when && value.arg(0), found);
@@ -132,8 +132,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM adds a range to the read of a bool. If the byte belongs to an object that the harness gave any values, it is
-/// assumed to be in the range (0 or 1). For every other byte, the range becomes an obligation.
+/// LLVM adds a range to the read of a bool. If the harness has left the byte open, it is assumed to be in the range (0
+/// or 1). For every other byte, the range becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {

@@ -27,8 +27,8 @@ struct Limits {
     unsigned depth{64};                 ///< greatest number of nested calls
 };
 
-/// One value, object or memory that the harness gave any values. `bytes` are in the order in which the harness asked
-/// for them. A byte that is part of an address keeps its value and has no term here.
+/// One value, object or memory that the harness left open, that is, gave any values. `bytes` are in the order in which
+/// the harness asked for them. A byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
     std::optional<Term> size{};  ///< size of the memory that any_memory() made; otherwise empty
@@ -51,7 +51,7 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< numbers of the terms that are bytes with any value in a state
+    std::set<unsigned> state_bytes{};         ///< numbers of the terms for bytes that a state leaves open
     std::string statement{};                  ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`

@@ -47,7 +47,8 @@ std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Inpu
     return all;
 }
 
-/// Returns the wish that each memory of any size is small, so that the counterexample can be written to a file and run.
+/// Returns conditions under which each memory of any size is small, so that the counterexample can be written to a file
+/// and run.
 std::vector<Term> small_memory(Proof& proof) {
     constexpr std::uint64_t small = 64;
     std::vector<Term> all;

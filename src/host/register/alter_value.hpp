@@ -16,7 +16,7 @@ namespace canproof::host {
 std::optional<std::string> other_word(const std::string& word, const std::vector<std::string>& words);
 /// Returns an altered value. A boolean becomes its opposite. A whole number becomes the next number of the type, and
 /// the highest number becomes the one before it. A real number becomes larger by a hundredth, and 0 becomes 0.01.
-/// `type` is a CiA type. A text stays without an altered value.
+/// `type` is a CiA type. For a text, returns an empty value.
 Value other_value(const Value& value, const std::string& type);
 /// Returns the value one step above or below, with the steps of other_value(). Returns nothing at a limit of the type,
 /// and for a value that is not a number.

@@ -85,7 +85,7 @@ class LimitCheck {
     void check_default(const Entry& entry, const End& low, const End& high) {
         auto given = number_of(entry.value);
         if (given && entry.node_id) {
-            *given += part_.info.node_id;  // the default with the node-ID as shipped
+            *given += part_.info.node_id;  // adds the node-ID as shipped
         }
         if (!given || !fits_type(entry.value, entry.type)) {
             return;  // another check reports a default that does not fit the type

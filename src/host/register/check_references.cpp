@@ -84,7 +84,7 @@ class ReferenceCheck {
             return;
         }
         if (!part.has_device_file) {
-            fault({"spec/devices/" + part.name + "/device.toml", 1}, "device without device.toml",
+            fault({"spec/devices/" + part.name + "/device.toml", 1}, "the device has no device.toml",
                   "write it (spec/README.md, device.toml)");
         } else {
             if (!part.info.manual.empty() && content_.manual(part.info.manual) == nullptr) {
@@ -200,7 +200,7 @@ class ReferenceCheck {
     void check_reviews(const Part& part) {
         for (const auto& [id, review] : part.reviews) {
             if (ids_.count(id) == 0) {
-                fault(review.place, fmt::format("review of {}, which does not exist", id), "remove the line");
+                fault(review.place, fmt::format("the reviewed item {} does not exist", id), "remove the line");
             }
         }
     }

@@ -48,7 +48,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
             }
         }
     } else {
-        item.fault("review without items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
+        item.fault("the review has no items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
     }
     item.finish();
 }

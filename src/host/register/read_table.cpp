@@ -45,7 +45,7 @@ std::vector<Column> read_columns(TomlItem& item, const std::string& key) {
     const toml::node* node = item.node(key);
     const auto list = node == nullptr ? nullptr : node->as_array();
     if (list == nullptr || list->empty()) {
-        item.fault(fmt::format("table without {}", key), fmt::format("add `{} = [ … ]`", key));
+        item.fault(fmt::format("the table has no {}", key), fmt::format("add `{} = [ … ]`", key));
         return columns;
     }
     for (const auto& one : *list) {
@@ -144,7 +144,7 @@ Table read_table(TomlItem& item) {
     const toml::node* node = item.node("rows");
     const auto rows = node == nullptr ? nullptr : node->as_array();
     if (rows == nullptr || rows->empty()) {
-        item.fault("table without rows", "add `rows = [ [ … ], … ]`");
+        item.fault("the table has no rows", "add `rows = [ [ … ], … ]`");
         table.complete = false;
     } else {
         for (const auto& one : *rows) {

@@ -85,7 +85,7 @@ Answer read_answer(TomlItem& item) {
     answer.overrides = item.text_or("overrides", "");
     for (const char* key : {"choice", "differs", "overrides"}) {
         if (item.has(key) && !item.has("topic")) {
-            item.fault(item.place(key), fmt::format("{} without a topic", key), "add `topic = …` or remove it");
+            item.fault(item.place(key), fmt::format("{} has no topic", key), "add `topic = …` or remove it");
         }
     }
     if (!answer.topic.empty() && !is_joined_words(answer.topic, "-._")) {
@@ -143,7 +143,7 @@ Enumeration read_enumeration(TomlItem& item) {
         }
     }
     if (enumeration.values.empty()) {
-        item.fault("enumeration without values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
+        item.fault("the enumeration has no values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
     }
     item.finish();
     return enumeration;
@@ -282,7 +282,8 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
     if (path.rfind(manuals_folder, 0) == 0) {
         read_manual_file(item, content.manuals);
     } else if (part.empty()) {
-        faults.push_back({{path, 1}, "file in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+        faults.push_back(
+            {{path, 1}, "the file is in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
@@ -320,7 +321,7 @@ Register read_register(const SpecFiles& files, Faults& faults) {
                 read_part_file(path, toml::parse(text, path), content, faults);
             } catch (const toml::parse_error& error) {
                 faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
-                                  fmt::format("not TOML: {}", error.description()),
+                                  fmt::format("the file is not TOML: {}", error.description()),
                                   "correct the syntax"});
             }
         }

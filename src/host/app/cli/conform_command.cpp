@@ -144,7 +144,8 @@ void check_slave(const ConformCommandOptions& options) {
     }
     if (!options.arm.empty() && !options.bus.empty()) {
         throw InputError{
-            "--arm is a slave in virtual time; put it on a bus with `canproof run --arm`, or leave out one"};
+            "--arm runs the slave in virtual time and cannot use --bus; leave out one of them, or put the image on a "
+            "bus with `canproof run --arm`"};
     }
 }
 
@@ -182,7 +183,9 @@ void check_report_folder(const std::filesystem::path& folder) {
     const std::filesystem::directory_iterator entries{folder};
     if (!std::filesystem::exists(folder / "report.json") ||
         !std::all_of(begin(entries), end(entries), is_of_a_report)) {
-        throw InputError{fmt::format("{} holds other files; name an empty folder, or a new one", folder.string())};
+        throw InputError{fmt::format(
+            "{} contains files that belong to no report; name an empty folder or one that does not exist yet",
+            folder.string())};
     }
 }
 
@@ -199,7 +202,7 @@ int run_conform(const ConformCommandOptions& options) {
         image = choose_image(options.arm);
     }
     if (options.by_hand && options.bus.empty()) {
-        throw InputError{"--by-hand is for a slave on a bus; in virtual time the program switches it off and on"};
+        throw InputError{"--by-hand needs --bus: in virtual time the program itself switches the slave off and on"};
     }
     if (!options.report.empty()) {
         check_report_folder(options.report);

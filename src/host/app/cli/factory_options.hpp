@@ -25,7 +25,7 @@ std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_n
 class FactoryOptions {
   public:
     FactoryOptions() = default;
-    /// Throws InputError for a text that is not KEY=VALUE.
+    /// Parses the options. Throws InputError for a text that is not KEY=VALUE.
     explicit FactoryOptions(const std::vector<std::string>& given);
 
     /// Returns the values for a device; `name` is what the user wrote, NAME or NAME@NODE. Throws InputError for a value

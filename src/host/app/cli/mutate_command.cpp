@@ -53,7 +53,8 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     };
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
-        throw InputError{fmt::format("`{}` is no device and no item with generated cells", subject)};
+        throw InputError{
+            fmt::format("`{}` is no device and no item with generated cells; name another or leave it out", subject)};
     }
     return cells;
 }
@@ -62,7 +63,8 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format("no file with mutants has `{}` in its path", file)};
+        throw InputError{fmt::format(
+            "no file with mutants has `{}` in its path; name another part of a path or leave it out", file)};
     }
     return mutants;
 }

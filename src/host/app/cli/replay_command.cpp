@@ -28,10 +28,11 @@ std::optional<Instant> instant_of(const std::optional<double>& seconds) {
 
 void tell_counts(const LogCounts& counts) {
     if (counts.error_frames != 0) {
-        tell(fmt::format("{} error frame(s) in the log, which no node receives", counts.error_frames));
+        tell(fmt::format("the log contains {} error frame(s), which no node receives", counts.error_frames));
     }
     if (counts.coded_lengths != 0) {
-        tell(fmt::format("{} frame(s) with a length code above 8, received as eight bytes", counts.coded_lengths));
+        tell(fmt::format("the log contains {} frame(s) with a length code above 8, which are received as eight bytes",
+                         counts.coded_lengths));
     }
 }
 

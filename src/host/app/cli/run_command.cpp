@@ -69,7 +69,7 @@ class Run {
         show_table(true);
         prepared_.finish();
         if (output_ended_ && std::cout) {
-            throw InputError{"the reader of standard output has ended"};
+            throw InputError{"standard output cannot be written, because its reader has ended"};
         }
     }
 
@@ -103,8 +103,8 @@ class Run {
             take_notice(pace_.summary());
         }
         if (report.lost != 0 || report.missed != 0) {
-            take_notice(
-                fmt::format("in total {} frames lost for the log, {} for the devices", report.lost, report.missed));
+            take_notice(fmt::format("in total {} frames were lost for the log, and {} for the devices", report.lost,
+                                    report.missed));
         }
     }
 

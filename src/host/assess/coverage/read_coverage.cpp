@@ -49,7 +49,8 @@ Region region_of(const nlohmann::json& values) {
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
                                   const SourceAge age) {
     if (!std::filesystem::exists(file)) {
-        throw InputError{fmt::format("{} was measured but is not there; measure again", file.string())};
+        throw InputError{
+            fmt::format("{} was measured but does not exist any more; tests/coverage measures again", file.string())};
     }
     if (age == SourceAge::by_time &&
         std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
@@ -297,8 +298,9 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                                         const SourceAge age) {
     std::ifstream in{file};
     if (!in) {
-        throw InputError{fmt::format(
-            "no coverage in {}; tests/coverage measures it, `./run coverage` in a project of your own", file.string())};
+        throw InputError{
+            fmt::format("there is no measurement {}; tests/coverage makes it, in your own project `./run coverage`",
+                        file.string())};
     }
     std::vector<FileCoverage> files;
     try {

@@ -28,7 +28,7 @@ void read_failures(TomlItem& whole, Analysis& into) {
         one.note = item.text_or("note", "");
         one.place = item.place();
         if (one.signals.empty() == one.at.empty()) {
-            item.fault("it names either signals or `at`", "write one of the two");
+            item.fault("it must name either `signals` or `at`", "write one of the two");
         }
         into.failure_modes.push_back(one);
         item.finish();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Analyses in reports/analysis that people write: the requirements that detect each failure, the indication of the
-// lamps, and the threats to each service. The generated documents use them and print `missing` where an analysis says
-// nothing.
+// lamps, and the threats to each service. The generated documents use them and print `missing` for everything that no
+// analysis contains.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ struct FailureMode {
     std::vector<std::string> signals;  ///< ids of signals; empty: `at` names the failing element
     std::string at;
     std::string mode;
-    std::vector<std::string> detected;  ///< requirements
-    std::vector<std::string> reaction;  ///< requirements
+    std::vector<std::string> detected;  ///< ids of the requirements that detect the failure
+    std::vector<std::string> reaction;  ///< ids of the requirements that react to the failure
     std::vector<std::string> errors;    ///< names of errors in the device's tables of errors
     std::string note;
     Place place;
@@ -30,7 +30,7 @@ struct Lamp {
     std::string device;
     std::string error;
     std::string shows;
-    std::vector<std::string> by;  ///< requirements
+    std::vector<std::string> by;  ///< ids of the requirements for this indication
     Place place;
 };
 
@@ -38,7 +38,7 @@ struct Lamp {
 /// device.
 struct Threat {
     std::string service;
-    std::vector<std::string> objects;  ///< `1010h`
+    std::vector<std::string> objects;  ///< indices such as `1010h`
     bool lss{false};                   ///< concerns only devices with LSS
     std::string requirement;           ///< the foundational requirement of IEC 62443 to which the threat belongs
     std::string text;

@@ -22,7 +22,8 @@ struct ClaimCounts {
     std::size_t not_measured{0};
 };
 ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits);
-/// Returns `7 of 9 claims hold; 2 wait for evidence that was not measured, which canproof evidence --full measures`.
+/// Returns a sentence such as `7 of 9 claims hold; 2 wait for evidence that was not measured: `canproof evidence
+/// --full` measures it`.
 std::string claims_sentence(const ClaimCounts& counts);
 
 /// Returns the body of the page as markup.

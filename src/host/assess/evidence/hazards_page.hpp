@@ -12,7 +12,7 @@ namespace canproof::host {
 /// failure.
 std::string hazards_page(const PackInput& input);
 
-/// Number of hazards, of all their failures, and of failures without prevention.
+/// Numbers of hazards, of all their failures, of open failures, and of failures without prevention.
 struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};

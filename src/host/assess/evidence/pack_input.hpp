@@ -40,7 +40,7 @@ struct PackInput {
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
     std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
-    /// By the key of a measurement: the source that changed after the measurement. Audit, tests, properties and corpora
+    /// The source that changed after a measurement, by the key of the measurement. Audit, tests, properties and corpora
     /// share the key `tests`.
     std::map<std::string, std::string> newer;
     Argument argument;

@@ -66,7 +66,8 @@ std::vector<std::string> faults_of_pack(const fs::path& folder, const fs::path& 
             faults.push_back(
                 fmt::format("there is no {}; `canproof evidence --sign KEY` writes it", manifest_signature));
         } else if (!is_signed(manifest, read_file(signature), public_key)) {
-            faults.push_back(fmt::format("{} is not by the key in {}", manifest_signature, public_key.string()));
+            faults.push_back(fmt::format("{} was not made with the private key that belongs to {}", manifest_signature,
+                                         public_key.string()));
         }
     }
     return faults;

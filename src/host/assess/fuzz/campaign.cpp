@@ -115,7 +115,7 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         try {
             state = kept.get<CampaignState>();
         } catch (const nlohmann::json::exception& error) {
-            throw InputError{fmt::format("{} is not of this version ({}); --restart starts a new campaign",
+            throw InputError{fmt::format("another version of canproof wrote {} ({}); --restart starts a new campaign",
                                          files.state().string(), error.what())};
         }
         const bool same =
@@ -127,7 +127,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
                             files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
-        state.remarks.push_back(fmt::format("stopped during “{}” and continued at {}", state.phase, utc_now()));
+        state.remarks.push_back(
+            fmt::format("the campaign was stopped during “{}” and continued at {}", state.phase, utc_now()));
         display.say(fmt::format("continuing the campaign of {}: {}", state.started, state.phase));
         return state;
     }
@@ -175,7 +176,7 @@ int run_shard(const CampaignContext& context) {
         context.state.phase = done ? phase_after_fuzzing : phases[0].name;
         context.save();
         if (!done) {
-            context.display.say("interrupted; the same command goes on");
+            context.display.say("interrupted; the same command continues the campaign");
             return was_interrupted;
         }
     }
@@ -222,7 +223,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         return found_something;
     }
     if (!finished) {
-        display.say("interrupted; the same command continues");
+        display.say("interrupted; the same command continues the campaign");
         return was_interrupted;
     }
     const bool broken = is_broken(state);
@@ -240,7 +241,7 @@ int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
     if (options.shard) {
         if (options.seed == 0) {
-            throw InputError{"a shard needs --seed, the same for each; write --seed 1"};
+            throw InputError{"all shards need the same --seed; write --seed 1 for each"};
         }
         CampaignState state = begin_or_go_on(options, targets, files, display);
         return run_shard({options, targets, files, state, display, interrupted});

@@ -2,9 +2,10 @@
 // A fuzzing campaign. It fuzzes all targets for a given time on all cores, then sorts the findings, measures the
 // coverage, minimises the corpora, and runs the inputs again under valgrind. The corpus folder keeps its data between
 // campaigns:
-// - TARGET/: inputs · findings/TARGET-SIGNATURE/
-// - history.json
-// - campaign/: state and scratch files
+// - TARGET/ with the inputs of a target;
+// - findings/TARGET-SIGNATURE/ with one finding;
+// - history.json;
+// - campaign/ with the state and scratch files.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace canproof::host {
 
 struct CampaignOptions {
     double minutes{20.0};              ///< duration of the fuzzing in minutes, shared by all targets
-    std::vector<std::string> targets;  ///< names; empty: all
+    std::vector<std::string> targets;  ///< names of the targets; empty: all
     std::string corpus{"build/fuzz-corpus"};
     /// folder for index.html, report.json, and exhibit.json for the evidence pack
     std::string out{"build/exhibits/fuzz"};
@@ -30,7 +31,7 @@ struct CampaignOptions {
     /// receives them; an empty path means no regression tests.
     std::optional<std::string> land;
     unsigned jobs{0};       ///< number of parallel processes; 0: all cores
-    std::uint64_t seed{0};  ///< 0: from the clock; the seed is printed
+    std::uint64_t seed{0};  ///< seed of the random numbers; 0: taken from the clock and printed
     bool second_pass{true};
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, even on a terminal

@@ -55,8 +55,9 @@ std::string head(const CampaignState& state, const std::optional<Night>& last) {
                  : " There is no earlier campaign to compare with.";
     text += "</p>";
     if (state.phase != "done") {
-        text += fmt::format("<p class=open>Not finished: stopped during “{}”. The same command continues.</p>",
-                            state.phase);
+        text += fmt::format(
+            "<p class=open>Not finished: the campaign was stopped during “{}”. The same command continues it.</p>",
+            state.phase);
     }
     for (const auto& remark : state.remarks) {
         text += fmt::format("<p>{}</p>", escaped(remark));
@@ -193,7 +194,7 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
         }
     }
     if (!finished) {
-        open.push_back(fmt::format("not finished: stopped during “{}”", state.phase));
+        open.push_back(fmt::format("not finished: the campaign was stopped during “{}”", state.phase));
     }
     std::size_t looked_at_again = 0;
     for (const auto& target : state.targets) {

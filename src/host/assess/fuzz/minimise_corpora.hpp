@@ -7,7 +7,7 @@
 namespace canproof::host {
 
 /// Keeps only those inputs of each corpus that together reach the same code as all inputs. Returns false when
-/// interrupted; another call starts again.
+/// interrupted; it may be called again.
 bool minimise_corpora(const CampaignContext& context);
 
 }  // namespace canproof::host

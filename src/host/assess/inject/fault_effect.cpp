@@ -160,7 +160,7 @@ DeviceRun read_run(const std::string& frames, const std::string& outputs) {
         const auto first = line.find(',');
         const auto last = line.rfind(',');
         if (first == std::string::npos || first == last) {
-            throw InputError{"no change of an output: " + line};
+            throw InputError{"a line is no change of an output: " + line};
         }
         run.outputs.push_back({line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)});
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effect of an injected fault: the first difference in kind between the run with the fault and the run without it.
+// The effect of an injected fault: how the run with the fault differs from the run without it.
 #pragma once
 
 #include <cstddef>

@@ -156,7 +156,7 @@ class Injector {
             if (errno == EINTR) {
                 return;
             }
-            throw InputError{fmt::format("the end of a run cannot be waited for: {}", std::strerror(errno))};
+            throw InputError{fmt::format("cannot wait for the end of a run: {}", std::strerror(errno))};
         }
         const auto found = running_.find(process);
         if (found != running_.end()) {

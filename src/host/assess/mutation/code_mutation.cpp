@@ -70,7 +70,7 @@ std::filesystem::path told_by(const std::filesystem::path& program, const std::f
     }
     fs::create_directories(folder);
     if (!run_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; fix that first", program.string())};
+        throw InputError{fmt::format("{} fails without any mutant; fix this test first", program.string())};
     }
     fs::rename(running, told);
     return told;

@@ -34,9 +34,9 @@ std::vector<ToldTest> read_told(const std::filesystem::path& file);
 /// would change a computation at program start. Only a program that starts with such a mutant shows its effect.
 std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
 
-/// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first. The tests
-/// of a mutant take `budget` seconds together, but there is at least one. The list is empty when no test can notice the
-/// mutant. A test counts as at least a millisecond.
+/// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first. Keeps as
+/// many of them as run within `budget` seconds, but at least one; a test counts as at least a millisecond. The list is
+/// empty when no test can notice the mutant.
 std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
                                                         double budget);
 

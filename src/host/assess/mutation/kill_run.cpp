@@ -185,7 +185,7 @@ Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     std::filesystem::create_directories(verdicts);
     for (const char* name : {"canproof_tests", "canproof_properties"}) {
         if (!run_unaltered(setup.programs / name, verdicts / fmt::format("{}.xml", name))) {
-            throw InputError{fmt::format("{} fails without any alteration; fix that first", name)};
+            throw InputError{fmt::format("{} fails without any alteration; fix this test first", name)};
         }
     }
     return collect_evidence(setup.root, verdicts, content);

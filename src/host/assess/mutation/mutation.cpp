@@ -34,7 +34,7 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
     const auto folder = verdicts / path.filename();
     std::filesystem::create_directories(folder);
     if (!run_unaltered(path, folder / "verdicts.xml")) {
-        throw InputError{fmt::format("{} fails without any alteration; fix that first", path.string())};
+        throw InputError{fmt::format("{} fails without any alteration; fix its tests first", path.string())};
     }
     return {path, filters_by_item(read_verdict_files(folder))};
 }

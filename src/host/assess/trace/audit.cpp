@@ -115,9 +115,10 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims it has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a failed test claims it", id));
         } else if (!audited.missing.empty()) {
-            audit_.gaps.push_back(fmt::format("{}: no passed {}", id, fmt::join(audited.missing, ", no passed ")));
+            audit_.gaps.push_back(
+                fmt::format("{}: it has no passed {}", id, fmt::join(audited.missing, ", no passed ")));
         }
         if (audited.without_code) {
             const std::string& by = done_by(*audited.item);
@@ -136,8 +137,9 @@ class PartAuditor {
             const auto items = index.items_of(manual.key, section);
             audit_.sections.push_back({&section, items, !items.empty()});
             if (items.empty() && manual.statements.empty()) {
-                audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, but no item has it as its source", manual.key,
-                                                  section.ref, section.title));
+                audit_.gaps.push_back(
+                    fmt::format("{}:{} ({}): the section is normative, but no item has it as its source", manual.key,
+                                section.ref, section.title));
             }
         }
     }

@@ -129,13 +129,13 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     std::deque<std::string> open;
     for (const auto& [id, places] : evidence.implemented) {
         for (const auto& place : places) {
-            // the path without src/ and the line number
+            // removes `src/` and the line number from the place
             open.push_back(unit_of(place.substr(4, place.rfind(':') - 4)));
         }
     }
     for (const auto& [unit, others] : included) {
         if (unit.rfind("host/codegen/write_", 0) == 0) {
-            // units that generated code includes are open as well
+            // follows the units that generated code includes as well
             open.insert(open.end(), others.begin(), others.end());
         }
     }

@@ -23,13 +23,13 @@ std::int64_t signed_of(std::uint64_t number) {
 }
 std::int64_t divisor(std::int64_t number) {
     if (number == 0 || number == -1) {  // -1 is refused because the smallest number has no positive counterpart
-        throw BrokenCase{fmt::format("a division by {}", number)};
+        throw BrokenCase{fmt::format("the expression divides by {}", number)};
     }
     return number;
 }
 std::uint64_t shift(std::int64_t number) {
     if (number < 0 || number > 63) {
-        throw BrokenCase{fmt::format("a shift by {} bits", number)};
+        throw BrokenCase{fmt::format("the expression shifts by {} bits", number)};
     }
     return bits(number);
 }
@@ -189,7 +189,7 @@ Expression parse_indexed(Scanner& line, Radix radix) {
             const std::int64_t at = number_of(index(scope));
             const Bytes& bytes = bytes_of(whole);
             if (at < 0 || at >= static_cast<std::int64_t>(bytes.size())) {
-                throw BrokenCase{fmt::format("byte {} of {} bytes", at, bytes.size())};
+                throw BrokenCase{fmt::format("byte {} does not exist in {} bytes", at, bytes.size())};
             }
             return Value{std::int64_t{bytes[static_cast<std::size_t>(at)]}};
         };
@@ -312,7 +312,7 @@ Expression parse_indexed_variable(Scanner& line) {
 std::uint64_t microseconds_of(const Expression& expression, const Scope& scope) {
     const std::int64_t number = number_of(expression(scope));
     if (number < 0) {
-        throw BrokenCase{fmt::format("a time of {} us", number)};
+        throw BrokenCase{fmt::format("a time is negative: {} us", number)};
     }
     return static_cast<std::uint64_t>(number);
 }

@@ -162,7 +162,7 @@ Test any_of_words(Scanner& line, const std::string& text) {
         word.erase(word.find_last_not_of(' ') + 1);
         const auto found = word_tests().find(word);
         if (found == word_tests().end()) {
-            line.fail(fmt::format("`{}` tells no entries apart", word), "use " + known_words());
+            line.fail(fmt::format("`{}` is no filter for entries", word), "use " + known_words());
         }
         any.push_back(found->second);
         start = end + 1;

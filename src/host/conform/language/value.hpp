@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of a variable in a case: a number, bytes, or a structure with fields.
+// The value of a variable in a case: a number or bytes, possibly with fields.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +34,11 @@ class BrokenCase : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Returns the value as a number; up to eight bytes become a little-endian unsigned number. Throws BrokenCase for any
-/// other value.
+/// Returns the number of a value, or its bytes as a little-endian unsigned number. Throws BrokenCase for more than
+/// eight bytes.
 std::int64_t number_of(const Value& value);
-/// Returns the bytes of a value. Throws BrokenCase for a number, because its width is not known, and for a structure.
+/// Returns the bytes of a value. Throws BrokenCase for a value without bytes, because the width of a number is not
+/// known.
 const Bytes& bytes_of(const Value& value);
 /// Returns the lowest `count` bytes of a number, little-endian.
 Bytes little_endian(std::int64_t number, std::size_t count);

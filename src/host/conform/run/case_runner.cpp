@@ -117,7 +117,7 @@ void CaseRunner::prepare(Preparation how) {
     if (how != Preparation::none && !fresh) {
         if (!reset(node ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
             alive_ = false;
-            throw NoAnswer{fmt::format("no boot-up message within {} s after a reset", boot_limit.us / 1000000U)};
+            throw NoAnswer{fmt::format("no boot-up message came within {} s after a reset", boot_limit.us / 1000000U)};
         }
     }
     link_.begin_case();
@@ -315,7 +315,7 @@ void CaseRunner::check_unasked(const Case& one) {
         const char* const what = found->frame.id == 0x80U + node    ? "EMCY"
                                  : found->frame.id == 0x580U + node ? "SDO frame"
                                                                     : "boot-up message";
-        throw SlaveFailed{fmt::format("an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
+        throw SlaveFailed{fmt::format("the slave sent an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
     }
 }
 
@@ -346,7 +346,7 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     }
     if (!reset(application ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
         alive_ = false;
-        throw NoAnswer{"no boot-up message after the case"};
+        throw NoAnswer{"no boot-up message came after the case"};
     }
     const Fresh fresh = fresh_;
     const std::vector<std::string> left = snapshot_.put_back(sdo_, written);

@@ -177,7 +177,7 @@ CaseBook parse_cases(const std::map<std::string, std::string>& files, Faults& fa
             whole.finish();
         } catch (const toml::parse_error& error) {
             faults.emplace_back(Place{path, static_cast<unsigned>(error.source().begin.line)},
-                                fmt::format("not TOML: {}", error.description()), "correct the syntax");
+                                fmt::format("the file is not TOML: {}", error.description()), "correct the syntax");
         }
     }
     check_calls(calls, book, faults);

@@ -178,7 +178,7 @@ std::vector<std::string> Snapshot::put_back(SdoClient& sdo, const std::set<Objec
     put_back_others(sdo, open);
     std::vector<std::string> left;
     for (const ObjectPlace& one : changed(sdo, wanted)) {
-        left.push_back(fmt::format("{} does not take back {}", words_of(one), hex_words(*find(one))));
+        left.push_back(fmt::format("{} does not accept its former value {}", words_of(one), hex_words(*find(one))));
     }
     return left;
 }

@@ -94,7 +94,7 @@ void check_data_sheet(Context& context) {
         }
     }
     if (errors > 0) {
-        throw SlaveFailed{fmt::format("{} error(s) in the data sheet; the first: {}", errors, first_error)};
+        throw SlaveFailed{fmt::format("the data sheet has {} error(s); the first is: {}", errors, first_error)};
     }
 }
 
@@ -133,7 +133,7 @@ class Turns {
     /// too many iterations.
     void run(const Steps& steps, const std::string& words) {
         if (++begun_ > most_turns) {
-            throw BrokenCase{"a loop without an end"};
+            throw BrokenCase{"the loop has too many iterations"};
         }
         if (!words.empty()) {
             context_.turns.push_back(words);
@@ -286,7 +286,7 @@ Action parse_each(Scanner& line, StepSource& source) {
         }
     }
     if (!line.take_word("entry")) {
-        line.fail(fmt::format("`{}` cannot be gone through", line.rest()),
+        line.fail(fmt::format("`each` has no list `{}`", line.rest()),
                   "write each TPDO as P {, each RPDO as P { or each entry: FILTER as E {");
     }
     line.want(":", "write each entry: writable, u16 as E {");
@@ -305,7 +305,7 @@ Action parse_each(Scanner& line, StepSource& source) {
 
 Value call(const Procedure& procedure, const std::vector<Value>& given, Context& context) {
     if (++context.depth > deepest_call) {
-        throw BrokenCase{"procedures call each other too deep"};
+        throw BrokenCase{"calls of procedures are nested too deeply"};
     }
     Scope* const outer = context.scope;
     Scope own{outer};

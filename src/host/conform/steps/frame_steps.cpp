@@ -86,7 +86,7 @@ Action parse_awaited(Scanner& line, bool passes_over) {
             }
         }
         if (!last.empty()) {
-            throw SlaveFailed{fmt::format("{}; the last one: {}", late(key, us), last)};
+            throw SlaveFailed{fmt::format("{}; the last frame was: {}", late(key, us), last)};
         }
         fail_late(context, key, us);
     };
@@ -176,7 +176,7 @@ Action parse_produce(Scanner& line, StepSource&) {
         want_remote_frames(context, spec.remote);
         const std::uint64_t us = microseconds_of(period, *context.scope);
         if (us == 0) {
-            throw BrokenCase{"a period of 0"};
+            throw BrokenCase{"the period must not be 0"};
         }
         context.link.produce(spec.frame(*context.scope), Duration{us});
     };

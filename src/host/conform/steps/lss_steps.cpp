@@ -37,7 +37,7 @@ std::optional<Bytes> take_answer(Context& context, Duration within) {
 Bytes want_answer(Context& context, std::uint8_t command) {
     const auto answer = take_answer(context, answer_limit);
     if (!answer) {
-        throw SlaveFailed{fmt::format("no LSS answer within {} ms", answer_limit.us / 1000U)};
+        throw SlaveFailed{fmt::format("no LSS answer came within {} ms", answer_limit.us / 1000U)};
     }
     ++context.journal.judged;
     if (answer->size() != max_frame_length || answer->front() != command) {

@@ -65,7 +65,7 @@ Action parse_write_as(Scanner& line, bool any) {
         } else if (line.take_word("by")) {
             transfer = parse_transfer(line);
         } else if (!ending.take(line)) {
-            line.fail(fmt::format("`{}` says nothing of a write", line.rest()),
+            line.fail(fmt::format("`{}` is no option of a write", line.rest()),
                       "write as u16, by segments, fails CODE or -> name");
         }
     }

@@ -155,7 +155,8 @@ class DeviceInfoCheck {
         }
     }
 
-    /// The LSS address consists of vendor-ID, product code, revision number and serial number (CiA 305).
+    /// Checks that a device with LSS has its whole LSS address (CiA 305): vendor-ID, product code, revision number and
+    /// serial number.
     void check_lss() {
         if (number("LSS_Supported").value_or(0) != 1) {
             return;

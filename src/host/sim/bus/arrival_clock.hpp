@@ -25,7 +25,8 @@ class ArrivalClock {
     /// Returns a time stamp of CLOCK_REALTIME on the clock of the run. Returns `otherwise` for the value 0, which means
     /// no time stamp, and for a time before the run.
     Instant at(std::uint64_t stamp_ns, Instant otherwise) const;
-    /// Returns the time of arrival of data that poll(now) has just read: as at(), or `now` without a clock of the run.
+    /// Returns the time of arrival of data that poll(now) has just read. It is the result of at(), or `now` without a
+    /// clock of the run.
     Instant of_read(std::uint64_t stamp_ns, Instant now) const { return clock_ ? at(stamp_ns, clock_()) : now; }
 
   private:

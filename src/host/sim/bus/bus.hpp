@@ -32,7 +32,7 @@ class BusNode {
     /// Returns the bit rate of the node's CAN controller in bit/s; 0 when the node has no bit rate of its own.
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns whether the node calls its listeners when its next frame, its filters or its bit rate may have changed.
-    /// A bus inspects a node that does not in every step.
+    /// If it does not, a bus inspects the node in every step.
     virtual bool tells_changes() const { return false; }
 
     /// Adds a listener for such changes. It is called as long as the node exists.

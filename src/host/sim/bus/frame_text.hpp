@@ -21,9 +21,10 @@ struct FrameText {
     bool coded{false};
 };
 
-/// Parses a frame that a node can receive. Returns the fault of the text.
+/// Parses a frame that a node can receive. Returns nothing for a valid text, otherwise its fault.
 TextFault read_frame_text(std::string_view text, FrameText& read);
-/// Parses such a frame or an error frame (`20000004#0000000000000000`). Returns the fault of the text.
+/// Parses such a frame or an error frame (`20000004#0000000000000000`). Returns nothing for a valid text, otherwise its
+/// fault.
 TextFault read_logged_frame(std::string_view text, FrameText& read);
 
 /// Returns whether both frames give the same text.

@@ -29,7 +29,7 @@ class SocketcandBus final : public Bus {
     static constexpr std::size_t most_clients = 32;
     /// Time after which a client is dismissed if it has not opened the bus.
     static constexpr Duration open_limit = milliseconds(10000);
-    /// Shorter time for the same, which applies when a new client needs the place.
+    /// Time after which a client that has not opened the bus is dismissed if a new client needs its place.
     static constexpr Duration patience = milliseconds(1000);
     /// Time in which a dismissed client can read the reason.
     static constexpr Duration leave_limit = milliseconds(1000);

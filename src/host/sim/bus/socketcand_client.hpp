@@ -13,7 +13,7 @@ namespace canproof::host {
 /// A client of a socketcand server. It opens the bus and selects raw mode; then it sends and receives frames.
 class SocketcandClient {
   public:
-    /// Bytes of text that the server has not read yet, beyond which frames must wait.
+    /// Limit in bytes of text that the server has not read. With more text, frames must wait.
     static constexpr std::size_t output_limit = 16 * 1024;
     static constexpr std::size_t longest_command = 256;
 
@@ -25,8 +25,8 @@ class SocketcandClient {
     void take(std::string_view text);
     bool has_joined() const { return state_ == State::joined; }
     bool may_send() const { return has_joined() && output_.size() < output_limit; }
-    /// Sends a frame. Must be called only while may_send() returns true. The protocol has no remote frames, so `frame`
-    /// must be none.
+    /// Sends a frame, which must be a data frame, because the protocol has no remote frames. Must be called only while
+    /// may_send() returns true.
     void send(const Frame& frame);
 
     const std::string& output() const { return output_; }

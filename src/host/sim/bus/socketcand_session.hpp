@@ -16,11 +16,11 @@ namespace canproof::host {
 /// them. An unknown command gets the answer `< error … >`.
 class SocketcandSession {
   public:
-    /// Bytes of text that may wait while the bus is busy. With more text, nothing is read from the client.
+    /// Limit in bytes of text that waits while the bus is busy. With more text, nothing is read from the client.
     static constexpr std::size_t input_limit = 4096;
     /// Greatest length of a command in bytes. A longer command is an error.
     static constexpr std::size_t longest_command = 256;
-    /// Bytes of text that the client has not read. With more text, the client is dropped.
+    /// Limit in bytes of text that the client has not read. With more text, the client is dropped.
     static constexpr std::size_t output_limit = 256 * 1024;
     static constexpr std::size_t gateway_room = 32;
     static constexpr std::size_t most_subscriptions = 256;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated EEPROM. It can be kept when the device object is destroyed, and its power can fail during a write.
+// A simulated EEPROM. It can outlive the device object, and its power can fail during a write.
 #pragma once
 
 #include <cstdint>

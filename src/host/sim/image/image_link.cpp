@@ -72,8 +72,8 @@ void ImageLink::read(std::uint8_t* to, std::size_t count) {
 }
 
 void ImageLink::refuse() const {
-    throw ImageFailed{
-        fmt::format("{} says what this program does not understand; build both from the same sources", name_)};
+    throw ImageFailed{fmt::format(
+        "{} sent a message that this program does not understand; build both from the same sources", name_)};
 }
 
 }  // namespace canproof::host
