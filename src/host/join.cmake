@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# canproof_join(TARGET BELOW folder [APART regex]): compiles up to six sources of one folder as one, which halves what their headers
-# cost. Which ones go together follows from their names, so that a new file changes one group. The joined files name their
-# sources from BELOW, a folder that TARGET looks for headers in: all copies of the project share one compiler cache. A source that
-# fits APART, and with -DCANPROOF_JOIN=OFF each one, is compiled by itself.
+# canproof_join(TARGET BELOW folder [APART regex]): compiles the sources of a folder in groups of about six, each group as one joined
+# file. This halves the time for their headers. The names of the sources determine the groups, so that a new source changes one group.
+# A joined file includes its sources by their path below BELOW, an include folder of TARGET, so that all copies of the project can
+# share one compiler cache. A source that matches APART is compiled alone; with -DCANPROOF_JOIN=OFF every source is.
 set(CANPROOF_JOIN ON CACHE BOOL "Compile several sources of one folder as one")
 function(canproof_join target)
   cmake_parse_arguments(PARSE_ARGV 1 join "" "BELOW;APART" "")
@@ -42,6 +42,6 @@ function(canproof_join target)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES SOURCES "${compiled}" CANPROOF_SOURCES "${sources}")
-  # g++ takes an unnamed namespace of an included source for that of a header.
+  # In a joined file, g++ treats the unnamed namespace of an included source like that of a header and would warn.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()

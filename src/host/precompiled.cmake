@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Headers of the standard library and of other libraries that most files of the host include, precompiled once per build. None
-# belongs to this project, because its change would recompile everything. Each file still includes everything that it uses: see
-# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
+# Headers of the standard library and of other libraries that most files of the host include. They are precompiled once for each
+# build. No header of this project is among them, because each change of it would recompile everything. Each file must still include
+# everything that it uses; a build with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON checks this.
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "// Carries the precompiled headers.\n")
 add_library(canproof_precompiled_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/precompiled.cpp)
 target_link_libraries(canproof_precompiled_headers PRIVATE canproof_options fmt::fmt)
@@ -15,8 +15,8 @@ else()
 endif()
 target_compile_options(canproof_precompiled_headers PRIVATE ${canproof_precompiled_options})
 
-# canproof_precompiled(TARGET...): starts each file of these targets with those headers. The targets have the project's flags and
-# link fmt. A project on the installed package has too few files to profit from precompiled headers.
+# canproof_precompiled(TARGET...): starts each file of these targets with the precompiled headers. The targets must have the
+# project's flags and link fmt. Does nothing in a project that uses the installed package, because it has too few files.
 function(canproof_precompiled)
   if(CANPROOF_PREBUILT)
     return()

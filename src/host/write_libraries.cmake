@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# canproof_write_libraries(FILE): writes each library of this project on a line, for tests/layers_check. The line has fields with
-# tabs between them: its name, the folder of its CMakeLists, its sources, its links, and the links that its users inherit.
+# canproof_write_libraries(FILE): writes one line for each library of this project, for tests/layers_check. Tabs separate the fields
+# of a line: name of the library, folder of its CMakeLists, its sources, its links, and the links that its users inherit.
 function(canproof_write_libraries file)
   set(text "")
   canproof_append_libraries(${CMAKE_SOURCE_DIR} text)
@@ -19,7 +19,7 @@ function(canproof_append_libraries folder variable)
     string(APPEND text "${target}\t${folder}")
     foreach(property SOURCES LINK_LIBRARIES INTERFACE_LINK_LIBRARIES)
       get_target_property(value ${target} ${property})
-      get_target_property(joined ${target} CANPROOF_${property})  # canproof_join() has put others in their place
+      get_target_property(joined ${target} CANPROOF_${property})  # the original sources, if canproof_join() has replaced them
       if(joined)
         set(value ${joined})
       endif()

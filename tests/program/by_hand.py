@@ -102,7 +102,7 @@ def check_end_of_input(folder, bus, slave):
 def check_refusal():
     test = start("conform", "ax188001", "--by-hand", stderr=subprocess.PIPE)
     said = test.stderr.read()
-    assert test.wait() == 2 and "--by-hand is for a slave on a bus" in said, said
+    assert test.wait() == 2 and "--by-hand needs --bus" in said, said
 
 
 def main():

@@ -106,7 +106,7 @@ def one_word_each():
 def images():
     """ARM images: one that is not there, and one slave in one place."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
-                       (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm is a slave in virtual time"),
+                       (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm runs the slave in virtual time"),
                        (("run", "--arm", "no.elf", "no-device"), "there is no device `no-device`"),
                        (("conform", "ax188001", "--arm", "no.elf"), "name a slave")):
         status, out, err = call(*words)

@@ -57,7 +57,7 @@ def checked(project):
 def audited(project):
     project.statements(GREEN, AWAKE, statement("2", "Ten times a second", ""))
     _, out, _ = project.audit()
-    assert "  M1:2/1: no item covers it, and there is no reason (Ours.)\n" in out, out
+    assert "  M1:2/1: no item covers the statement, and it has no reason (Ours.)\n" in out, out
     assert "  M1: 3 statements, 0 shown, 1 explained, 1 suspect, 1 open, 0 failed\n" in out, out
     status, out, _ = project.audit("--untested")
     assert status == 1 and "M1:2/1" in out and "M1:1/1" not in out, out

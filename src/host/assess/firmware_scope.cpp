@@ -30,7 +30,7 @@ bool is_firmware(const std::string& path) {
            path.compare(name_end, part.size(), part) == 0 && path.size() > name_end + part.size();
 }
 
-/// Returns whether a path relative to the project's folder names a file of the host that is judged like the firmware.
+/// Returns whether a path relative to the project's folder names a file of the host that is assessed like the firmware.
 bool is_judged_host(const std::string& path) {
     const auto below = [&path](const std::string& folder) {
         return path.rfind(folder, 0) == 0 && path.size() > folder.size();
@@ -38,8 +38,8 @@ bool is_judged_host(const std::string& path) {
     return below(host_replay) || (below(host_bus) && path.rfind(host_bus + "linux_can_system.", 0) != 0);
 }
 
-/// Returns the last part of `file` that starts with `src/` and fits; empty when none does. The project's own folder may
-/// lie below another folder `src/`.
+/// Returns the shortest end of `file` that starts with the folder `src/` and that `fits` accepts; empty when there is
+/// none. The shortest is right even if the project's own folder is below another folder `src/`.
 std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defines which files are firmware: src/firmware/**, src/devices/NAME/firmware/** and the drivers in
-// src/target/stm32f405. All assessments use this definition. They also judge the host's buses and replay.
+// src/target/stm32f405. All assessments use this definition. Coverage and mutation also assess the host's buses and
+// replay.
 #pragma once
 
 #include <filesystem>
@@ -14,16 +15,17 @@ namespace canproof::host {
 /// write it. Returns an empty text for every other file.
 std::string firmware_path(const std::string& file);
 
-/// Returns the relative path in the same way for a file of src/host/sim/bus or src/host/sim/replay. The system calls of
-/// SocketCAN (linux_can_system) are excluded, because only a kernel answers them.
+/// Returns the path relative to the project's folder for a file of src/host/sim/bus or src/host/sim/replay. Returns an
+/// empty text for every other file and for the system calls of SocketCAN (linux_can_system), because only a kernel
+/// answers them.
 std::string judged_host_path(const std::string& file);
 
 /// Returns the existing folders of the firmware: `src/firmware`, each `src/devices/NAME/firmware` in alphabetical order
 /// of the devices, and `src/target/stm32f405`.
 std::vector<std::string> firmware_folders(const std::filesystem::path& root);
 
-/// Returns whether a test, property or fuzz target tests the firmware and therefore must claim what it shows. `file` is
-/// relative to the project's folder. Tests of the host or of a device's simulation do not test the firmware.
+/// Returns whether this file contains a test, property or fuzz target of the firmware, which must claim what it shows.
+/// `file` is relative to the project's folder. Tests of the host or of a device's simulation do not test the firmware.
 bool tests_the_firmware(const std::string& file);
 
 }  // namespace canproof::host

@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the argument list for posix_spawn: pointers, of which the last is null.
+/// Returns the argument list for posix_spawn: a pointer to each word, then a null pointer.
 std::vector<char*> pointers(const std::vector<std::string>& words) {
     std::vector<char*> all;
     for (const auto& word : words) {
@@ -28,7 +28,8 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
     return all;
 }
 
-/// Waits for the end of a process, also when signals interrupt the wait. Returns false with errno set when it cannot.
+/// Waits for the end of a process; continues to wait when a signal interrupts the wait. Returns false with errno set
+/// when waiting fails.
 bool waits_for_end(pid_t process, int& status) noexcept {
     pid_t ended = -1;
     do {

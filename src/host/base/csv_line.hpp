@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// Returns the fields as a line of RFC 4180: a field with a comma, a quote or a line break is in quotes.
+/// Returns the fields as one line in the form of RFC 4180: a field that contains a comma, a quote or a line break is in
+/// quotes.
 std::string csv_line(const std::vector<std::string>& fields);
 
 }  // namespace canproof::host

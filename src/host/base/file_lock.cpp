@@ -32,8 +32,8 @@ bool try_lock(int descriptor) {
     return false;
 }
 
-/// Searches /proc/locks. In a line such as `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0 EOF`, the last number of
-/// `fe:00:131073` is the inode.
+/// Searches /proc/locks for the inode of the file. In a line such as `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0
+/// EOF`, the inode is the last number of `fe:00:131073`, and 4711 is the process.
 std::string lock_holder(int descriptor) {
     struct stat file {};
     const std::string ending = fstat(descriptor, &file) == 0 ? ":" + std::to_string(file.st_ino) : ":?";
@@ -50,7 +50,8 @@ std::string lock_holder(int descriptor) {
         words >> number >> kind >> force >> mode >> holder >> place;
         const bool is_it = kind == "FLOCK" && place.size() > ending.size() &&
                            place.compare(place.size() - ending.size(), ending.size(), ending) == 0;
-        if (is_it && holder != "0" && holder != "-1") {  // 0: a process of another namespace
+        // 0 or -1: the system does not report the process, for example because it is in another namespace
+        if (is_it && holder != "0" && holder != "-1") {
             return process(holder);
         }
     }

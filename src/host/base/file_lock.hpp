@@ -6,11 +6,11 @@
 
 namespace canproof::host {
 
-/// Locks the file. Returns false when another process has locked it. Throws std::system_error when the file system has
-/// no locks.
+/// Locks the file. Returns false when another process has locked it. Throws std::system_error when the file cannot be
+/// locked, for example because the file system has no locks.
 bool try_lock(int descriptor);
-/// Returns the owner of the file's flock lock: `process 4711 (canproof)`; `another process` when the system does not
-/// report it.
+/// Returns the process that has locked the file with flock: `process 4711 (canproof)`. Returns `another process` when
+/// the system does not report it.
 std::string lock_holder(int descriptor);
 
 }  // namespace canproof::host

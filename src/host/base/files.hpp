@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens and writes files of the commands. Each function throws InputError with the path and the remedy.
+// Opens and writes files for the commands. Each function throws InputError with the path and the remedy.
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns the hash of the text; `start` is the hash of the preceding text.
+/// Returns the hash of the text. To continue a hash, `start` is the hash of the preceding text.
 std::uint32_t fnv1a(const std::string& text, std::uint32_t start = 0x811C9DC5U);
 
 }  // namespace canproof::host

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Input that cannot be used; the message contains file, line and remedy.
+/// Reports input that cannot be used. The message says what is wrong, where, and how to fix it.
 class InputError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -10,7 +10,7 @@ namespace canproof::host {
 /// end.
 std::string one_line(const std::string& text);
 
-/// Returns a text of up to about 90 characters; of a longer text its first words and `…`.
+/// Returns the text unchanged up to 90 characters; otherwise returns its first words, at most 90 characters, and ` …`.
 std::string brief(const std::string& text);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of `canproof prove`, for the program that completes them and for canproof-prove, which it starts.
+// The options of `canproof prove`. Both canproof, for its shell completion, and canproof-prove, which it starts, use
+// this list.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ inline constexpr std::array<ProveOption, 16> prove_options{{
     {"--build", true, "a build of the project; where canproof-prove lies without it"},
 }};
 
-/// Returns the help of an option. A name that is not listed gives an empty text.
+/// Returns the help text of an option; an empty text for a name that is not in the list.
 constexpr const char* help_of_prove_option(std::string_view name) {
     for (const ProveOption& one : prove_options) {
         if (one.name == name) {

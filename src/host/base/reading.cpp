@@ -31,7 +31,7 @@ bool LineReader::next() {
         throw InputError{
             fmt::format("{}: a line has more than {} characters; is this a file of text?", where(), longest_line)};
     }
-    // `count` includes the line break, which the last line may lack.
+    // `count` includes the line break, unless the last line has none.
     line_.assign(buffer_.data(), in_.eof() ? count : count - 1);
     if (number_ == 1 && line_.compare(0, byte_order_mark.size(), byte_order_mark) == 0) {
         line_.erase(0, byte_order_mark.size());

@@ -12,11 +12,11 @@
 
 namespace canproof::host {
 
-/// Throws InputError when an error, instead of the end of the input, ended the stream.
+/// Throws InputError when reading ended because of an error and not at the end of the input.
 void check_read(const std::istream& in, const std::string& name);
 
-/// Reads lines one after another and provides file and line for messages. It removes a byte order mark before the first
-/// line and a carriage return at the end of a line.
+/// Reads lines one after another and provides file and line number for messages. Removes a byte order mark before the
+/// first line and a carriage return at the end of each line.
 class LineReader {
   public:
     static constexpr std::size_t longest_line = 4096;

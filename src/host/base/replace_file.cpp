@@ -38,7 +38,7 @@ bool write_all(int file, std::string_view bytes) {
     return true;
 }
 
-/// Writes to a device or a FIFO, which has no content to keep. A regular file is replaced instead.
+/// Writes to a device or a FIFO, which has no content that could be kept.
 void write_into(const fs::path& path, std::string_view bytes) {
     const Descriptor file{open(path.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.is_open() || !write_all(file.number(), bytes)) {
@@ -93,7 +93,7 @@ void FileBeside::write(std::string_view bytes) {
 
 void FileBeside::sync_folder() const {
     const Descriptor folder{open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    // EINVAL: the file system does not support it.
+    // EINVAL means that the file system does not support fsync for folders.
     if (!folder.is_open() || (fsync(folder.number()) != 0 && errno != EINVAL)) {
         fail();
     }
@@ -109,11 +109,12 @@ void FileBeside::replace() {
 
 bool FileBeside::create() {
     const bool linked = link(beside_.c_str(), target_.c_str()) == 0;
-    // EPERM: the file system has no hard links.
+    // EPERM means that the file system has no hard links.
     const bool moved = !linked && errno == EPERM &&
                        renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0;
     if (!linked && !moved) {
-        if (errno == EEXIST || errno == ENOENT) {  // another process was first and has removed the temporary file
+        // EEXIST: the target exists. ENOENT: another process was faster and has removed the temporary file
+        if (errno == EEXIST || errno == ENOENT) {
             return false;
         }
         fail();
@@ -125,7 +126,7 @@ bool FileBeside::create() {
 
 void remove_leftovers(const fs::path& target) {
     const std::string begins = beginning(target);
-    std::error_code ignored;  // a remaining temporary file does no harm
+    std::error_code ignored;  // a temporary file that stays does no harm
     for (const auto& entry : fs::directory_iterator{folder_of(target), ignored}) {
         const std::string name = entry.path().filename().string();
         const bool is_ours = name.size() > begins.size() + std::string_view{ending}.size() &&

@@ -11,26 +11,26 @@
 
 namespace canproof::host {
 
-/// Throws std::filesystem::filesystem_error: `path` cannot be written, with the reason from errno.
+/// Throws std::filesystem::filesystem_error with the message that `path` cannot be written, and the reason in errno.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& path);
 
-/// A temporary file beside a target, which it replaces. It is locked (flock) before the first byte is written. The
-/// destructor removes it unless it has replaced the target. Every function throws std::system_error with the target's
-/// path on a write error.
+/// A temporary file beside a target, which it replaces. The file is locked (flock) before the first byte is written.
+/// The destructor removes it unless it has replaced the target. Every function throws std::system_error with the
+/// target's path on an error.
 class FileBeside {
   public:
-    /// `target` must be the resolved path: a symbolic link would be replaced itself.
+    /// `target` must be resolved: if it is a symbolic link, the file replaces the link itself.
     explicit FileBeside(std::filesystem::path target);
     ~FileBeside();
     FileBeside(const FileBeside&) = delete;
     FileBeside& operator=(const FileBeside&) = delete;
 
-    /// Writes the bytes; they are on disk when it returns.
+    /// Writes the bytes. When it returns, they are on disk.
     void write(std::string_view bytes);
-    /// Replaces `target` and keeps its permissions. The file is on disk when it returns. After an exception, the path
-    /// has the old or the new content.
+    /// Replaces `target` and keeps the permissions of `target`. When it returns, the file is on disk. After an
+    /// exception, the path has the old or the new content.
     void replace();
-    /// Takes the place of `target` if that does not exist; otherwise returns false.
+    /// Gives the file the name `target` if no such file exists, and returns true. Otherwise returns false.
     bool create();
     /// Returns the locked file.
     Descriptor take() { return std::move(file_); }
@@ -45,12 +45,12 @@ class FileBeside {
     bool placed_{false};
 };
 
-/// Removes temporary files that a killed program left beside `target`. Only for targets that one process at a time
-/// writes.
+/// Removes temporary files that a killed program left beside `target`. Must be used only if at most one process at a
+/// time writes `target`.
 void remove_leftovers(const std::filesystem::path& target);
 
-/// Replaces the content of `path`; it is on disk when it returns. Follows a link, and writes directly to a device or a
-/// FIFO. Throws std::system_error.
+/// Replaces the content of `path`. When it returns, the new content is on disk. Follows a symbolic link, and writes
+/// directly to a device or a FIFO. Throws std::system_error.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace canproof::host

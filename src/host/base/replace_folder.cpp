@@ -35,7 +35,7 @@ void sync_all(const fs::path& folder) {
     }
 }
 
-/// Exchanges the two folders in one step; in several steps if the file system does not support that.
+/// Exchanges the two folders in one step, or in three steps if the file system does not support that.
 void exchange(const fs::path& fresh, const fs::path& folder) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
         return;

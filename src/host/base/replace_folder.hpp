@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// Replaces `folder` by one that contains exactly these files by relative path; it is on disk when it returns. If the
-/// program stops meanwhile, the old or the new files exist. Throws std::system_error on a write error.
+/// Replaces `folder` by a folder that contains exactly these files, given by relative path. When it returns, the files
+/// are on disk. If the program stops before, the old or the new files exist. Throws std::system_error on a write error.
 void replace_folder(const std::filesystem::path& folder, const std::map<std::string, std::string>& files);
 
 }  // namespace canproof::host

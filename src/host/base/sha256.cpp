@@ -36,7 +36,7 @@ std::uint64_t Sha256::first_bytes(const std::string_view bytes, const std::size_
                       EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1 &&
                       EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr) == 1;
     if (!done) {
-        throw std::bad_alloc{};  // a digest in memory can fail for no other reason
+        throw std::bad_alloc{};  // the calculation of a digest in memory can fail for no other reason
     }
     std::uint64_t number = 0;
     constexpr unsigned bits = 8;

@@ -15,7 +15,7 @@ namespace canproof::host {
 /// Returns the hash as 64 hexadecimal digits in lower case.
 std::string sha256(const std::string& bytes);
 
-/// Hashes many short texts one after another; it sets up the algorithm only once.
+/// Hashes many short texts one after another and sets up the algorithm only once.
 class Sha256 {
   public:
     /// Throws std::bad_alloc when memory is exhausted.

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Reads a whole number from 1 to max_shards; 0 for any other text.
+/// Parses a whole number up to max_shards. Returns 0 for any other text.
 std::size_t count_in(const std::string& text) {
     std::size_t number = 0;
     const char* const end = text.data() + text.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a list of work that several machines share: `2/3` is the second of three. Element k of the list, counted
-// from 0, belongs to part k mod 3 + 1, so that long and short work spreads evenly.
+// A part of a list of work that several machines share: `2/3` is the second of three parts. Element k of the list,
+// counted from 0, belongs to part k mod 3 + 1, so that long and short tasks spread evenly.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace canproof::host {
 
 struct Shard {
-    std::size_t number{1};  ///< 1…count
-    std::size_t count{1};   ///< 1…max_shards
+    std::size_t number{1};  ///< from 1 to count
+    std::size_t count{1};   ///< from 1 to max_shards
 
-    /// `2/3`
+    /// Returns the shard as text: `2/3`.
     std::string text() const;
     /// Returns whether the element at position `place`, counted from 0, belongs to this shard.
     bool holds(std::size_t place) const { return place % count == number - 1; }
@@ -23,7 +23,7 @@ struct Shard {
 
 constexpr std::size_t max_shards = 10'000;
 
-/// Parses a text such as `2/3`. Throws InputError for any other text, and for a number beyond the count.
+/// Parses a text such as `2/3`. Throws InputError for any other text, and when the number is larger than the count.
 Shard parse_shard(const std::string& text);
 
 /// Throws InputError unless the shards are 1/n to n/n, each once. `names` contains the origin of each shard, for the
@@ -38,7 +38,7 @@ void sort_shards(std::vector<Read>& all) {
     });
 }
 
-/// Does the same for the contents of shards.
+/// Applies require_all_shards() to contents of shards, by their members `shard` and `name`.
 template <typename Read>
 void require_all_shards(const std::vector<Read>& all) {
     std::vector<Shard> shards;
@@ -50,7 +50,7 @@ void require_all_shards(const std::vector<Read>& all) {
     require_all_shards(shards, names);
 }
 
-/// Returns the elements that belong to a shard, in their order.
+/// Returns the elements that belong to a shard, in their original order.
 template <typename T>
 std::vector<T> share_of(const std::vector<T>& all, const Shard& shard) {
     std::vector<T> share;

@@ -20,7 +20,7 @@ using Key = std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)>;
 using Context = std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)>;
 using Memory = std::unique_ptr<BIO, decltype(&BIO_free)>;
 
-/// Rejects a key with a password: the program never asks for one.
+/// Refuses a key with a password, because the program never asks for one.
 int no_password(char*, int, int, void*) {
     return -1;
 }
@@ -39,7 +39,7 @@ Key key_in(const std::filesystem::path& file, const char* kind, const Read& read
     return key;
 }
 
-/// Returns the digest to sign; nullptr for Ed25519 and Ed448, which sign the bytes themselves.
+/// Returns the digest to sign; nullptr for Ed25519 and Ed448, which sign the bytes without a digest.
 const EVP_MD* digest_for(const Key& key) {
     const int id = EVP_PKEY_get_base_id(key.get());
     return id == EVP_PKEY_ED25519 || id == EVP_PKEY_ED448 ? nullptr : EVP_sha256();

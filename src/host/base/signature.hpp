@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Returns the signature of the bytes by a private key. RSA and EC keys sign the SHA-256, Ed25519 keys the bytes
-/// themselves. Throws InputError when the file contains no private key, or one with a password.
+/// Returns the signature of the bytes by a private key. RSA and EC keys sign the SHA-256 of the bytes; Ed25519 keys
+/// sign the bytes themselves. Throws InputError when the file contains no private key, or a key with a password.
 std::string sign(const std::string& bytes, const std::filesystem::path& private_key);
 
 /// Returns whether the signature of the bytes matches the public key. Throws InputError when the file contains no
@@ -17,11 +17,11 @@ bool is_signed(const std::string& bytes, const std::string& signature, const std
 
 /// The public half of a private key.
 struct PublicKey {
-    std::string kind;  ///< `ED25519`, `EC prime256v1`, or what OpenSSL calls another kind
-    std::string text;  ///< Ed25519: the 32 bytes in hexadecimal; otherwise PEM without the last line break
+    std::string kind;  ///< `ED25519`, `EC prime256v1`, or OpenSSL's name for another kind
+    std::string text;  ///< for Ed25519 the 32 bytes in hexadecimal, otherwise PEM without the last line break
 };
 
-/// Returns the public key that belongs to the private key in a PEM file. Throws InputError as sign() does.
+/// Returns the public key that belongs to the private key in a PEM file. Throws InputError in the same cases as sign().
 PublicKey public_key_of(const std::filesystem::path& private_key);
 
 }  // namespace canproof::host

@@ -13,8 +13,8 @@ constexpr std::uint64_t micros = 1000000;
 constexpr std::size_t most_whole_digits = 12;
 constexpr std::size_t most_decimals = 6;
 
-/// Parses a decimal number; `digits` must have at most eighteen characters. Returns nothing for an empty text and when
-/// a character is no digit.
+/// Parses a decimal number of at most eighteen digits; the callers keep this limit. Returns nothing for an empty text
+/// and when a character is no digit.
 std::optional<std::uint64_t> decimal(std::string_view digits) {
     std::uint64_t value = 0;
     for (const char c : digits) {
@@ -58,8 +58,8 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
 void append_seconds(std::string& text, Instant time) {
     text += fmt::format_int{time.us / micros}.str();
     text += '.';
-    const std::string decimals = fmt::format_int{micros + time.us % micros}.str();  // the leading 1 keeps the zeros
-                                                                                    // after it
+    // the leading 1 keeps the zeros behind it
+    const std::string decimals = fmt::format_int{micros + time.us % micros}.str();
     text.append(decimals, 1, most_decimals);
 }
 

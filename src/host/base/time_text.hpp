@@ -10,14 +10,15 @@
 
 namespace canproof::host {
 
-/// Parses a time such as `12.345678` in seconds, with at most twelve digits before the point. Returns nothing for any
-/// other text.
+/// Parses a time in seconds such as `12.345678`: at most twelve digits before the point and six after it. Returns
+/// nothing for any other text.
 std::optional<Instant> seconds_of(std::string_view text);
-/// Parses a time as seconds_of() does. Throws InputError with `where` ("file:line").
+/// Parses a time as seconds_of() does. Throws InputError for any other text; its message begins with `where`
+/// ("file:line").
 Instant parse_seconds(const std::string& text, const std::string& where);
 /// Returns the time in seconds with exactly six decimals: `12.345678`.
 std::string format_seconds(Instant time);
-/// Appends the same text to `text`.
+/// Appends to `text` what format_seconds() returns.
 void append_seconds(std::string& text, Instant time);
 
 }  // namespace canproof::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generated cells, and how `canproof mutate` alters each of them. Exists only in test programs that are built with
-// changeable cells (preset `mutation`).
+// The generated cells, and how `canproof mutate` alters each of them. Only test programs that are built with changeable
+// cells (preset `mutation`) contain them.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace canproof::host {
 
 /// One change of one cell: the low `size` bytes (1 to 8) of `bits` replace the bytes at `address`.
 struct Alteration {
-    const char* item;    ///< id of the requirement, object, table or constant
+    const char* item;    ///< id of the requirement, object, table or constant to which the cell belongs
     const char* cell;    ///< `sub 1 default`, `row 3 action` …
-    const char* change;  ///< `5 -> 6`
+    const char* change;  ///< old and new value: `5 -> 6`
     void* address;
     std::size_t size;
     std::uint64_t bits;
@@ -26,7 +26,7 @@ struct Alterations {
     const Alteration* end() const { return first + count; }
 };
 
-/// Returns all alterations in the register's order. The register's compiler generates this function.
+/// Returns all alterations in the order of the register. The register's compiler generates this function.
 Alterations generated_alterations();
 
 }  // namespace canproof::host

@@ -9,17 +9,17 @@
 
 namespace canproof::host {
 
-/// Whether a running program can alter the generated cells. Only the test programs of `canproof mutate` can.
+/// Whether a running program can alter the generated cells. Only the test programs for `canproof mutate` can.
 enum class Cells { constant, changeable };
-/// Returns `inline constexpr`; `inline` for changeable cells.
+/// Returns the words before a generated table: `inline constexpr` for constant cells, `inline` for changeable cells.
 const char* storage_words(Cells cells);
 
-/// Returns the first lines of a generated file, with the source files in the register.
+/// Returns the first lines of a generated file, with the names of the files in the requirements register.
 std::string heading(const Part& part);
-/// Returns a value as a literal of a type that cpp_type() returns: `12U`, `-3`, `4.096F`. With `hexadecimal`, an
-/// unsigned value is `0x1FFU`.
+/// Returns a value as a C++ literal of the type `cpp_type_name`, which cpp_type() returned: `12U`, `-3`, `4.096F`. With
+/// `hexadecimal`, an unsigned value has the form `0x1FFU`.
 std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal = false);
-/// Returns the narrowest standard integer type that represents both values.
+/// Returns the narrowest standard integer type that represents both `low` and `high`.
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
 /// Returns the comment above an item in generated code: text, id, sources, unit.
 std::string item_comment(const Item& item, const std::string& unit);

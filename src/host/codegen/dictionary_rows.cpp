@@ -46,7 +46,7 @@ std::uint32_t limit_bits(const std::string& type, const Value& value) {
     if (const auto* truth = std::get_if<bool>(&value)) {
         return *truth ? 1U : 0U;
     }
-    // The mask limits the value to the width of the type: -1 of an INTEGER16 becomes FFFFh.
+    // The entry's value keeps only the bits of its type: -1 of an INTEGER16 becomes FFFFh.
     const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
     const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
     return static_cast<std::uint32_t>(bits & mask);
@@ -63,7 +63,8 @@ canproof::Limit limit_of(const Entry& entry, const Limit& one) {
     return {LimitKind::none, 0U, 0};
 }
 
-/// Returns the position of the entry's allowed values in the shared list, as `first << 16 | count`.
+/// Returns where the entry's allowed values are in the list `allowed`, as `first << 16 | count`. With Limits::shared,
+/// uses equal values that are already in the list; otherwise appends the values.
 std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, Limits limits) {
     std::vector<std::uint32_t> bits;
     for (const auto& value : entry.range.values) {
@@ -78,12 +79,12 @@ std::uint32_t list_for(const Entry& entry, std::vector<std::uint32_t>& allowed, 
     return static_cast<std::uint32_t>((first << 16U) | bits.size());
 }
 
-/// Collects the rows of limits; entries with equal limits can share a row.
+/// Collects the rows of limits. With Limits::shared, entries with equal limits have the same row.
 class LimitRows {
   public:
     LimitRows(DictionaryRows& rows, Limits limits) : rows_{rows}, limits_{limits} {}
 
-    /// Returns the number of the limit row of an entry.
+    /// Returns the number of the limit row of an entry; adds the row if necessary.
     std::uint16_t row_for(const Entry& entry) {
         if (entry.range.empty()) {
             return no_limit;
@@ -120,8 +121,8 @@ Service service_of(const Entry& entry) {
     return found == words.end() ? Service::none : static_cast<Service>(found - words.begin());
 }
 
-/// Puts the objects into the hash slots for this factor. Returns the length of the longest search; stops as soon as it
-/// reaches `enough`.
+/// Puts the objects into the hash slots for this factor. Returns the largest number of slots that a search for an
+/// object visits. Stops early as soon as this number reaches `enough`.
 std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<ObjectRow>& objects, std::uint32_t factor,
                        std::size_t enough) {
     const std::size_t count = slots.size();
@@ -140,16 +141,16 @@ std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<Obje
     return longest;
 }
 
-/// Returns the number of factors to try: at most 300, and fewer for more than a thousand objects.
+/// Returns the number of factors to try: 4 to 300, and fewer the more objects there are.
 std::size_t attempts_for(std::size_t objects) {
     constexpr std::size_t most = 300;
     constexpr std::size_t least = 4;
-    constexpr std::size_t work = 300000;  // number of times that an object is put into a slot, over all attempts
+    constexpr std::size_t work = 300000;  // how often an object is put into a slot, over all attempts
     return std::clamp(work / std::max<std::size_t>(objects, 1), least, most);
 }
 
-/// Fills at least twice as many slots as there are objects. Chooses the factor for which the longest search is
-/// shortest.
+/// Chooses the number of slots, a power of two that is at least twice the number of objects. Tries several factors and
+/// keeps the one for which the longest search is shortest.
 void find_slots(DictionaryRows& rows) {
     std::size_t count = 2;
     while (count < 2 * rows.objects.size()) {
@@ -157,7 +158,7 @@ void find_slots(DictionaryRows& rows) {
     }
     std::vector<std::uint16_t> slots(count);
     std::size_t best = rows.objects.size() + 1;
-    std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads neighbours
+    std::uint32_t factor = 0x9E3779B1U;  // 2^32 divided by the golden ratio: spreads consecutive indices over the slots
     for (std::size_t attempt = attempts_for(rows.objects.size()); attempt > 0; --attempt) {
         const std::size_t longest = fill_slots(slots, rows.objects, factor, best);
         if (longest < best) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of an object dictionary as values. The compiler of the requirements register prints them as C++. For a
-// dictionary that is read at run time, the host uses the rows directly.
+// The rows of an object dictionary as values. The compiler of the requirements register prints them as C++. The host
+// uses the rows directly for a dictionary that it reads at run time.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ struct DictionaryRows {
     std::vector<EntryRow> entries;
     std::vector<LimitRow> limits;
     std::vector<std::uint32_t> allowed;
-    std::vector<std::uint16_t> slots;  ///< see object_slot()
+    std::vector<std::uint16_t> slots;  ///< hash slots; object_slot() returns the slot of an index
     std::uint32_t slot_factor{0};
     Layout layout;
 
-    /// Returns a view of the rows, valid as long as the rows.
+    /// Returns a view of the rows. It is valid as long as the rows exist.
     DictionaryTables tables() const;
 };
 
-/// Whether entries with the same range share its row.
+/// Whether entries with the same range share a row of limits, or each entry has its own row.
 enum class Limits { shared, one_an_entry };
 DictionaryRows make_rows(const Part& part, Limits limits = Limits::shared);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A decision table as C++: the types of its columns, and its rows with expanded alternatives.
+// A decision table as C++: the types of its columns, and its rows, in which each alternative is a row of its own.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct RowField {
     std::string name;
     const Column* column{nullptr};
     Value value;
-    bool hexadecimal{false};      ///< the value is hexadecimal in spec/
-    std::size_t register_row{0};  ///< row of the table in spec/, counted from 0
+    bool hexadecimal{false};      ///< whether spec/ contains the value as a hexadecimal number
+    std::size_t register_row{0};  ///< row of the table in spec/ from which it comes, counted from 0
 };
 using FieldRow = std::vector<RowField>;
 
-/// Returns whether this error exists on every node, that is, in `ErrorId`.
+/// Returns whether every node has this error, so that `ErrorId` contains it.
 bool is_node_error(const std::string& word);
-/// Returns the errors of this device alone, in the order of its tables.
+/// Returns the errors that only this device has, in the order of its tables.
 std::vector<std::string> own_errors(const Part& part);
 
 class TableCode {
@@ -29,16 +29,17 @@ class TableCode {
     TableCode(const Register& content, const Part& part, const Table& table)
         : content_{content}, part_{part}, table_{table} {}
 
-    /// Returns whether an input contains ranges; it then becomes two members, first and last.
+    /// Returns whether the cells of an input column contain ranges. Such a column becomes two members: first and last.
     bool is_ranged(const Column& column) const;
     std::string type_of(const Column& column) const;
     std::string enumeration_of(const Column& column) const;
     /// Returns the C++ literal of a value; with `hexadecimal`, an unsigned number is hexadecimal.
     std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
-    /// Returns whether the words of a column are errors of the node.
+    /// Returns whether the words in a column are errors of the node.
     bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
-    /// Returns the rows with inputs before outputs. "*" and each alternative become a row of their own, an integer
-    /// range a pair of members.
+    /// Returns the rows; in each, the inputs stand before the outputs. A row of the table gives one row for each
+    /// combination of its alternatives; "*" stands for all values of a column. An integer column with ranges becomes
+    /// two members, first and last.
     std::vector<FieldRow> rows() const;
     /// Returns the namespace of the table, such as `enable_response`.
     const std::string& space() const { return table_.name; }

@@ -22,7 +22,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Writes a file only if its text has changed: an unchanged time stamp avoids needless compilation.
+/// Writes a file only if its text has changed. An unchanged file keeps its time, so the build does not compile it
+/// again.
 void write_if_changed(const std::filesystem::path& path, const std::string& text) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream old;

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Writes all files below `out`; a file whose text is unchanged stays as it is.
+/// Writes all files below `out`. Does not write a file whose text is unchanged.
 void write_all(const Register& content, const SpecFiles& files, const std::filesystem::path& out,
                Cells cells = Cells::constant);
 

@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// Returns one row. `target` is an lvalue of the generated code, `bits` an expression.
+/// Returns one row of the list. `target` is the C++ name of the cell, and `bits` is a C++ expression for its new value.
 std::string line(const std::string& id, const std::string& cell, const std::string& change, const std::string& target,
                  const std::string& size, const std::string& bits) {
     return fmt::format("    {{{}, {}, {}, &{}, {}, {}}},\n", quoted(id), quoted(cell), quoted(change), target, size,
@@ -49,7 +49,7 @@ std::string constants_of(const Part& part) {
     return out;
 }
 
-/// Returns the CiA name of a numeric column's C++ type.
+/// Returns the CiA type that corresponds to the C++ type of a numeric column.
 std::string number_type(const TableCode& code, const Column& column) {
     const std::string type = code.type_of(column);
     for (const char* word : {"BOOLEAN", "INTEGER8", "INTEGER16", "INTEGER32", "INTEGER64", "UNSIGNED8", "UNSIGNED16",
@@ -155,7 +155,8 @@ class ObjectAlterations {
         }
     }
 
-    /// Adds the alteration to a type of the same length with another sign or another interpretation of the bytes.
+    /// Adds an alteration of the entry's type to a type of the same length with another sign or another interpretation
+    /// of the bytes.
     void add_type(const EntryRow& entry) {
         static const std::pair<DataType, DataType> pairs[] = {
             {DataType::boolean, DataType::unsigned8},    {DataType::unsigned8, DataType::integer8},

@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns one row per alteration: requirement, cell, address, and the replacing bytes. It matches code generated with
-/// changeable cells.
+/// Returns one row for each alteration: requirement, cell, address, and the bytes that replace those at the address.
+/// The rows fit code that was generated with changeable cells.
 std::string write_alterations(const Register& content);
 
 }  // namespace canproof::host

@@ -12,10 +12,12 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest length of one string literal; compilers limit it, so the pieces are joined at run time.
+/// Greatest length of one string literal, which compilers limit. The program joins the pieces of a longer text when it
+/// runs.
 constexpr std::size_t longest_piece = 8000;
 
-/// Returns the end of the piece that begins at `at`. It follows a line break or the end of a UTF-8 character.
+/// Returns the position after the piece that begins at `at`. A piece ends with a line break or with a complete UTF-8
+/// character.
 std::size_t piece_end(const std::string& body, std::size_t at) {
     if (body.size() - at <= longest_piece) {
         return body.size();
@@ -26,13 +28,13 @@ std::size_t piece_end(const std::string& body, std::size_t at) {
     }
     std::size_t end = at + longest_piece;
     while (end > at && (static_cast<unsigned char>(body[end]) & 0xC0U) == 0x80U) {
-        --end;  // the middle of a UTF-8 character
+        --end;  // the position is in the middle of a UTF-8 character
     }
     return end;
 }
 
-/// Returns whether a file contains only statements, decisions, hazards and reviews. The audit and its pages read them
-/// from spec/ itself; they are more than half of the register.
+/// Returns whether a file contains only statements, decisions, hazards and reviews. The program does not embed such
+/// files, because the audit and its pages read them from spec/. They are more than half of the register.
 bool is_background(const std::string& path, const std::string& body) {
     const toml::table root = toml::parse(body, path);
     return !root.empty() && std::all_of(root.begin(), root.end(), [](const auto& item) {

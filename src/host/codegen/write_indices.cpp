@@ -13,8 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns an index as a constant of 32 bits. A narrow operand would be promoted to int and change its sign (MISRA
-/// C++:2023 7.0.5).
+/// Returns an index as a constant of 32 bits. A narrower operand would be promoted to int, which changes its signedness
+/// (MISRA C++:2023 7.0.5).
 std::string index_constant(std::uint16_t index, const std::string& name) {
     return fmt::format("inline constexpr std::uint32_t {} = 0x{:04X}U;\n", cpp_word(name), index);
 }

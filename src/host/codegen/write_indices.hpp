@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns the index of each object of a device, or of each standard object of the shared part, as a constant.
+/// Returns a constant for the index of each object of a device, or of each standard object of the shared part.
 std::string write_indices(const Part& part);
 
 }  // namespace canproof::host

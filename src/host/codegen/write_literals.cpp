@@ -44,7 +44,8 @@ std::string member(const Signal& signal) {
                        fmt::join(values, ", "), note);
 }
 
-/// Returns a function that calls visit(name, value) for each single signal; the host uses it for access by name.
+/// Returns the function template for_each_input or for_each_output, which calls visit(name, value) for each single
+/// signal. The host uses it to access signals by name.
 std::string visitor(const Part& part, bool input) {
     const std::string group = input ? "input" : "output";
     std::string calls;
@@ -71,8 +72,8 @@ std::string visitor(const Part& part, bool input) {
         group, calls);
 }
 
-/// Returns the type of a constant, at least 32 bits. A narrow operand would be promoted to int and change its sign
-/// (MISRA C++:2023 7.0.5).
+/// Returns the C++ type of a constant; an unsigned type has at least 32 bits. A narrower operand would be promoted to
+/// int, which changes its signedness (MISRA C++:2023 7.0.5).
 std::string constant_type(const std::string& type) {
     const std::string exact = cpp_type(type);
     return exact == "std::uint8_t" || exact == "std::uint16_t" ? "std::uint32_t" : exact;
@@ -83,7 +84,8 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        // Braces accept a constant that fits into a narrower type, but they do not accept a variable of a wider type.
+        // A constant in braces may initialise a narrower type if its value fits; a variable of a wider type may not. So
+        // a changeable cell has exactly the type of the register.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

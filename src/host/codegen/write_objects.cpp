@@ -45,7 +45,7 @@ std::string entry_words(const EntryRow& row, const Entry& entry) {
                        data_type_word(entry.type), rights_words(row.rights), entry.service);
 }
 
-/// Returns a pool of values with one line per entry.
+/// Returns a table of values with one line for each entry.
 std::string value_pool(const std::string& name, const Part& part, const Layout& layout, bool constant, Cells cells) {
     const auto& pool = constant ? layout.constants : layout.image;
     std::string text =
@@ -76,7 +76,7 @@ std::string string_rows(const std::string& type, const std::string& name, const 
     return text + "}};\n\n";
 }
 
-/// Returns the slots, sixteen per line.
+/// Returns the table of hash slots, sixteen in a line.
 std::string slot_table(const DictionaryRows& rows) {
     std::string text =
         fmt::format("inline constexpr std::array<std::uint16_t, {}U> object_slots{{{{", rows.slots.size());
@@ -122,7 +122,7 @@ std::string field_for(const Object& object, const std::vector<Placement>& places
     return text;
 }
 
-/// The text of the rows of each table, one string per row.
+/// The text of the rows of each table; each row is one string.
 struct RowTexts {
     const std::vector<std::string>& objects;
     const std::vector<std::string>& entries;
@@ -184,7 +184,7 @@ std::string write_objects(const Part& part, Cells cells) {
     text += fmt::format("namespace canproof::generated::{} {{\n\n", part.cpp_name());
     const RowTexts texts{objects, entries, limits, allowed};
     const std::string own = table_texts(part, rows, texts, cells);
-    // Sizes that the C++ compiler computes use tables that are constant in every build.
+    // Some sizes are computed at compile time. They use the tables in `compiled`, which are constant in every build.
     text += cells == Cells::constant
                 ? fmt::format("{}namespace compiled {{\nusing generated::{}::tables;\n}}  // namespace compiled\n\n",
                               own, part.cpp_name())

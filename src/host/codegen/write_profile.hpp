@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the node's data in device.toml as a NodeProfile.
+/// Returns the node's data from device.toml as a NodeProfile in C++.
 std::string write_profile(const Part& part, Cells cells = Cells::constant);
 
 }  // namespace canproof::host

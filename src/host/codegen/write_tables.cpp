@@ -51,14 +51,14 @@ std::string rows_of(const TableCode& code, const Table& table, Cells cells) {
     return fmt::format("{} std::array<Row, {}U> rows{{{{\n{}}}}};\n\n", storage_words(cells), rows.size(), lines);
 }
 
-/// Returns the type of a column, at least 32 bits. Two narrow operands would be promoted to int and change their sign
-/// (MISRA C++:2023 7.0.5).
+/// Returns the C++ type of a column; an unsigned type has at least 32 bits. Narrower operands would be promoted to int,
+/// which changes their signedness (MISRA C++:2023 7.0.5).
 std::string wide_type_of(const TableCode& code, const Column& column) {
     const std::string type = code.type_of(column);
     return (type == "std::uint8_t" || type == "std::uint16_t") ? "std::uint32_t" : type;
 }
 
-/// Returns a static_assert in the generated code: the lookup finds each row by its own inputs.
+/// Returns a static_assert for the generated code. It checks that the lookup finds each row by the inputs of that row.
 std::string row_check(const TableCode& code, const Table& table) {
     std::vector<std::string> firsts;
     std::vector<std::string> lasts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates an enumeration of the objects that a write can change, so that a compiler can check a switch for
-// completeness.
+// Generates an enumeration of the objects whose values a write can change, so that a compiler can check that a switch
+// is complete.
 #include "host/codegen/write_written.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Several families at consecutive indices: `count` blocks of `step` indices from `first` on. The families differ only
-/// in the number of the member.
+/// Families of objects at consecutive indices: `count` blocks of `step` indices each, from `first` on. Each block
+/// contains the members of all families with the same number.
 struct Stretch {
     unsigned first;
     unsigned step;
@@ -27,7 +27,7 @@ struct Stretch {
     unsigned end() const { return first + step * count; }
 };
 
-/// Returns whether a write to one of the object's entries is reported to the device.
+/// Returns whether the firmware reports a write to one of the object's entries to the device.
 bool is_heard(const Object& object) {
     return std::any_of(object.entries.begin(), object.entries.end(), [&](const Entry& entry) {
         const bool writable = entry.access == "rw" || entry.access == "wo";
@@ -46,7 +46,8 @@ std::map<std::string, std::vector<const Object*>> families_of(const Part& part) 
     return families;
 }
 
-/// Returns whether each object in the stretch belongs to a family with the same steps.
+/// Returns whether every object in the stretch belongs to a family with the step and the number of members of the
+/// stretch.
 bool is_pure(const Part& part, const std::map<std::string, std::vector<const Object*>>& families,
              const Stretch& stretch) {
     return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {
@@ -89,7 +90,7 @@ const Stretch* stretch_at(const std::vector<Stretch>& stretches, unsigned index)
     return found == stretches.end() ? nullptr : &*found;
 }
 
-/// Returns `binary_function_source` for `Binary function {n} source`.
+/// Returns the name of a family as a C++ word: `binary_function_source` for `Binary function {n} source`.
 std::string family_word(std::string name) {
     if (const auto at = name.find("{n}"); at != std::string::npos) {
         name.erase(at, 3);

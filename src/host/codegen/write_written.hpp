@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns an enumeration of the objects whose writes are reported to the device, and a function that finds the
-/// enumerator.
+/// Returns an enumeration of the objects whose writes the firmware reports to the device, and a function that returns
+/// the enumerator for a write.
 std::string write_written(const Part& part);
 
 }  // namespace canproof::host

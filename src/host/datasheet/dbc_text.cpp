@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t longest_name = 32;  // older tools refuse longer names
 constexpr std::uint32_t extended_frame = 0x80000000;
 
-/// Returns the text in quotation marks: ASCII without quotation marks, backslashes and line breaks.
+/// Returns the text in quotation marks, reduced to ASCII without quotation marks, backslashes and line breaks.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {

@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// Values with their words.
+/// Values of a signal, each with its word.
 using DbcWords = std::vector<std::pair<std::uint64_t, std::string>>;
 
 struct DbcSignal {
@@ -20,23 +20,23 @@ struct DbcSignal {
     enum class Number { natural, integer, single_real, double_real };
 
     std::string name;
-    unsigned start{0};   ///< first bit, counted from 0
-    unsigned length{0};  ///< bits, 1 to 64
+    unsigned start{0};   ///< number of the first bit, from 0
+    unsigned length{0};  ///< number of bits, 1 to 64
     Number number{Number::natural};
     Multiplex multiplex{Multiplex::none};
-    std::uint64_t switched_by{0};  ///< value of the multiplexor at which the signal exists
+    std::uint64_t switched_by{0};  ///< value of the multiplexor with which the message contains this signal
     double minimum{0.0};
-    double maximum{0.0};  ///< 0 in both: no limits
+    double maximum{0.0};  ///< if minimum and maximum are both 0, there are no limits
     std::string unit;
     std::string comment;
     DbcWords words;
 };
 
 struct DbcMessage {
-    std::uint32_t id{0};  ///< of 11 bits; of 29 bits with is_extended
+    std::uint32_t id{0};  ///< identifier of 11 bits, or of 29 bits if `is_extended`
     bool is_extended{false};
     std::string name;
-    unsigned length{0};  ///< bytes
+    unsigned length{0};  ///< number of bytes
     std::string sender;
     std::string receiver;
     std::string comment;
@@ -49,18 +49,19 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// Unique names of one scope: each is a valid identifier of at most 32 characters. Names differ in more than their
-/// case, because SavvyCAN looks them up without regard to it.
+/// The unique names of one scope. Each is a valid identifier of at most 32 characters. Two names never differ in their
+/// case alone, because SavvyCAN ignores the case.
 class DbcNames {
   public:
-    /// Returns the text as a unique name: other characters become underscores, and _2, _3 … make it unique.
+    /// Returns the text as a unique name. Other characters than letters and digits become underscores; an ending such
+    /// as _2 or _3 makes it unique.
     std::string take(const std::string& text);
 
   private:
     std::set<std::string> taken_;  ///< in lower case
 };
 
-/// Returns the file with LF line breaks and ASCII characters only.
+/// Returns the text of the DBC file, with LF line breaks and only ASCII characters.
 std::string dbc_text(const DbcFile& file);
 
 }  // namespace canproof::host

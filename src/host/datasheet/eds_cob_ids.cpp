@@ -17,15 +17,16 @@ struct CobId {
     bool node_id;
 };
 
-/// Returns the COB-ID of one of the first four PDOs of a direction in the pre-defined connection set; `first` is the
-/// index of the first PDO. A later PDO does not exist.
+/// Returns the COB-ID that the pre-defined connection set gives a PDO; `first` is the index of the direction's first
+/// PDO. The set contains four PDOs of each direction. For a later PDO, returns a COB-ID that switches it off.
 CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
     constexpr unsigned predefined = 4;
     const unsigned number = index - first;
     return number < predefined ? CobId{base + std::int64_t{0x100} * number, true} : CobId{does_not_exist, false};
 }
 
-/// Returns the usual COB-ID of an entry (CiA 301, 7.3.5 and 7.5.2); nothing for an entry without one.
+/// Returns the usual COB-ID of an entry (CiA 301, 7.3.5 and 7.5.2). Returns nothing for an entry that is no such
+/// COB-ID.
 std::optional<CobId> usual(unsigned index, unsigned subindex) {
     if (index == 0x1005 && subindex == 0) {
         return CobId{0x80, false};

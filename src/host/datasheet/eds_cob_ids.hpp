@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Replaces them by the COB-IDs of CiA 301's pre-defined connection set, each with a note. PDOs beyond this set get
-/// switched off.
+/// Replaces each such COB-ID by that of the pre-defined connection set (CiA 301), with a note. Switches off a PDO that
+/// is not in the set.
 void mend_cob_ids(Part& part, const EdsTelling& tell);
 
 }  // namespace canproof::host

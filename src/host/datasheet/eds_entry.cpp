@@ -13,17 +13,17 @@ namespace canproof::host {
 
 namespace {
 
-/// Length in bytes that a writable string has at least; its default may be shorter.
+/// Least length in bytes of a writable string, even if its default is shorter.
 constexpr std::size_t string_room = 64;
 constexpr std::size_t longest_string = 4096;
 
 struct TypeRow {
     unsigned number;
     const char* word;
-    std::size_t octets;  ///< length of a type that is represented as octets; 0: the type has its own word
+    std::size_t octets;  ///< length of a type that the device treats as bytes; 0: the type has its own name
 };
 
-/// CiA 301, Table 44. Types with which no service computes are represented as octets, as on the bus.
+/// The data types of CiA 301, Table 44. No service calculates with the types that are treated as bytes.
 constexpr std::array<TypeRow, 25> type_rows{{{0x01, "BOOLEAN", 0},
                                              {0x02, "INTEGER8", 0},
                                              {0x03, "INTEGER16", 0},
@@ -56,7 +56,7 @@ const TypeRow* type_row(unsigned number) {
     return found == type_rows.end() ? nullptr : &*found;
 }
 
-/// The values of a section that describe an entry; nullptr for a key that is absent or empty.
+/// The values of a section that describe an entry. A member is nullptr if its key is absent or empty.
 struct EntryKeys {
     const IniValue* name{nullptr};
     const IniValue* object_type{nullptr};
@@ -69,7 +69,7 @@ struct EntryKeys {
     const IniValue* high_limit{nullptr};
 };
 
-/// Finds all keys in one pass, because a data sheet has thousands of entries.
+/// Finds the keys in a section. It searches all in one pass, because a data sheet has thousands of entries.
 EntryKeys keys_of(const IniSection& section) {
     using Field = const IniValue* EntryKeys::*;
     constexpr std::array<std::pair<std::string_view, Field>, 9> fields{
@@ -97,7 +97,8 @@ Place place_of(const EdsTelling& tell, unsigned line) {
     return {tell.file, line};
 }
 
-/// Returns the type of an entry whose DataType is not a number: its word, or a type that fits its sub-index and value.
+/// Returns a type for an entry whose DataType is not a number: the type with the name `word`, or a type that fits the
+/// sub-index and the value.
 std::string assumed_type(const EntryKeys& keys, std::string_view word, bool is_counter) {
     const auto named =
         std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
@@ -143,8 +144,8 @@ void read_type(Entry& entry, const IniSection& section, const EntryKeys& keys, b
     }
 }
 
-/// Reads the access type. CiA 306: SDO reads and writes rwr and rww; only a transmit or a receive PDO, respectively,
-/// may carry them.
+/// Reads the access type. An entry with rwr or rww can be read and written by SDO; PDOs may contain it in one direction
+/// only: transmit for rwr, receive for rww (CiA 306).
 void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
     const IniValue* given = keys.access;
     const std::string word = given == nullptr ? std::string{} : lower_case(given->text);
@@ -154,7 +155,7 @@ void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys,
     }
     constexpr std::array<std::string_view, 6> known{"ro", "wo", "rw", "rwr", "rww", "const"};
     if (std::find(known.begin(), known.end(), word) != known.end()) {
-        entry.access = word.substr(0, word.size() == 3 ? 2 : word.size());  // rwr and rww are rw
+        entry.access = word.substr(0, word.size() == 3 ? 2 : word.size());  // rwr and rww become rw
     }
     if (entry.access.empty()) {
         entry.access = "rw";

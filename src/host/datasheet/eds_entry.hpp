@@ -7,12 +7,13 @@
 
 namespace canproof::host {
 
-/// Reads the entry that the keys of `section` describe into `entry`, which is new. Missing or invalid keys get an
-/// assumed value and a note. `is_counter` marks sub-index 0 of an ARRAY or RECORD. The caller assigns the service.
+/// Reads the entry that the keys of `section` describe into `entry`, which must be new. For a missing or invalid key,
+/// assumes a value and adds a note. `is_counter` marks sub-index 0 of an ARRAY or RECORD. The caller must assign the
+/// service.
 void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
                     const EdsTelling& tell);
 
-/// Stores a value (DefaultValue, ParameterValue) in an entry whose type is known.
+/// Stores the value of the key DefaultValue or ParameterValue in an entry whose type is known.
 void set_eds_value(Entry& entry, const IniValue& value, const EdsTelling& tell);
 
 }  // namespace canproof::host

@@ -40,8 +40,8 @@ bool is_hexadecimal(std::string_view text) {
     return text.size() >= 2 && text[0] == '0' && lower_case(text[1]) == 'x';
 }
 
-/// Removes the suffixes of C, as in 10u and 0x10UL, which have no meaning here. A text of suffixes alone is not a
-/// number.
+/// Removes the suffixes of C, as in 10u and 0x10UL, because they have no meaning here. A text that consists of suffixes
+/// gives an empty text.
 std::string_view without_suffix(std::string_view text) {
     while (!text.empty() && (lower_case(text.back()) == 'u' || lower_case(text.back()) == 'l')) {
         text.remove_suffix(1);
@@ -66,7 +66,8 @@ std::optional<Value> real_value(const std::string& text, const std::string& type
         }
         return std::isfinite(value) ? std::optional<Value>{value} : std::nullopt;
     }
-    const std::string number = text.size() > 1 && text.back() == 'f' ? text.substr(0, text.size() - 1) : text;  // 1.5f
+    // removes the suffix of 1.5f
+    const std::string number = text.size() > 1 && text.back() == 'f' ? text.substr(0, text.size() - 1) : text;
     const bool plain = !number.empty() && number.find_first_not_of("0123456789.+-e") == std::string::npos;
     char* end = nullptr;
     const double value = plain ? std::strtod(number.c_str(), &end) : 0.0;
@@ -82,7 +83,7 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     if (!magnitude) {
         return std::nullopt;
     }
-    if (std::string_view{type} == "UNSIGNED64") {  // the register stores its bits in a signed number
+    if (std::string_view{type} == "UNSIGNED64") {  // the register stores the 64 bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
     const auto limits = integer_limits(type);

@@ -12,25 +12,25 @@
 
 namespace canproof::host {
 
-/// Parses an unsigned number; returns nothing for another text or a number beyond 64 bits.
+/// Parses an unsigned number. Returns nothing for any other text and for a number beyond 64 bits.
 std::optional<std::uint64_t> eds_unsigned(std::string_view text);
 
-/// Parses hexadecimal digits without 0x in the same way.
+/// Parses hexadecimal digits without 0x. Returns nothing for any other text and for a number beyond 64 bits.
 std::optional<std::uint64_t> eds_hexadecimal(std::string_view digits);
 
 /// A value that may contain the node-ID as a term: `$NODEID+0x180`, `0x180+$NODEID`, `$NODEID`.
 struct NodeIdTerm {
-    std::string rest;  ///< the number without the term; "0" when the term stands alone
+    std::string rest;  ///< number without the term; "0" when the term stands alone
     bool has_node_id{false};
 };
-/// Separates the term; returns nothing when $NODEID occurs outside a sum.
+/// Separates the term $NODEID from the number. Returns nothing when $NODEID is not part of a sum.
 std::optional<NodeIdTerm> split_node_id(std::string_view text);
 
-/// Parses a value of a numeric CiA type; returns nothing for another text or a value that does not fit. A hexadecimal
-/// number can be the bit pattern of a signed type; for a real it is its IEEE 754 bits.
+/// Parses a value of a numeric CiA type. Returns nothing for any other text or a value that does not fit. A hexadecimal
+/// number can be the bit pattern of a signed type; for a real type it is the IEEE 754 bits.
 std::optional<Value> eds_value(std::string_view text, const std::string& type);
 
-/// Parses `01 A0 FF` or `01A0FF`; returns nothing for a text that is no list of octets.
+/// Parses hexadecimal bytes: `01 A0 FF` or `01A0FF`. Returns nothing for any other text.
 std::optional<std::string> eds_octets(std::string_view text);
 
 }  // namespace canproof::host

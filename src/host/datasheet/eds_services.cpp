@@ -14,7 +14,7 @@ struct Area {
     const char* service;
 };
 
-// CiA 301, 7.5.2
+// The communication objects of CiA 301, 7.5.2, and the service to which each belongs.
 constexpr std::array<Area, 15> areas{{{0x1001, 0x1001, "emcy"},
                                       {0x1003, 0x1003, "emcy"},
                                       {0x1005, 0x1007, "sync"},
@@ -56,8 +56,8 @@ void assign_services(Part& part) {
             entry.stored =
                 std::string_view{entry.access} == "rw" && !is_command && std::string_view{entry.type} != "DOMAIN";
             if (object.index == 0x1003 && object.kind != Object::Kind::var && entry.subindex == 0) {
-                // CiA 301, 7.5.2.4: writing 0 empties the list. A data sheet gives the range of the counts that can be
-                // read instead.
+                // A write of 0 empties the list (CiA 301, 7.5.2.4). The limits in a data sheet apply to the counts that
+                // can be read, not to the value that can be written.
                 entry.range = Range{};
                 entry.range.values = {std::int64_t{0}};
             }

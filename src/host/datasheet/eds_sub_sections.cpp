@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the entry that a section of this name describes: `1018sub1`; nothing for another name.
+/// Returns the entry that a section describes by its name, such as `1018sub1`; nothing for any other name.
 std::optional<SubSection> sub_section(std::string_view name, const IniSection& section) {
     const auto sub = name.find("sub");
     if (sub == std::string_view::npos || sub == 0 || sub > 4) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of a data sheet that describe single entries, such as [1018sub1].
+// Finds the sections of a data sheet that describe single entries, such as [1018sub1].
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ struct SubSection {
     const IniSection* section{nullptr};
 };
 
-/// Ascending by index and sub-index; each entry occurs once.
+/// Sections in ascending order of index and sub-index; there is one for each entry.
 using SubSections = std::vector<SubSection>;
 
-/// Collects the sections of all entries. Of several sections of one entry the first in the file counts; the others get
-/// a note. `file` must outlive the result.
+/// Collects the sections of all entries. If an entry has several sections, uses the first in the file and adds a note
+/// for each other one. `file` must outlive the result.
 SubSections find_sub_sections(const IniFile& file, const EdsTelling& tell);
 
-/// Returns the first section of an object's entries and the end of them.
+/// Returns the range of the sections that describe an object's entries.
 std::pair<SubSections::const_iterator, SubSections::const_iterator> subs_of(const SubSections& all,
                                                                             std::uint16_t index);
 

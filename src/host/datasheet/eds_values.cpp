@@ -48,7 +48,7 @@ std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bo
         return std::nullopt;
     }
     if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
-        return "0";  // a data sheet cannot express gaps between the allowed values
+        return "0";  // a data sheet cannot describe gaps between the allowed values
     }
     if (limit.kind == Limit::Kind::number) {
         return value_text(limit.number, entry.type, reals);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An index of a dictionary's entries by index and sub-index.
+// Finds the entries of a dictionary by index and sub-index.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,22 @@ struct NamedEntry {
     const Entry* entry{nullptr};
 };
 
-/// Returns the names of object and entry; only the entry's when it begins with the object's, only the object's for a
-/// VAR.
+/// Returns the name of an entry with the name of its object. Returns only the entry's name if it begins with the
+/// object's name, and only the object's name for a VAR.
 std::string full_name(const NamedEntry& named);
 
 class EntryIndex {
   public:
-    /// `part` must outlive the index.
+    /// Keeps pointers into `part`, which must outlive the index.
     explicit EntryIndex(const Part& part);
 
     static unsigned key(unsigned index, unsigned sub) { return (index << 8U) | sub; }
     /// Returns the entry; nullptr when there is none.
     const NamedEntry* named(unsigned index, unsigned sub) const;
-    /// Returns the default of an entry at this node-ID; nothing when there is no entry or no whole number.
+    /// Returns the default of an entry at this node-ID. Returns nothing when the entry does not exist or its default is
+    /// no whole number.
     std::optional<std::uint32_t> number(unsigned index, unsigned sub, unsigned node_id) const;
-    /// Returns all entries by key().
+    /// Returns all entries; key() gives their keys.
     const std::map<unsigned, NamedEntry>& all() const { return entries_; }
 
   private:

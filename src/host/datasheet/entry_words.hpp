@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes an entry of a dictionary in words: its limits and its range.
+// Describes the limits and the range of a dictionary's entry in words.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace canproof::host {
 
-/// Returns `4020h:1 - 100` for a limit that depends on another object.
+/// Returns the text of a limit that depends on another object: `4020h:1 - 100`.
 std::string limit_name(const Entry& entry, const Limit& limit);
-/// Returns `0 … 10`, `2, 8` or `0, 10 … 65535`; empty when only the type limits the value.
+/// Returns the range in words: `0 … 10`, `2, 8` or `0, 10 … 65535`. Returns an empty text when only the type limits the
+/// value.
 std::string range_words(const Entry& entry);
 /// Returns `VAR`, `ARRAY` or `RECORD`.
 const char* kind_name(const Object& object);
-/// Returns `6411h:02`; for a VAR `1001h`.
+/// Returns index and sub-index: `6411h:02`; for a VAR only the index: `1001h`.
 std::string place_words(const Object& object, const Entry& entry);
-/// Returns the bits of a value in a PDO; 0 for a variable length.
+/// Returns the length in bits of the entry's value in a PDO; 0 for a variable length.
 unsigned mapped_bits(const Entry& entry);
 
 }  // namespace canproof::host

@@ -14,7 +14,7 @@ constexpr bool is_blank(char c) {
     return c <= ' ' && ini_blanks.find(c) != std::string_view::npos;
 }
 
-/// Removes the blanks at both ends.
+/// Returns the text without blanks at its two ends.
 std::string_view without_blanks(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) {
         text.remove_prefix(1);
@@ -25,7 +25,7 @@ std::string_view without_blanks(std::string_view text) {
     return text;
 }
 
-constexpr std::size_t usual_values = 8;  ///< keys of an entry
+constexpr std::size_t usual_values = 8;  ///< usual number of keys of an entry; avoids repeated allocation
 
 bool has_control(std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) {
@@ -34,7 +34,8 @@ bool has_control(std::string_view text) {
     });
 }
 
-/// Compares a text in lower case with a text in any case. Returns a number below, equal to or above 0.
+/// Compares a text in lower case with a text in any case. Returns a number below, equal to or above 0, as
+/// std::string::compare() does.
 int compare_lower(std::string_view lower, std::string_view text) {
     const std::size_t common = std::min(lower.size(), text.size());
     for (std::size_t i = 0; i < common; ++i) {
@@ -130,7 +131,8 @@ class IniReader {
             tell_.note(line_, fmt::format("`{}` follows the section", rest.substr(0, 40)), "it is ignored");
         }
         const std::size_t before = file_.sections.size();
-        const auto hint = section_ == nullptr ? file_.sections.end() : std::next(place_);  // most files are in order
+        // most files have their sections in alphabetical order, so this place is usually right
+        const auto hint = section_ == nullptr ? file_.sections.end() : std::next(place_);
         place_ = file_.sections.try_emplace(hint, lower_case(name));
         section_ = &place_->second;
         if (file_.sections.size() == before) {
@@ -148,7 +150,7 @@ class IniReader {
         const auto equals = text.find('=');
         const std::string_view key = without_blanks(text.substr(0, equals));
         if (skips_) {
-            return;  // the section itself has been reported already
+            return;  // a note already reports the invalid section
         }
         if (equals == std::string_view::npos || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
@@ -161,7 +163,7 @@ class IniReader {
     }
 
     std::size_t place_of(std::string_view part) const { return static_cast<std::size_t>(part.data() - text_.data()); }
-    /// Brings a part of the stored text into lower case.
+    /// Converts a part of the stored text to lower case.
     void make_lower(std::string_view part) {
         char* const begin = text_.data() + place_of(part);
         std::transform(begin, begin + part.size(), begin, [](char c) { return lower_case(c); });
@@ -173,8 +175,9 @@ class IniReader {
     IniFile file_;
     std::string& text_;  ///< copy of written_, with keys in lower case
     IniSection* section_{nullptr};
-    std::map<std::string, IniSection, std::less<>>::iterator place_;  ///< of section_, if that is not nullptr
-    bool skips_{false};                                               ///< inside an invalid section
+    /// place of section_ in the sections; valid if section_ is not nullptr
+    std::map<std::string, IniSection, std::less<>>::iterator place_;
+    bool skips_{false};  ///< whether the present line is in an invalid section
     std::size_t strange_{0};
     unsigned line_{0};
 };

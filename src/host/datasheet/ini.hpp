@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the INI form of CiA 306: sections of `key=value` lines. Every line has its number; names are compared without
-// regard to case.
+// Parses the INI form of CiA 306: sections of `key=value` lines. Each value has its line number. Names are compared
+// without regard to upper and lower case.
 #pragma once
 
 #include <cstddef>
@@ -17,31 +17,31 @@
 namespace canproof::host {
 
 struct IniValue {
-    std::string_view text;  ///< without blanks at its ends; refers to IniFile::texts
+    std::string_view text;  ///< without blanks at its ends; a view of IniFile::texts
     unsigned line{0};
 };
 
 struct IniSection {
     std::string name;  ///< as written
     unsigned line{0};
-    std::vector<std::pair<std::string_view, IniValue>> values;  ///< ascending by key, in lower case
+    std::vector<std::pair<std::string_view, IniValue>> values;  ///< ascending by key; the keys are in lower case
 
     /// Returns the value; nullptr when the key is absent.
     const IniValue* find(std::string_view key) const;
-    /// Returns the value of a key that is present and not empty; otherwise nullptr.
+    /// Returns the value of a key that is present and not empty; otherwise returns nullptr.
     const IniValue* filled(std::string_view key) const;
 };
 
-/// A value whose key is in its section already.
+/// A value whose key occurs in the section a second time.
 struct IniRepetition {
     std::string_view key;
-    unsigned first{0};  ///< the line that counts
+    unsigned first{0};  ///< line of the value that is used
     unsigned line{0};
 };
 
 struct IniFile {
     std::map<std::string, IniSection, std::less<>> sections;  ///< by name in lower case
-    std::forward_list<std::string> texts;                     ///< the bytes of keys and values
+    std::forward_list<std::string> texts;                     ///< storage for the bytes of keys and values
 
     IniFile() = default;
     IniFile(const IniFile&) = delete;  // keys and values would refer to the texts of the original
@@ -51,42 +51,43 @@ struct IniFile {
     ~IniFile() = default;
 
     const IniSection* find(std::string_view name) const;
-    /// Stores a text for a key or a value. Returns a view of it, valid as long as the file.
+    /// Stores the text of a key or a value. Returns a view of it, which is valid as long as the file exists.
     std::string_view keep(std::string text) { return texts.emplace_front(std::move(text)); }
-    /// Brings the values of each section, which were appended in any order, into the order of their keys. Of equal keys
-    /// that of the first line stays. Returns the others.
+    /// Sorts the values of each section, which may have been appended in any order, by their keys. Of equal keys, keeps
+    /// the value of the first line. Returns the others.
     std::vector<IniRepetition> sort_values();
 };
 
-/// Blanks around names and values that CiA 306 allows or that occur in existing files.
+/// Characters that count as blanks around names and values: those of CiA 306, and others that occur in existing files.
 constexpr std::string_view ini_blanks = " \t\r\v\f";
 
 /// Greatest length of a line in bytes; CiA 306 allows less.
 constexpr std::size_t longest_ini_line = 8192;
 
-/// Greatest number of lines that do not follow CiA 306; a file with more is no data sheet.
+/// Greatest number of lines that do not follow CiA 306. A file with more such lines is no data sheet.
 constexpr std::size_t most_strange_lines = 1000;
 
-/// Receives the faults and notes of a file.
+/// Receives the faults and notes about a file.
 struct EdsTelling {
     const std::string& file;
     Faults& faults;
     Faults& notes;
 
-    /// Adds a fault: the file cannot be used.
+    /// Adds a fault, which means that the file cannot be used.
     void fault(unsigned line, std::string what, std::string fix) const {
         faults.emplace_back(Place{file, line}, std::move(what), std::move(fix));
     }
-    /// Adds a note: a defect, and the value that is assumed instead.
+    /// Adds a note about a defect and the value that is assumed instead.
     void note(unsigned line, std::string what, std::string assumed) const {
         notes.emplace_back(Place{file, line}, std::move(what), std::move(assumed));
     }
 };
 
-/// Parses the text. Lines without meaning are ignored, with a note. A text that cannot be a data sheet is a fault.
+/// Parses the text. Ignores lines without meaning and adds a note for each. Adds a fault for a text that cannot be a
+/// data sheet.
 IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
-/// Returns `a` to `z` for `A` to `Z`, and every other byte unchanged.
+/// Returns the lower-case letter for `A` to `Z`, and any other byte unchanged.
 constexpr char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

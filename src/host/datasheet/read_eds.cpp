@@ -21,7 +21,8 @@ namespace canproof::host {
 namespace {
 
 constexpr std::uint16_t first_object = 0x1000;  // lower indices are data types, which are no objects of a device
-/// Limits of the dictionary's rows: 16 bits for the number of entries and for the bytes of the values.
+/// Greatest number of entries. The rows of the dictionary have 16 bits for the number of entries and for the position
+/// of a value.
 constexpr std::size_t most_entries = 0xFFFF;
 constexpr std::size_t most_bytes = 0xFFFF;
 
@@ -173,7 +174,7 @@ class EdsReader {
             return;
         }
         if (entries_ > most_entries) {
-            return;  // check_whole() reports it
+            return;  // check_whole() reports that there are too many entries
         }
         if (!seen_.emplace(index, listed_in).second) {
             tell_.note(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
@@ -196,7 +197,7 @@ class EdsReader {
         }
     }
 
-    /// Reads objects that are described but in none of the lists.
+    /// Reads objects that have a description but are in none of the lists.
     void read_unlisted() {
         for (const auto& [name, section] : ini_.sections) {
             const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
@@ -208,7 +209,7 @@ class EdsReader {
         }
     }
 
-    /// Returns the object type. In CiA 306, an object without ObjectType is a VAR.
+    /// Returns the object type of a description. In CiA 306, an object without ObjectType is a VAR.
     std::uint64_t object_type(const Object& object, const IniSection& section, bool has_subs) const {
         const IniValue* given = section.filled("ObjectType");
         const auto code = given == nullptr ? std::optional<std::uint64_t>{7} : eds_unsigned(given->text);
@@ -255,8 +256,8 @@ class EdsReader {
         }
     }
 
-    /// Adds entries 1 to N of CompactSubObj. The object itself describes them; further sections can contain their names
-    /// and values.
+    /// Adds the entries 1 to `count` that CompactSubObj describes. The section of the object describes them all; two
+    /// other sections can contain their names and values.
     void add_compact(Object& object, const IniSection& section, unsigned count) {
         const IniSection* names = ini_.find(index_text(object.index) + "Name");
         const IniSection* values = ini_.find(index_text(object.index) + "Value");
@@ -279,12 +280,12 @@ class EdsReader {
         const auto compact_end = static_cast<std::ptrdiff_t>(object.entries.size());
         const auto [first_sub, end_of_subs] = subs_of(subs_, object.index);
         const auto count = static_cast<std::size_t>(end_of_subs - first_sub);
-        object.entries.reserve(object.entries.size() + count + 1);  // one more for sub-index 0
+        object.entries.reserve(object.entries.size() + count + 1);  // one element more for sub-index 0
         for (auto one = first_sub; one != end_of_subs; ++one) {
             const auto end = object.entries.begin() + compact_end;
             const auto same = std::find_if(object.entries.begin(), end,
                                            [sub = one->subindex](const Entry& other) { return other.subindex == sub; });
-            // Its own description has priority over CompactSubObj.
+            // An entry's own section has priority over CompactSubObj.
             Entry& entry = same == end ? object.entries.emplace_back() : (*same = Entry{});
             read_eds_entry(entry, *one->section, one->subindex, one->subindex == 0, tell_);
         }
@@ -352,7 +353,7 @@ class EdsReader {
     EdsTelling tell_;
     IniFile ini_;
     SubSections subs_;
-    std::map<std::uint16_t, unsigned> seen_;  ///< index → line that lists it
+    std::map<std::uint16_t, unsigned> seen_;  ///< line that lists an object, by its index
     std::map<std::uint16_t, Object> objects_;
     std::size_t entries_{0};
 };

@@ -17,7 +17,7 @@ namespace {
 
 const std::string byte_order_mark = "\xEF\xBB\xBF";
 
-/// Returns the text on one line without blanks at its ends, as the value of an EDS.
+/// Returns the text on one line and without blanks at its ends, like a value in an EDS.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U; }, ' ');
@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Parses an index. CiA 311 has hexadecimal digits without 0x; some files contain 0x all the same.
+/// Parses an index in hexadecimal digits. CiA 311 writes it without 0x, but some files contain 0x.
 std::optional<std::uint64_t> hexadecimal(const std::string& text) {
     return eds_unsigned(lower_case(text).rfind("0x", 0) == 0 ? text : "0x" + text);
 }
@@ -40,7 +40,7 @@ class XddReader {
         }
         const auto outcome = document_.load_buffer(plain.data(), plain.size());
         if (!outcome) {
-            tell_.fault(line_at(outcome.offset), fmt::format("not XML: {}", outcome.description()),
+            tell_.fault(line_at(outcome.offset), fmt::format("the file is not XML: {}", outcome.description()),
                         "name an EDS, DCF or XDD file");
         }
         sound_ = static_cast<bool>(outcome);
@@ -49,7 +49,7 @@ class XddReader {
     IniFile read() {
         const pugi::xml_node list = sound_ ? found("CANopenObjectList") : pugi::xml_node{};
         if (sound_ && !list) {
-            tell_.fault(1, "XML without CANopenObjectList of CiA 311", "name an EDS, DCF or XDD file");
+            tell_.fault(1, "the XML contains no CANopenObjectList of CiA 311", "name an EDS, DCF or XDD file");
         }
         if (!list) {
             return {};
@@ -82,7 +82,7 @@ class XddReader {
     IniSection& section(const std::string& name, const pugi::xml_node& node) {
         return file_.sections.emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
     }
-    /// Sets a value that is not empty. A key has one value.
+    /// Adds a value of a key, unless the text is empty. If a key has several values, sort_values() keeps the first.
     void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) {
         const std::string value = one_line(text);
         if (!value.empty()) {
@@ -110,7 +110,8 @@ class XddReader {
             rate ? configured : rates);
     }
 
-    /// Returns `250` for `250 Kbps`; empty for a rate that the device detects itself.
+    /// Returns the number of a bit rate: `250` for `250 Kbps`. Returns an empty text when the rate does not begin with
+    /// a number, as for a rate that the device detects.
     static std::string kilobits(const std::string& text) {
         const std::string number = text.substr(0, text.find_first_not_of("0123456789"));
         return number;
@@ -120,7 +121,7 @@ class XddReader {
         const std::string text = node.attribute("index").value();
         const auto index = hexadecimal(text);
         if (!index || *index > 0xFFFFU) {
-            tell_.note(line_of(node), fmt::format("index `{}` is none", text.substr(0, 40)), "it is ignored");
+            tell_.note(line_of(node), fmt::format("`{}` is no index", text.substr(0, 40)), "it is ignored");
             return;
         }
         const std::string name = fmt::format("{:04X}", *index);
@@ -145,7 +146,7 @@ class XddReader {
         const auto subindex = hexadecimal(text);
         const std::string name = fmt::format("{}sub{:X}", index, subindex.value_or(0));
         if (!subindex || *subindex > 0xFEU) {
-            tell_.note(line_of(node), fmt::format("subIndex `{}` is none", text.substr(0, 40)), "it is ignored");
+            tell_.note(line_of(node), fmt::format("`{}` is no sub-index", text.substr(0, 40)), "it is ignored");
         } else if (file_.find(name) != nullptr) {
             tell_.note(line_of(node), fmt::format("[{}] is already in line {}", name, file_.find(name)->line),
                        "the first counts");
@@ -154,7 +155,8 @@ class XddReader {
         }
     }
 
-    /// Adds the values of an element. Its attributes have priority over those of the parameter to which it refers.
+    /// Adds the values of an element. The attributes of the element have priority over those of the parameter to which
+    /// it refers.
     void add_values(IniSection& into, const pugi::xml_node& node, const XddParameters& parameters) {
         const XddParameter parameter = parameters.find(node.attribute("uniqueIDRef").value());
         const auto both = [&](const char* key, const char* attribute, const std::string& otherwise) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a device description in XML (CiA 311, 1.0 and 1.1) as the corresponding sections and keys of CiA 306.
+// Reads a device description in XML (CiA 311, 1.0 and 1.1) into the corresponding sections and keys of CiA 306.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace canproof::host {
 
-/// Each of the following functions returns an edit of one line.
+/// Returns whether the text is XML: its first character after a byte order mark and blanks is `<`.
 bool is_xml(const std::string& text);
 
-/// Returns the sections. A text that is no device description is a fault; the reader of the sections reports defects of
-/// single elements.
+/// Returns the sections of the device description. Adds a fault when the text is no such description. The reader of the
+/// sections reports defects of single elements.
 IniFile read_xdd(const std::string& text, const EdsTelling& tell);
 
 }  // namespace canproof::host

@@ -27,7 +27,7 @@ DbcSignal::Number number_kind(const std::string& type) {
                                             : DbcSignal::Number::natural;
 }
 
-/// Returns the signal of an entry without its position.
+/// Returns the signal of an entry; its position in the message is not set.
 DbcSignal signal_of(const NamedEntry& named) {
     DbcSignal signal;
     const Entry& entry = *named.entry;
@@ -82,7 +82,8 @@ class DbcWriter {
         return entries_.number(index, sub, node_id_);
     }
 
-    /// Adds a message by its COB-ID. Returns nullptr when it is switched off or another message has the identifier.
+    /// Adds a message with this COB-ID. Returns nullptr when the COB-ID is switched off or another message has the same
+    /// identifier.
     DbcMessage* add(std::uint32_t cob_id, const std::string& name, unsigned length, bool from_device) {
         const bool extended = (cob_id & cob_id_extended) != 0;
         const std::uint32_t id = cob_id & (extended ? 0x1FFFFFFFU : 0x7FFU);
@@ -119,7 +120,7 @@ class DbcWriter {
                 message->signals = {plain_signal("Counter", 0, 8)};
             }
         }
-        // Without 1014h COB-ID EMCY, the identifier is that of the pre-defined connection set.
+        // Without 1014h COB-ID EMCY, the message has the identifier of the pre-defined connection set.
         if (DbcMessage* emcy = add(number(0x1014, 0).value_or(0x80 + node_id_), "EMCY", 8, true)) {
             emcy->signals = {plain_signal("ErrorCode", 0, 16,
                                           {{0x0000, "no error"},
@@ -165,7 +166,7 @@ class DbcWriter {
                 signal.number = whole || integer ? signal.number : DbcSignal::Number::natural;
                 signals.push_back(std::move(signal));
             }
-            at += length;  // a mapped data type is a gap
+            at += length;  // a mapped data type leaves a gap of its length
         }
         const std::string name = fmt::format("{}PDO{}", is_rpdo ? "R" : "T", (index & 0x1FFU) + 1);
         if (DbcMessage* pdo = add(*cob_id, name, std::min(at, pdo_bits) / 8 + (at % 8 == 0 ? 0 : 1), !is_rpdo)) {

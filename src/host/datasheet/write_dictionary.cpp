@@ -50,7 +50,7 @@ Json entry_json(const Entry& entry) {
     return json;
 }
 
-/// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
+/// Returns the text as a cell of a Markdown table: without line breaks and with escaped bars.
 std::string cell(const std::string& text) {
     std::string out;
     for (const char c : one_line(text)) {

@@ -8,9 +8,9 @@
 
 namespace canproof::host {
 
-/// Returns a JSON array with one element per object.
+/// Returns a JSON array with one element for each object.
 std::string write_object_json(const Part& part);
-/// Returns a Markdown table with one row per entry.
+/// Returns a Markdown table with one row for each entry.
 std::string write_object_markdown(const Part& part);
 
 }  // namespace canproof::host

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes an electronic data sheet (CiA 306). Tools read reals in two ways: python-canopen and CANopenEditor expect
-// decimal numbers; Lely's tools expect the bits of IEEE 754 and refuse a decimal limit. Therefore the usual sheet has
-// decimal defaults and no limits of reals, which all three accept. The other sheet contains everything, for Lely.
+// decimal numbers; Lely's tools expect the bits of IEEE 754 and refuse a decimal limit. All three accept a sheet with
+// decimal defaults and without limits of reals, which is the usual sheet. The sheet for Lely contains defaults and
+// limits as bits.
 #include "host/datasheet/write_eds.hpp"
 
 #include <fmt/format.h>
@@ -84,7 +85,8 @@ class EdsWriter {
     }
 
     void dummy_usage() {
-        // A gap in a receive PDO is a mapped data type 1 to 7; it needs a changeable mapping.
+        // A gap in a receive PDO is a mapped data type with a number from 1 to 7. It needs a mapping that can be
+        // changed.
         const int usable = granularity(device_) == 0 ? 0 : 1;
         section("DummyUsage");
         for (unsigned type = 1; type <= 7; ++type) {
@@ -142,7 +144,7 @@ class EdsWriter {
         line("DataType", fmt::format("0x{:04X}", data_type_number(entry.type)));
         line("AccessType", eds_access(entry));
         if (entry.type == "DOMAIN") {
-            return;  // CiA 306 has neither default nor mapping for a DOMAIN
+            return;  // a DOMAIN has neither default nor mapping in CiA 306
         }
         line("DefaultValue", eds_default(entry, reals_));
         if (const auto low = eds_low_limit(entry, reals_)) {

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the sheet with CRLF line breaks.
+/// Returns the text of the sheet, with CRLF line breaks.
 std::string write_eds(const Register& content, const Part& part, Reals reals = Reals::without_limits);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns a real in TOML; a finite one always has a decimal point or an exponent.
+/// Returns a real number in TOML. A finite number always gets a decimal point or an exponent.
 std::string real(double number) {
     if (!std::isfinite(number)) {
         return std::isnan(number) ? "nan" : number > 0 ? "inf" : "-inf";
@@ -55,7 +55,7 @@ std::string range_of(const Range& range) {
                : fmt::format("{{ {}{}{} }}", low, low.empty() || high.empty() ? "" : ", ", high);
 }
 
-/// Returns type, access and all other fields of one entry, each line after `indent`.
+/// Returns type, access and all other fields of one entry; each line begins with `indent`.
 std::string fields(const Entry& entry, const std::string& indent) {
     std::string text = fmt::format("{0}type = \"{1}\"\n{0}access = \"{2}\"\n", indent, entry.type, entry.access);
     if (!std::holds_alternative<std::monostate>(entry.value)) {

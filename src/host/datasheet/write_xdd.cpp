@@ -36,7 +36,7 @@ void add_header(pugi::xml_node& profile, const char* name, const char* revision,
     add_text(iso, "ProfileTechnology", reference);
 }
 
-/// Adds the body of either kind of profile, with the file data that CiA 311 requires.
+/// Adds the body of a profile of either kind, with the file data that CiA 311 requires.
 pugi::xml_node add_body(pugi::xml_node& root, const Register& content, const Part& device, const std::string& kind) {
     const Date date = manual_date(content, device);
     auto profile = root.append_child("ISO15745Profile");
@@ -62,7 +62,7 @@ void add_identity(pugi::xml_node& body, const Part& device) {
     }
 }
 
-/// Adds the device function. CiA 311 requires at least one characteristic: here the manual of the device.
+/// Adds the device function. CiA 311 requires at least one characteristic, so the manual of the device is given as one.
 void add_function(pugi::xml_node& body, const Register& content, const Part& device) {
     const Manual* manual = content.manual(device.info.manual);
     auto characteristic = body.append_child("DeviceFunction")
@@ -80,7 +80,7 @@ void add_function(pugi::xml_node& body, const Register& content, const Part& dev
     said.text().set(text.c_str());
 }
 
-/// Adds the attributes that are common to an object of one value and a sub-object.
+/// Adds the attributes that an object with a single value and a sub-object have in common.
 void add_entry(pugi::xml_node& node, const Entry& entry) {
     add(node, "dataType", fmt::format("{:04X}", data_type_number(entry.type)));
     add(node, "accessType", entry.access);

@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the number in CiA 301, Table 44 of an IEC 61131-3 type; nullptr when there is none.
+/// Returns the number of an IEC 61131-3 type in CiA 301, Table 44; nullptr when it has none.
 const char* type_number(const std::string& word) {
     static const std::map<std::string, const char*> numbers{
         {"BOOL", "0x0001"},  {"SINT", "0x0002"}, {"INT", "0x0003"},    {"DINT", "0x0004"},      {"USINT", "0x0005"},
@@ -18,7 +18,8 @@ const char* type_number(const std::string& word) {
     return found == numbers.end() ? nullptr : found->second;
 }
 
-/// Returns the access type. Input and output are seen from the process: a TPDO carries an input.
+/// Returns the access type in the words of CiA 306. CiA 311 names the direction as seen from the process: a TPDO
+/// contains an input.
 std::string access_word(const std::string& word) {
     static const std::map<std::string, const char*> words{{"const", "const"},        {"read", "ro"},
                                                           {"write", "wo"},           {"readWrite", "rw"},
@@ -59,10 +60,10 @@ pugi::xml_node XddParameters::node_of(const std::string& id) const {
     return found == nodes_.end() ? pugi::xml_node{} : found->second;
 }
 
-/// Returns the type of a parameter, which has it as a child element or refers to an array, an enumeration or a derived
-/// type.
+/// Returns the type of a parameter. The type is a child element of the parameter, or the parameter refers to an array,
+/// an enumeration or a derived type.
 std::string XddParameters::type_of(const pugi::xml_node& parameter) const {
-    constexpr int most_references = 8;  // a type can refer to itself
+    constexpr int most_references = 8;  // a type can refer to itself, so the number of references is limited
     pugi::xml_node node = parameter;
     for (int i = 0; node && i < most_references; ++i) {
         pugi::xml_node next;
@@ -101,7 +102,7 @@ XddParameter XddParameters::find(const std::string& id) const {
     const pugi::xml_node allowed = own ? own : child_named(pattern, "allowedValues");
     const pugi::xml_node range = child_named(allowed, "range");
     const bool single = range && !child_named(allowed, "value") && std::distance(allowed.begin(), allowed.end()) == 1;
-    if (single) {  // a data sheet can contain only one range
+    if (single) {  // a data sheet can contain only one range, so several ranges are left out
         found.low_limit = child_named(range, "minValue").attribute("value").value();
         found.high_limit = child_named(range, "maxValue").attribute("value").value();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of an application process (CiA 311, 1.1), to which its objects refer.
+// The parameters of an application process (CiA 311, 1.1). The objects of the device refer to them.
 #pragma once
 
 #include <map>
@@ -8,12 +8,12 @@
 
 namespace canproof::host {
 
-/// Returns an element's name without prefix: `parameter` for `q1:parameter`.
+/// Returns the name of an element without its prefix: `parameter` for `q1:parameter`.
 std::string local_name(const pugi::xml_node& node);
 /// Returns the first child with this local name; an empty node when there is none.
 pugi::xml_node child_named(const pugi::xml_node& node, const char* name);
 
-/// The data of one parameter in the words of CiA 306; missing data are empty.
+/// The data of one parameter in the words of CiA 306. Missing data are empty texts.
 struct XddParameter {
     std::string name;
     std::string data_type;
@@ -26,7 +26,7 @@ struct XddParameter {
 
 class XddParameters {
   public:
-    /// Collects every element of the document that has a uniqueID.
+    /// Collects every element of the document that has the attribute uniqueID.
     explicit XddParameters(const pugi::xml_document& document);
 
     XddParameter find(const std::string& id) const;

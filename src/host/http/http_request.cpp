@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_number = 9;  // digits of a length
+constexpr std::size_t longest_number = 9;  // greatest number of digits of a Content-Length
 
 bool is_digit(char one) {
     return one >= '0' && one <= '9';
@@ -39,7 +39,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Returns 12 for `name=12` in a query; 0 when the name is missing.
+/// Returns the number of a name in a query: 12 for `name=12`. Returns 0 when the name is missing.
 std::uint64_t number_in(const std::string& query, const std::string& name) {
     std::uint64_t number = 0;
     for (std::size_t begin = 0; begin < query.size();) {
@@ -143,10 +143,10 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
                                                    {"content-type", &request_.content_type}};
     const auto place = kept.find(name);
     if (name == "transfer-encoding") {
-        return refuse_with(411, "send the length of the body instead of pieces");
+        return refuse_with(411, "a body in pieces is not supported; send the length of the body");
     }
     if (name == "expect") {
-        return refuse_with(417, "send the body at once");
+        return refuse_with(417, "the header Expect is not supported; send the body at once");
     }
     if (place == kept.end() && name != "content-length") {
         return;

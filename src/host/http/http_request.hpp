@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses one HTTP/1.1 request piece by piece in bounded memory. It discards everything that the panel does not use.
+// Parses one HTTP/1.1 request piece by piece in bounded memory. Discards everything that the panel does not use.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 
 namespace canproof::host {
 
-/// The request keeps the headers Host, Origin, Sec-Fetch-Site and Content-Type, each of which may occur once; other
-/// headers have no effect. A body needs a Content-Length: Transfer-Encoding and Expect are refused.
+/// Parses a request. It stores the headers Host, Origin, Sec-Fetch-Site and Content-Type, each of which may occur once;
+/// other headers have no effect. A body needs a Content-Length: Transfer-Encoding and Expect are refused.
 class HttpRequest {
   public:
     static constexpr std::size_t longest_request_line = 2048;
     static constexpr std::size_t longest_header_line = 8192;
     static constexpr std::size_t longest_head = 16384;
 
-    /// Parses further bytes; bytes after the end of the request are discarded.
+    /// Parses further bytes. Discards bytes after the end of the request.
     void take(std::string_view bytes);
-    /// Returns whether the request is complete or refused; no more bytes are parsed then.
+    /// Returns whether the request is complete or refused; further bytes are then discarded.
     bool is_done() const { return refusal_.has_value() || part_ == Part::done; }
-    /// Returns the parsed request; complete when is_done() and there is no refusal.
+    /// Returns the parsed request. It is complete when is_done() returns true and there is no refusal.
     const PanelRequest& request() const { return request_; }
     const std::optional<PanelResponse>& refusal() const { return refusal_; }
     /// Returns the number of buffered bytes.
@@ -43,9 +43,9 @@ class HttpRequest {
 
     Part part_{Part::request_line};
     std::string line_;
-    std::size_t head_{0};  ///< bytes of the request line and headers so far
+    std::size_t head_{0};  ///< number of bytes of the request line and the headers so far
     std::size_t length_{0};
-    std::set<std::string> seen_;  ///< headers that may occur only once and have occurred
+    std::set<std::string> seen_;  ///< headers that have occurred and may not occur again
     PanelRequest request_;
     std::optional<PanelResponse> refusal_;
 };

@@ -9,7 +9,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the name before the port: `[::1]` for `[::1]:8404`.
+/// Returns the host without its port: `[::1]` for `[::1]:8404`.
 std::string without_port(const std::string& host) {
     const auto colon = host.rfind(':');
     const bool in_brackets = host.find(']') != std::string::npos && host.find(']') > colon;
@@ -30,7 +30,7 @@ bool is_json(const std::string& type) {
 }  // namespace
 
 PanelResponse error_response(int status, const std::string& text) {
-    // Invalid UTF-8 comes from the request: it is replaced instead of causing an exception.
+    // The text can contain invalid UTF-8 from the request. It is replaced, so that it causes no exception.
     const nlohmann::json body{{"error", text}};
     return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
@@ -52,7 +52,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return error_response(403, "only the panel's own page may change something");
     }
     if (!is_json(request.content_type)) {
-        return error_response(415, "send JSON as application/json");
+        return error_response(415, "the body is not of the type application/json; send JSON");
     }
     if (request.body.size() > longest_body) {
         return error_response(413, fmt::format("a request may carry at most {} bytes", longest_body));

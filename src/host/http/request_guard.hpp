@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides who may access the panel: its own page, and programs on this machine. A page of another site may not, even if
-// its name was made to resolve to this machine (DNS rebinding).
+// Decides who may access the panel: the panel's own page, and programs on this machine. A page of another site may not,
+// even if the name of that site resolves to this machine (DNS rebinding).
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace canproof::host {
 struct PanelRequest {
     std::string method{"GET"};
     std::string path{"/"};
-    std::string host;          ///< header Host
-    std::string origin;        ///< header Origin; empty when absent
-    std::string fetch_site;    ///< header Sec-Fetch-Site
-    std::string content_type;  ///< header Content-Type
+    std::string host;          ///< value of the header Host
+    std::string origin;        ///< value of the header Origin; empty when absent
+    std::string fetch_site;    ///< value of the header Sec-Fetch-Site
+    std::string content_type;  ///< value of the header Content-Type
     std::string body;
     std::uint64_t changes_from{0};
     std::uint64_t frames_from{0};
@@ -31,10 +31,13 @@ struct PanelResponse {
 /// Greatest number of bytes in the body of a request.
 constexpr std::size_t longest_body = 4096;
 
-/// Returns the refusal of a request because of its origin or content; nothing when it may be answered. Every request
-/// needs a Host that names this machine. A request that changes something also needs: an Origin, if present, equal to
-/// the requested host; the content type JSON, which a foreign page cannot send without permission; and a body that is
-/// not too long.
+/// Returns the response that refuses a request because of its origin or content; nothing when the request may be
+/// answered.
+/// Every request needs a Host that names this machine. A request that changes something must also meet these
+/// conditions:
+/// - an Origin, if there is one, is equal to the requested host;
+/// - the content type is JSON, which a foreign page cannot send without permission;
+/// - the body is not too long.
 std::optional<PanelResponse> refuse(const PanelRequest& request);
 
 /// Returns a response with the body `{"error": …}`.

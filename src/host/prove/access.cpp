@@ -21,7 +21,7 @@ Term aligned(const Object& object, const Term& offset, std::uint64_t alignment) 
     return (rest == constant(context, 0, address_width)).simplify();
 }
 
-/// The places of an address whose object exists at this moment.
+/// Returns the places of an address whose object exists in this state.
 std::vector<Place> live_places(const Proof& proof, const State& state, const Term& address) {
     std::vector<Place> live;
     for (const Place& one : places_of(address, proof.objects.size())) {
@@ -32,8 +32,8 @@ std::vector<Place> live_places(const Proof& proof, const State& state, const Ter
     return live;
 }
 
-/// The condition that the address has one of these places, that `count` bytes from there lie in the object, and that
-/// the alignment is right. With `writes`, constants are excluded.
+/// Returns the condition of a valid access: the address is one of these places, `count` bytes from there are inside the
+/// object, and the alignment is right. With `writes`, excludes constants.
 Term means_one(Proof& proof, const std::vector<Place>& places, const Term& count, const AccessSite& site, bool writes) {
     std::vector<Term> good;
     for (const Place& one : places) {
@@ -108,7 +108,7 @@ void copy(Proof& proof, State& state, const Term& to, const Term& from, const Te
 void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Term& count, const std::string& where) {
     const auto bytes = number(count);
     if (!bytes || *bytes > most_filled) {
-        throw Unknown{where + ": fills memory of a size that is not constant"};
+        throw Unknown{where + ": canproof prove does not support filling memory whose size is not a small constant"};
     }
     const std::vector<Place> targets = live_places(proof, state, to);
     const Term nothing = proof.context.bool_val(*bytes == 0);
@@ -147,8 +147,8 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
 
 namespace {
 
-/// Compares two addresses. Where both lie in the same object, `alike` gets the two offsets; elsewhere `apart` gets the
-/// two places.
+/// Compares two addresses. Where both are in the same object, calls `alike` with the two offsets; elsewhere calls
+/// `apart` with the two places.
 template <typename Alike, typename Apart>
 Term compared(const Proof& proof, const Term& a, const Term& b, const Alike& alike, const Apart& apart) {
     std::vector<Term> cases;

@@ -5,7 +5,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-constexpr unsigned spacing = 40;  ///< an object has 2^40 addresses, its base in their middle
+constexpr unsigned spacing = 40;  ///< each object has 2^40 addresses, with its base in the middle
 constexpr std::uint64_t middle = std::uint64_t{1} << (spacing - 1);
 
 std::uint64_t base_number(ObjectId object) {
@@ -57,8 +57,8 @@ class Reader {
         return all;
     }
 
-    /// z3 may turn the sum of a base and a short offset into a concatenation: the upper bits of the base, followed by
-    /// the bits of the offset.
+    /// Returns the places of an address that is a concatenation. z3 may convert the sum of a base and a short offset
+    /// into a concatenation of the base's upper bits and the offset's bits.
     std::vector<Place> of_concatenation(const Term& address) const {
         const Term high = address.arg(0);
         const auto value = number(high);
@@ -79,7 +79,7 @@ class Reader {
                 if (is_false(when)) {
                     continue;
                 }
-                if (a.object && b.object) {  // the sum of two addresses is no address
+                if (a.object && b.object) {  // the sum of two addresses is not an address
                     all.push_back({when, std::nullopt, offset});
                 } else {
                     all.push_back({when, a.object ? a.object : b.object, offset});
@@ -96,7 +96,7 @@ class Reader {
         return places;
     }
 
-    /// Returns both lists as one that contains each object at most once.
+    /// Returns one list of the places in both lists. It contains each object at most once.
     static std::vector<Place> joined(const std::vector<Place>& first, const std::vector<Place>& second) {
         std::vector<Place> all;
         for (const auto* list : {&first, &second}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Addresses as terms. Each object of the program has its own base address, 2^40 bytes from that of the next.
+// Addresses as terms. Each object of the program has its own base address. The distance from one base to the next is
+// 2^40 bytes.
 #pragma once
 
 #include <optional>
@@ -12,8 +13,8 @@ namespace canproof::host::prove {
 /// The number of an object: its index in Objects.
 using ObjectId = unsigned;
 
-/// One possible meaning of an address, under the condition `when`: the byte at `offset` of `object`. Without an object
-/// the address is a plain number, `offset`, such as null.
+/// One possible meaning of an address: under the condition `when`, it is the byte at `offset` of `object`. Without an
+/// object, it is the plain number `offset`, such as null.
 struct Place {
     Term when;
     std::optional<ObjectId> object;
@@ -23,11 +24,11 @@ struct Place {
 /// Returns the address of an object's first byte.
 Term base_of(z3::context& context, ObjectId object);
 
-/// Returns every place that an address may mean, each object at most once. The address may be a number, a base plus
-/// offsets, or a choice between addresses. Any other term is returned as a place without an object.
+/// Returns every place that an address may be, each object at most once. The address may be a number, a base plus
+/// offsets, or a choice between addresses. Any other term gives a place without an object.
 std::vector<Place> places_of(const Term& address, std::size_t objects);
 
-/// Builds an address again from its places: the result is a base plus one offset term, or a choice of such sums.
+/// Makes an address from its places: a base plus one offset term, or a choice between such sums.
 Term address_at(z3::context& context, const std::vector<Place>& places);
 
 }  // namespace canproof::host::prove

@@ -29,8 +29,8 @@ Term widened(const Term& term, unsigned by, bool is_signed) {
     return is_signed ? z3::sext(term, by) : z3::zext(term, by);
 }
 
-/// The instruction is defined only when it does not overflow in the ways that its flags exclude ("no signed wrap", "no
-/// unsigned wrap").
+/// Returns the result of an addition, subtraction or multiplication. It is defined only if no overflow occurs that the
+/// flags of the instruction exclude ("no signed wrap", "no unsigned wrap").
 Computed flagged(const llvm::BinaryOperator& instruction, Operation operation, const Term& a, const Term& b) {
     const auto* flags = llvm::cast<llvm::OverflowingBinaryOperator>(&instruction);
     Term defined = yes(a);
@@ -94,8 +94,8 @@ Term counted_ones(const Term& word) {
     return sum;
 }
 
-/// The number of 0 bits before the first 1 bit, counted from the top or from the bottom; the width of the word when
-/// every bit is 0.
+/// Returns the number of 0 bits before the first 1 bit, counted from the top or from the bottom. Returns the width of
+/// the word when it has no 1 bit.
 Term zeros_before(const Term& word, bool from_top) {
     const unsigned width = width_of(word);
     Term count = constant(word.ctx(), width, width);
@@ -115,8 +115,8 @@ Term bytes_reversed(const Term& word) {
     return reversed;
 }
 
-/// A funnel shift: puts `high` and `low` side by side, shifts them by `by` modulo the width of one word, and returns
-/// the upper word after a shift to the left, the lower one after a shift to the right.
+/// Returns the result of a funnel shift: `high` and `low` are put side by side and shifted by `by` modulo the width of
+/// one word. After a shift to the left, the result is the upper word; after a shift to the right, the lower word.
 Term funnel(const Term& high, const Term& low, const Term& by, bool left) {
     const unsigned width = width_of(high);
     const Term amount = z3::zext(z3::urem(by, constant(by.ctx(), width, width)), width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of LLVM's instructions on terms.
+// Computes the results of LLVM's arithmetic instructions as terms.
 #pragma once
 
 #include <llvm/IR/Instructions.h>
@@ -11,21 +11,21 @@
 
 namespace canproof::host::prove {
 
-/// The result of an instruction, and the condition under which the result is defined; otherwise the behaviour is
+/// The result of an instruction, and the condition under which it is defined. Otherwise the behaviour of the program is
 /// undefined.
 struct Computed {
     Term value;
     Term defined;
 };
 
-/// Each of these three functions returns nothing for an operation that the prover does not model, such as one on
-/// floating-point numbers.
+/// These three functions return the result of an instruction. They return nothing for an operation that the prover does
+/// not model, such as one on floating-point numbers.
 std::optional<Computed> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
 std::optional<Term> compared(llvm::CmpInst::Predicate predicate, const Term& a, const Term& b);
 std::optional<Term> converted(const llvm::CastInst& cast, const Term& from, unsigned width);
 
-/// The result of `a + b`, `a - b` or `a * b` cut to the width of `a`, and whether it is exact, that is, no bits were
-/// cut off.
+/// The result of `a + b`, `a - b` or `a * b`, reduced to the width of `a`. `exact` is true if the reduction has removed
+/// no significant bits.
 struct Checked {
     Term value;
     Term exact;
@@ -33,8 +33,8 @@ struct Checked {
 enum class Operation { add, subtract, multiply };
 Checked checked(Operation operation, const Term& a, const Term& b, bool is_signed);
 
-/// The result of an LLVM intrinsic that only computes: minimum, maximum, absolute value, rotation, number of bits that
-/// are set and the like. Empty for one that is not modelled.
+/// Returns the result of an LLVM intrinsic that only computes: minimum, maximum, absolute value, rotation, number of
+/// set bits and the like. Returns nothing for an intrinsic that is not modelled.
 std::optional<Computed> computed(llvm::Intrinsic::ID function, const std::vector<Term>& arguments);
 
 }  // namespace canproof::host::prove

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order in which the basic blocks of a function are executed, so that paths can be merged again soon.
+// The order in which the prover executes the basic blocks of a function. It lets paths merge early.
 #pragma once
 
 #include <map>
@@ -11,9 +11,10 @@ class Function;
 
 namespace canproof::host::prove {
 
-/// Computes the position of each block. A block comes after all blocks that lead to it, except those that jump back to
-/// the start of a loop. The blocks behind a loop come after the whole loop. Every order gives the same verdict; in this
-/// one all passes of a loop are merged before the blocks behind the loop are executed, once.
+/// Returns the position of each block. A block comes after all blocks that lead to it, except those that jump back to
+/// the start of a loop. The blocks after a loop come after all blocks of the loop.
+/// The order does not change the verdict. With this order, all passes of a loop are merged before the blocks after the
+/// loop are executed, which happens once.
 std::map<const llvm::BasicBlock*, unsigned> block_order(const llvm::Function& function);
 
 }  // namespace canproof::host::prove

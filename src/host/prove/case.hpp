@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of a theorem, counted as the digits of a number.
+// The cases of a theorem. A case is a sequence of numbers, counted up like the digits of a number.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace canproof::host::prove {
 
-/// One case of a theorem: the numbers that each() returns in it, in the order of the calls. The first case has zeros;
-/// next() goes on to the following one.
+/// One case of a theorem: the numbers that the calls of each() return in it, in the order of the calls. In the first
+/// case all numbers are zero. next() selects the following case.
 class Case {
   public:
-    /// Returns the number at `place`, which is below `count`.
+    /// Returns the number that call `place` of each() returns. It is below `count`.
     unsigned number(std::size_t place, unsigned count);
-    /// Goes on to the next case. Returns false behind the last one.
+    /// Selects the next case. Returns false when this was the last one.
     bool next();
     /// Returns the numbers as text; empty when each() was not called.
     std::string text() const;

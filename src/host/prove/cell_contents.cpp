@@ -10,20 +10,21 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// An access at an offset that is not a constant becomes a choice between all bytes of the object. This is the largest
-/// object, in bytes, for which the prover makes such a choice.
+/// Largest object, in bytes, that the prover accesses at an offset that is not a constant. Such an access becomes a
+/// choice between all bytes of the object.
 constexpr std::size_t most_choices = 8192;
-/// A copy from or to a place that is not constant goes word by word up to this size.
+/// Up to this size in bytes, a copy from or to an offset that is not a constant copies word by word.
 constexpr std::uint64_t most_in_words = 256;
 
 void refuse_large(std::size_t size) {
     if (size > most_choices) {
-        throw Unknown{"an offset that is not constant, in an object of more than 8192 bytes"};
+        throw Unknown{
+            "canproof prove does not support an offset that is not constant in an object of more than 8192 bytes"};
     }
 }
 
-/// Returns the size in bytes of the word that fills the cells from `at` on, from its first byte to its last. Returns 0
-/// when these cells do not hold one whole word.
+/// Returns the size in bytes of the word that the cells from `at` on contain completely, from its first byte to its
+/// last. Returns 0 when they do not contain one complete word.
 unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     const unsigned bytes = width_of(cells[at].word) / byte_width;
     if (cells[at].byte != 0 || at + bytes > cells.size()) {
@@ -37,7 +38,7 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
-/// The places from 0 to `last` that an offset may mean. The elements of an array have such places at equal distances.
+/// The places from 0 to `last` that an offset may be. For an element of an array, they have equal distances.
 class Places {
   public:
     Places(const Term& offset, std::size_t last) : last_{last} {
@@ -57,7 +58,7 @@ class Places {
     std::size_t last_;
 };
 
-/// Chooses between the words at all places by the bits of the offset.
+/// Makes a choice between the words at all places. The bits of the offset select the word.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)
@@ -72,13 +73,14 @@ class Choice {
     Term word() const { return from(0, bits_.size()); }
 
   private:
-    /// Chooses between the offsets whose upper bits are those of `low`; the lowest `count` bits are still open.
+    /// Returns the choice between all offsets with the upper bits of `low`. The lowest `count` bits are not decided
+    /// yet.
     Term from(std::size_t low, std::size_t count) const {
         if (count == 0) {
             return word_at(cells_, low, bytes_);
         }
         const std::size_t high = low + (std::size_t{1} << (count - 1));
-        if (high > last_ || is_false(bits_[count - 1])) {  // a place behind the last one is excluded by an obligation
+        if (high > last_ || is_false(bits_[count - 1])) {  // an obligation excludes places behind the last one
             return from(low, count - 1);
         }
         if (is_true(bits_[count - 1])) {
@@ -131,7 +133,7 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes) const {
-    if (cells_.size() < bytes) {  // does not happen on a proven path, because the obligation of the access fails here
+    if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of this access has failed
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
     if (const auto at = number(offset)) {
@@ -200,7 +202,7 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    std::set<std::uint64_t> starts{0};  // the offsets at which a word begins in any of the places that `from` may mean
+    std::set<std::uint64_t> starts{0};  // offsets at which a word begins at any of the places that `from` may be
     const Places places{from, source.cells_.size() - count};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         for (std::uint64_t i = 1; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contents of an object whose size is a known number: one cell for each byte.
+// The contents of an object of known size: one cell for each byte.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace canproof::host::prove {
 
-/// One byte of an object: byte number `byte` of `word`. The cells keep the whole word, so that a word that was stored
-/// in one piece, such as an address, is read back as the same term.
+/// One byte of an object: byte number `byte` of `word`. A cell keeps the whole word. So a word that was stored in one
+/// piece, such as an address, is read as the same term.
 struct Cell {
     Term word;
     unsigned byte{0};
@@ -36,7 +36,7 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
     std::vector<Cell> cells_;
 };
 
-/// Puts the bytes of a word into the cells from `at` on.
+/// Stores the bytes of a word in the cells from `at` on.
 void put_word(std::vector<Cell>& cells, std::size_t at, const Term& word);
 /// Returns the `bytes` cells from `at` on as one word.
 Term word_at(const std::vector<Cell>& cells, std::size_t at, unsigned bytes);

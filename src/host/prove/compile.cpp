@@ -18,9 +18,9 @@ namespace {
 
 const char* const clang = "clang++-19";
 
-/// The compiler turns undefined behaviour into a trap, which the prover shows to be never reached. The checks for null
-/// pointers, alignment, object sizes and address arithmetic are switched off here, because the prover's own model of
-/// memory makes them. -fno-access-control lets a harness use private members.
+/// The compiler turns undefined behaviour into a trap, and the prover shows that no trap is reached. The compiler's
+/// checks for null pointers, alignment, object sizes and address arithmetic are switched off, because the prover's own
+/// model of memory checks them. -fno-access-control lets a harness use private members.
 const std::vector<std::string> bitcode_flags = {
     "-std=c++17",
     "-O1",
@@ -31,7 +31,7 @@ const std::vector<std::string> bitcode_flags = {
     "-fno-exceptions",
     "-fno-rtti",
     "-fsanitize=undefined,float-divide-by-zero",
-    "-fstrict-flex-arrays=3",  // the last array of a struct has its bound, too
+    "-fstrict-flex-arrays=3",  // an array at the end of a struct has its bound, too
     "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr,function,bool,enum,float-divide-by-zero",
     "-fsanitize-trap=all",
     "-emit-llvm",
@@ -48,7 +48,7 @@ const std::vector<std::string> native_flags = {"-std=c++17",
                                                "-fno-sanitize=vptr",
                                                "-fno-sanitize-recover=all"};
 
-/// Starts the compiler; its messages go to the file `messages`.
+/// Starts the compiler, which writes its messages to the file `messages`.
 pid_t start_clang(std::vector<std::string> words, const std::string& messages) {
     words.insert(words.end(), {"-fdiagnostics-color=never", "-Wno-everything"});
     std::vector<std::string> shell{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>'" + messages + "'"};
@@ -62,9 +62,9 @@ void wait_for_clang(pid_t process, const std::string& what, const std::string& m
     }
 }
 
-/// Returns the sources that define what a header of the firmware declares. For `…/src/firmware/canopen/sdo_server.hpp`
-/// these are `src/firmware/canopen/sdo_server.cpp` and the sources that begin with its name and have no header, such as
-/// `sdo_server_block.cpp`. Returns none for any other header.
+/// Returns the sources that define what a header of the firmware declares. For `…/src/firmware/canopen/sdo_server.hpp`,
+/// these are `src/firmware/canopen/sdo_server.cpp`, and the sources whose names begin with `sdo_server_` and that have
+/// no header, such as `sdo_server_block.cpp`. Returns none for any other header.
 std::vector<std::filesystem::path> sources_of_header(const std::string& header) {
     std::vector<std::filesystem::path> all;
     for (const std::string folder : {"src/firmware/", "src/devices/"}) {

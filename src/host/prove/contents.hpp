@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of one object on one path of execution. Contents never change: each operation returns new ones.
+// The bytes of one object on one path of execution. A contents object never changes: each operation returns a new one.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,8 @@ namespace canproof::host::prove {
 class Contents;
 using ContentsPointer = std::shared_ptr<const Contents>;
 
-/// The interface of all contents. Offsets have 64 bits and are in bounds: the caller has made that an obligation.
+/// The interface of all contents. Offsets have 64 bits and are in bounds, because the caller adds that as an
+/// obligation.
 class Contents {
   public:
     Contents() = default;
@@ -22,18 +23,18 @@ class Contents {
 
     /// Returns the `bytes` bytes from `offset` on as one word, the least significant byte first.
     virtual Term read(const Term& offset, unsigned bytes) const = 0;
-    /// Returns these contents with the bytes of `word` from `offset` on.
+    /// Returns contents in which the bytes of `word` replace those from `offset` on.
     virtual ContentsPointer written(const Term& offset, const Term& word) const = 0;
-    /// Returns these contents with `count` bytes from `offset` on replaced by those of `source` from `from` on.
-    /// `source` may be these contents themselves.
+    /// Returns contents in which the bytes of `source` from `from` on replace `count` bytes from `offset` on. `source`
+    /// may be this object.
     virtual ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
                                    const Term& count) const = 0;
-    /// Returns these contents where the condition holds, and `otherwise` where it does not. Both belong to the same
-    /// object.
+    /// Returns contents that equal these where the condition is true, and `otherwise` where it is false. Both belong to
+    /// the same object.
     virtual ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const = 0;
 };
 
-/// Makes a new unknown value with `width` bits.
+/// A function that makes a new unknown value with `width` bits.
 using MakeFresh = std::function<Term(unsigned width)>;
 
 }  // namespace canproof::host::prove

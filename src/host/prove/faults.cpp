@@ -24,17 +24,18 @@ std::string text_of(const toml::table& fault, const char* key, const std::filesy
     return *text;
 }
 
-/// Returns the text of the source after the replacement.
+/// Returns the text of the source with the replacement of the fault.
 std::string changed_source(const Fault& fault) {
     std::string text = read_file(fault.file, longest_toml_file);
     const std::size_t at = text.find(fault.from);
     if (at == std::string::npos || text.find(fault.from, at + 1) != std::string::npos) {
-        throw InputError{fmt::format("fault {}: `{}` does not stand once in {}", fault.name, fault.from, fault.file)};
+        throw InputError{
+            fmt::format("fault {}: the text `{}` must be in {} exactly once", fault.name, fault.from, fault.file)};
     }
     return text.replace(at, fault.from.size(), fault.to);
 }
 
-/// Returns the result of the theorem when it is proven against the changed source.
+/// Returns the result of the fault's theorem with the changed source.
 TheoremResult with_fault(const Fault& fault, ProveOptions options) {
     options.scratch /= fault.name;
     options.overlay = options.scratch / "overlay";
@@ -66,7 +67,7 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
             fmt::format("{}:{}: {}", table.string(), error.source().begin.line, std::string{error.description()})};
     }
     if (all.empty()) {
-        throw InputError{table.string() + " holds no fault"};
+        throw InputError{table.string() + " contains no fault"};
     }
     return all;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults: small wrong changes of real functions, made on purpose. For each, one theorem must be refuted; this
+// Seeded faults: small wrong changes of real functions, made on purpose. For each, one theorem must be refuted. This
 // shows that the prover finds faults.
 #pragma once
 
@@ -11,21 +11,21 @@
 
 namespace canproof::host::prove {
 
-/// A fault: one textual replacement in one source.
+/// A seeded fault: one replacement of text in one source.
 struct Fault {
     std::string name;
     std::string file;
-    std::string from;  ///< the text to replace; the file must hold it exactly once
+    std::string from;  ///< text to replace; the source must contain it exactly once
     std::string to;
-    std::string theorem;  ///< the theorem that must be refuted
+    std::string theorem;  ///< name of the theorem that must be refuted
 };
 
-/// Reads the table of faults from a TOML file. Throws InputError.
+/// Reads the table of faults from a TOML file. Throws InputError when the file does not contain a valid fault.
 std::vector<Fault> read_faults(const std::filesystem::path& table);
 
-/// Tries every `every`-th fault: is its theorem refuted, and does the counterexample also fail in the native program?
-/// Prints two lines for each fault. Returns 0 when both are true for all tried faults (without replays, when all
-/// theorems are refuted), otherwise 1.
+/// Tries each fault whose number, counted from 0, is a multiple of `every`: its theorem must be refuted, and the
+/// counterexample must also fail in the native program. Prints two lines for each fault. Returns 0 when every tried
+/// fault meets both conditions, otherwise 1. Without replays, the second condition is not checked.
 int try_faults(const std::filesystem::path& table, unsigned every, const ProveOptions& options);
 
 }  // namespace canproof::host::prove

@@ -68,7 +68,7 @@ Term Globals::scalar(const llvm::Constant& constant) {
         const Term any = proof_.fresh(width);
         return width == 1 ? as_truth(any) : any;
     }
-    throw Unknown{"a constant of this kind is not modelled"};
+    throw Unknown{"canproof prove does not support a constant of this kind"};
 }
 
 Term Globals::of_expression(const llvm::ConstantExpr& expression) {
@@ -84,7 +84,8 @@ Term Globals::of_expression(const llvm::ConstantExpr& expression) {
         const auto width = static_cast<unsigned>(layout_.getTypeSizeInBits(expression.getType()).getFixedValue());
         return resized(scalar(*expression.getOperand(0)), width);
     }
-    throw Unknown{std::string{"a constant computed by `"} + expression.getOpcodeName() + "` is not modelled"};
+    throw Unknown{std::string{"canproof prove does not support a constant computed by `"} + expression.getOpcodeName() +
+                  "`"};
 }
 
 Term Globals::address_of(const llvm::GlobalValue& global) {
@@ -109,7 +110,7 @@ ObjectId Globals::add(const llvm::GlobalValue& global) {
     std::vector<Cell> cells(size, Cell{constant(proof_.context, 0, byte_width), 0});
     const ObjectId id =
         proof_.objects.add({variable->getName().str(), number_of(size), alignment, !variable->isConstant()});
-    ids_.emplace(&global, id);  // before the initial value: that may hold the variable's own address
+    ids_.emplace(&global, id);  // done before reading the initial value, which may contain the variable's own address
     fill(cells, 0, *variable->getInitializer());
     proof_.objects.initialise(id, std::make_shared<CellContents>(std::move(cells)));
     return id;
@@ -147,7 +148,7 @@ std::string Globals::text(const Term& address) {
     const std::vector<Place> places = places_of(address, proof_.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset) {
-        throw Unknown{"a text that is no constant"};
+        throw Unknown{"a text in a call of a harness function is not constant; write a literal"};
     }
     const auto* contents = dynamic_cast<const CellContents*>(proof_.objects[*places.front().object].initial.get());
     std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The constants, global variables and functions of a program, as terms and objects.
+// The constants, global variables and functions of a program as terms and objects.
 #pragma once
 
 #include <llvm/IR/Constants.h>
@@ -15,7 +15,7 @@
 
 namespace canproof::host::prove {
 
-/// The value of an instruction as a list of its scalars. Most types have one scalar; structures and arrays may have
+/// The value of an instruction as a list of scalars. Most types have one scalar; structures and arrays may have
 /// several.
 using Value = std::vector<Term>;
 
@@ -24,7 +24,7 @@ class Globals {
     Globals(Proof& proof, const llvm::DataLayout& layout) : proof_{proof}, layout_{layout} {}
 
     Value value(const llvm::Constant& constant);
-    /// Returns the function whose object has this number; nullptr when that object is not a function.
+    /// Returns the function whose object has this number; nullptr when the object is not a function.
     const llvm::Function* function(ObjectId id) const;
     /// Returns the text that a constant address points to.
     std::string text(const Term& address);

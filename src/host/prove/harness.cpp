@@ -14,8 +14,7 @@ namespace {
 constexpr std::uint64_t most_input_bytes = 65536;
 constexpr unsigned address_bytes = address_width / byte_width;
 
-/// The object that an address points into, with its cells, and the offset of the address. The offset must be a
-/// constant.
+/// The object to which an address points, its cells, and the offset of the address, which must be a constant.
 struct Target {
     ObjectId object;
     std::uint64_t offset;
@@ -26,12 +25,12 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
     const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
-        throw Unknown{call.where + ": what is left open must be one object"};
+        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
     }
     const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
     const auto* cells = dynamic_cast<const CellContents*>(contents.get());
     if (cells == nullptr || *offset + bytes > cells->cells().size()) {
-        throw Unknown{call.where + ": what is left open must be one object"};
+        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
     }
     return {*places.front().object, *offset, cells->cells()};
 }
@@ -39,12 +38,12 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
 std::uint64_t size_argument(const HarnessCall& call) {
     const auto bytes = number(call.arguments[1]);
     if (!bytes) {
-        throw Unknown{call.where + ": the size of what is left open must be a number"};
+        throw Unknown{call.where + ": the size of the memory to leave open must be a number"};
     }
     return *bytes;
 }
 
-/// Gives the bytes at an address any values.
+/// Lets the bytes at an address have any values.
 void leave_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
     Target target = target_of(proof, state, call, bytes);
@@ -70,7 +69,7 @@ bool holds_address(const Proof& proof, const std::vector<Cell>& cells, std::size
     return false;
 }
 
-/// Gives the bytes at an address any values, except that addresses stored there keep theirs.
+/// Lets the bytes at an address have any values. Bytes that are part of a stored address keep their values.
 void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     const std::uint64_t bytes = size_argument(call);
     Target target = target_of(proof, state, call, bytes);
@@ -91,7 +90,7 @@ void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     proof.inputs.push_back(std::move(input));
 }
 
-/// Makes new memory with any contents. Its size need not be a constant.
+/// Makes new memory with any contents. Its size may be any term, but adds the obligation that it is at most 2^32 bytes.
 Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     const Term size = call.arguments[0];
     const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },
@@ -107,7 +106,7 @@ Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     return {base_of(proof.context, id)};
 }
 
-/// The number of the case that is being decided.
+/// Returns the number that this call of each() has in the present case.
 Value each(Proof& proof, const HarnessCall& call) {
     constexpr std::uint64_t most_cases = 256;
     const auto count = number(call.arguments[0]);
@@ -159,7 +158,7 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
     } else if (name == "canproof_any_memory") {
         call.result = any_memory(proof, state, call);
     } else if (name == "canproof_seed") {
-        return HarnessEffect::goes_on;  // for the native run alone
+        return HarnessEffect::goes_on;  // the function has an effect in the native run only
     } else if (name == "canproof_shows") {
         proof.statement = globals.text(call.arguments[0]);
         proof.noted();

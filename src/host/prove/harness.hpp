@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that a harness calls and the prover carries out itself; properties/proofs/support/proof.hpp declares
-// them.
+// Carries out the functions that a harness calls and that properties/proofs/support/proof.hpp declares.
 #pragma once
 
 #include <string>
@@ -23,7 +22,7 @@ struct HarnessCall {
     Value result{};
 };
 
-/// Carries out the function.
+/// Carries out the called function, and returns its effect on the path.
 HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, HarnessCall& call);
 
 }  // namespace canproof::host::prove

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint64_t most_compared = 4096;
 
-/// Returns the name of the sanitizer check to which a trap belongs. The numbers are clang's own (its
-/// CodeGenFunction.h).
+/// Returns the name of the sanitizer check to which a trap belongs. The numbers of the checks are clang's own
+/// (CodeGenFunction.h).
 std::string broken_rule(const Value& arguments) {
     static const std::map<std::uint64_t, std::string> names = {
         {0, "a sum without overflow"},        {1, "a call of __builtin_unreachable is never reached"},
@@ -56,11 +56,12 @@ CallEffect overflow_checked(Proof& proof, llvm::Intrinsic::ID id, const Value& a
     return CallEffect::goes_on;
 }
 
-/// Returns the result of memcmp: below zero, zero or above zero, by the first byte in which the two ranges differ.
+/// Returns the result of memcmp: below zero, zero or above zero, depending on the first byte in which the two ranges
+/// differ.
 Term memory_compared(Proof& proof, const State& state, const Value& arguments, const std::string& where) {
     const auto count = number(arguments[2]);
     if (!count || *count > most_compared) {
-        throw Unknown{where + ": compares memory of a size that is not constant"};
+        throw Unknown{where + ": canproof prove does not support comparing memory whose size is not a small constant"};
     }
     constexpr unsigned int_width = 32;
     Term order = constant(proof.context, 0, int_width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carries out LLVM's intrinsics, and the few functions of the C library that compilers insert calls of.
+// Carries out LLVM's intrinsics, and the few functions of the C library that compilers insert.
 #pragma once
 
 #include <llvm/IR/InstrTypes.h>
@@ -11,8 +11,8 @@ namespace canproof::host::prove {
 
 enum class CallEffect {
     none,       ///< the function is not modelled here
-    goes_on,    ///< the function was executed; `result` holds its value
-    path_ends,  ///< this path does not continue
+    goes_on,    ///< the function was executed; `result` contains its value
+    path_ends,  ///< the path does not continue after the function
 };
 
 CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call, const Value& arguments,

@@ -105,7 +105,7 @@ Term UnknownBytes::at(const Term& offset) const {
     const bool is_number = number(offset).has_value();
     for (const AskedByte& one : asked_) {
         if (is_number && number(one.offset)) {
-            continue;  // two numbers that differ
+            continue;  // two constant offsets that differ
         }
         const Term alike = (one.offset == offset).simplify();
         if (!is_false(alike)) {

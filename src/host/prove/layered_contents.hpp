@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contents of memory whose size need not be known: unknown bytes at the bottom, and each operation puts a layer
-// above them.
+// The contents of memory whose size may be unknown: a bottom layer of unknown bytes, and a further layer for each
+// operation.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,13 @@ class LayeredContents : public Contents, public std::enable_shared_from_this<Lay
     virtual Term at(const Term& offset) const = 0;
 };
 
-/// One byte of unknown memory that was read.
+/// One byte of unknown memory that was read: its offset and its value.
 struct AskedByte {
     Term offset;
     Term value;
 };
 
-/// The bottom layer: each offset holds an unknown byte. `know` passes the fact to the solver that equal offsets hold
+/// The bottom layer, in which each offset contains an unknown byte. Calls `know` with the fact that equal offsets have
 /// equal bytes.
 class UnknownBytes : public LayeredContents {
   public:
@@ -39,7 +39,7 @@ class UnknownBytes : public LayeredContents {
   private:
     MakeFresh fresh_;
     std::function<void(const Term&)> know_;
-    mutable std::vector<AskedByte> asked_;  ///< the bytes that were read so far; reading adds to them
+    mutable std::vector<AskedByte> asked_;  ///< bytes that were read so far; each read of another offset adds one
 };
 
 }  // namespace canproof::host::prove

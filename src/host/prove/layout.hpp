@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scalars (numbers, truth values and addresses) that a type consists of.
+// The scalars of a type: its numbers, truth values and addresses.
 #pragma once
 
 #include <llvm/IR/DataLayout.h>
@@ -10,16 +10,16 @@
 
 namespace canproof::host::prove {
 
-/// One scalar of a type, `offset` bytes behind the start of the type.
+/// One scalar of a type; `offset` is its distance in bytes from the start of the type.
 struct Scalar {
     std::uint64_t offset{0};
     llvm::Type* type{nullptr};
 };
 
-/// The scalars of a type in order; a type that is itself a scalar has one. Padding bytes belong to none.
+/// Returns the scalars of a type in order. A scalar type has one: itself. Padding bytes belong to no scalar.
 std::vector<Scalar> scalars_of(llvm::Type* type, const llvm::DataLayout& layout);
 /// The part of a structure or array that the indices of an LLVM instruction select: the number of its first scalar in
-/// `type`, and how many scalars it has.
+/// `type`, and the number of its scalars.
 struct ScalarRange {
     std::size_t first{0};
     std::size_t count{0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How execution moves on: calls, blocks, branches, and paths that meet again.
+// Moves execution on: calls, blocks, branches, and paths that merge.
 #include "host/prove/machine.hpp"
 
 #include "host/prove/block_order.hpp"
@@ -11,7 +11,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// Counts one more open call during the lifetime of this object.
+/// Counts one more nested call while this object exists.
 class Deeper {
   public:
     explicit Deeper(unsigned& depth) : depth_{depth} { ++depth_; }
@@ -28,7 +28,8 @@ class Deeper {
 std::optional<Return> Machine::call(const llvm::Function& function, const std::vector<Value>& arguments, State state) {
     const Deeper deeper{depth_};
     if (depth_ > proof_.limits.depth) {
-        throw Unknown{readable_name(function) + ": more than " + std::to_string(proof_.limits.depth) + " calls deep"};
+        throw Unknown{readable_name(function) + ": calls are nested more than " + std::to_string(proof_.limits.depth) +
+                      " deep, which is the limit"};
     }
     auto order = orders_.find(&function);
     if (order == orders_.end()) {
@@ -61,7 +62,7 @@ std::optional<Return> Machine::call(const llvm::Function& function, const std::v
 void Machine::run_block(Frame& frame, const llvm::BasicBlock& block, Arrival arrival) {
     if (++frame.visits[&block] > proof_.limits.visits) {
         throw Unknown{where_is(*block.getFirstNonPHI()) + ": a loop makes more than " +
-                      std::to_string(proof_.limits.visits) + " passes"};
+                      std::to_string(proof_.limits.visits) + " passes, which is the limit"};
     }
     for (const llvm::Instruction& instruction : block) {
         if (instruction.isTerminator()) {

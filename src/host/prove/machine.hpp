@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes a function on terms instead of numbers, on all its paths at once: they part at branches and are merged again
-// where they meet.
+// Executes a function with terms instead of numbers on all its paths at once. Paths split at branches, and they are
+// merged where they reach the same block.
 #pragma once
 
 #include <llvm/IR/Instructions.h>
@@ -16,13 +16,13 @@ namespace canproof::host::prove {
 
 using Values = std::unordered_map<const llvm::Value*, Value>;
 
-/// All paths that have come to a block so far, merged into one.
+/// All paths that have reached a block so far, merged into one.
 struct Arrival {
     State state;
     Values values;
 };
 
-/// The state that a function leaves behind when it returns.
+/// The value and the state of a function when it returns.
 struct Return {
     State state;
     Value value;
@@ -33,7 +33,8 @@ class Machine {
     Machine(Proof& proof, const llvm::Module& module)
         : proof_{proof}, layout_{module.getDataLayout()}, globals_{proof, layout_} {}
 
-    /// Executes a call. Returns nothing when no path returns from it. Throws Unknown.
+    /// Executes a call. Returns nothing when no path returns from it. Throws Unknown for anything that the prover does
+    /// not model.
     std::optional<Return> call(const llvm::Function& function, const std::vector<Value>& arguments, State state);
 
   private:

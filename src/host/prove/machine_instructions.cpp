@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single instructions: what they compute, read and write.
+// Executes single instructions: what they compute, read and write.
 #include <llvm/ADT/MapVector.h>
 #include <llvm/IR/ConstantRange.h>
 #include <llvm/IR/Operator.h>
@@ -114,13 +114,13 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A byte of an open state that a value may be, with the condition for it.
+/// A byte that the harness left open and that a value may be, with the condition under which it is that byte.
 struct OpenByte {
     Term when;
     Term byte;
 };
 
-/// Collects the bytes of open states from which a value is chosen while `when` is true.
+/// Collects the bytes that the harness left open and from which a value is chosen while `when` is true.
 void collect_inputs(const Proof& proof, const Term& value, const Term& when, std::vector<OpenByte>& found) {
     if (value.is_app() && value.decl().decl_kind() == Z3_OP_ITE) {
         collect_inputs(proof, value.arg(1), when && value.arg(0), found);
@@ -132,8 +132,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM marks a value that is read as a bool with a range. When the program reads a byte of an object left open in this
-/// way, the byte is assumed to be 0 or 1. For every other byte this becomes an obligation.
+/// LLVM adds a range to the read of a bool. If the harness has left the byte open, it is assumed to be in the range (0
+/// or 1). For every other byte, the range becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {
@@ -148,7 +148,7 @@ void Machine::check_range(const llvm::LoadInst& read, const Term& value, const A
     };
     std::vector<OpenByte> open;
     collect_inputs(proof_, value, proof_.context.bool_val(true), open);
-    for (const OpenByte& one : open) {  // applies only where the value is that byte; elsewhere nothing is assumed
+    for (const OpenByte& one : open) {  // assumes the range only where the value is that byte
         proof_.solver.know(
             z3::implies(all_of(proof_.context, arrival.state.path) && one.when, fits(one.byte)).simplify());
     }

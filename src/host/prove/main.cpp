@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// canproof-prove, the program that `canproof prove` starts. It is separate, so that `canproof` itself does not load a
-// compiler library and a solver.
+// canproof-prove, the program that `canproof prove` starts. It is a separate program, so that `canproof` does not load
+// a compiler library and a solver.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,7 @@ struct Arguments {
     unsigned every{1};
 };
 
-/// The options of prove_options.hpp, each with the variable that receives its value.
+/// The options of prove_options.hpp, each with the variable that stores its value.
 class Options {
   public:
     explicit Options(CLI::App& app) : app_{app} {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects of a program, and what they hold on one path.
+// The objects of a program, and their contents on one path.
 #pragma once
 
 #include <map>
@@ -11,16 +11,16 @@
 
 namespace canproof::host::prove {
 
-/// Properties of an object that never change.
+/// The properties of an object, which never change.
 struct Object {
     std::string name;
-    Term size;  ///< 64 bits
+    Term size;  ///< in bytes, a term of 64 bits
     std::uint64_t alignment{1};
     bool writable{true};
-    ContentsPointer initial{};  ///< contents of a global variable; empty for an object that a function makes
+    ContentsPointer initial{};  ///< initial contents of a global variable; empty for an object that a function makes
 };
 
-/// All objects of a proof so far; none is ever removed.
+/// All objects of a proof so far. No object is ever removed.
 class Objects {
   public:
     ObjectId add(Object object);
@@ -32,23 +32,23 @@ class Objects {
     std::vector<Object> all_;
 };
 
-/// The contents of the objects on one path. An object without contents does not exist on this path, or no longer
-/// exists.
+/// The contents of the objects on one path. An object without contents does not exist on this path, or does not exist
+/// any more.
 class Memory {
   public:
     void set(ObjectId id, ContentsPointer contents) { changed_[id] = std::move(contents); }
     void remove(ObjectId id) { changed_.erase(id); }
     /// Returns the contents; nothing when the object does not exist on this path.
     ContentsPointer contents(const Objects& objects, ObjectId id) const;
-    /// Merges the memory of another path into this one: each object holds its contents from here where `condition` is
-    /// true, and its contents from there where it is false.
+    /// Merges the memory of another path into this one. Each object has its contents of this path where `condition` is
+    /// true, and those of the other path where it is false.
     void merge(const Objects& objects, const Term& condition, const Memory& otherwise);
 
   private:
     std::map<ObjectId, ContentsPointer> changed_;
 };
 
-/// Returns the condition that `count` bytes from `offset` on lie in the object.
+/// Returns the condition that `count` bytes from `offset` on are inside the object.
 Term in_bounds(const Object& object, const Term& offset, const Term& count);
 
 }  // namespace canproof::host::prove

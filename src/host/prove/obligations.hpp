@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obligations: what must hold on every path. Finds out whether each of them does.
+// Obligations: conditions that must be true on every path. Decides whether each of them is.
 #pragma once
 
 #include <string>
@@ -12,34 +12,34 @@ namespace canproof::host::prove {
 enum class Verdict { proven, refuted, unknown };
 std::string name_of(Verdict verdict);
 
-/// An obligation: `holds` must be true wherever all of `path` is true.
+/// An obligation: `holds` must be true whenever all conditions of `path` are true.
 struct Obligation {
     std::vector<Term> path;
     Term holds;
     std::string what;
-    std::string where;  ///< the function, the file and the line
+    std::string where;  ///< function, file and line in the source
 };
 
 class Obligations {
   public:
     Obligations(z3::context& context, Solver& solver) : context_{context}, solver_{solver} {}
 
-    /// Adds an obligation. An obligation that is true after simplification counts as proven at once.
+    /// Adds an obligation. If simplification already shows that it is true, it counts as proven and no question is
+    /// asked.
     void add(const std::vector<Term>& path, const Term& holds, const std::string& what, const std::string& where);
     std::size_t size() const { return count_; }
 
     struct Outcome {
         Verdict verdict{Verdict::proven};
-        std::string reason;  ///< the first obligation that does not hold or could not be decided
+        std::string reason;  ///< the first obligation that is refuted or undecided
         std::optional<z3::model> counterexample;
     };
-    /// Decides all obligations. One question to the solver covers several of them and may take `milliseconds`. Where
+    /// Decides all obligations. One question to the solver covers several of them and may take `milliseconds`. If
     /// possible, the counterexample also makes all of `preferred` true.
     Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:
-    /// Decides the obligations from `first` up to `last`, without `last`. Returns true when one was refuted, which ends
-    /// the search.
+    /// Decides the obligations from `first` to `last` - 1. Returns true when one was refuted, which ends the search.
     bool settle_range(std::size_t first, std::size_t last, unsigned milliseconds, Outcome& outcome);
     Term broken(const Obligation& one) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of functions and places of instructions in the source, for messages.
+// Returns names of functions and places of instructions in the source, for messages.
 #pragma once
 
 #include <string>
@@ -11,12 +11,13 @@ class Instruction;
 
 namespace canproof::host::prove {
 
-/// Returns the name in the form of the source: `canproof::ByteView::part(unsigned long, unsigned long) const`.
+/// Returns the name of a function as the source spells it: `canproof::ByteView::part(unsigned long, unsigned long)
+/// const`.
 std::string readable_name(const llvm::Function& function);
 /// Returns function, file and line of an instruction: `canproof::ByteView::part(…) const,
 /// src/firmware/base/bytes.hpp:64`.
 std::string where_is(const llvm::Instruction& instruction);
-/// Returns the source file of a function, with the path that the compiler was given; empty when the bitcode has no line
+/// Returns the path of a function's source file as it was given to the compiler; empty when the bitcode has no line
 /// tables.
 std::string file_of(const llvm::Function& function);
 unsigned line_of(const llvm::Function& function);

@@ -51,8 +51,8 @@ Program::Program(const std::vector<std::filesystem::path>& bitcode) : context_{s
 
 Program::~Program() = default;
 
-/// Turns local variables whose address nobody takes into values. No other pass of LLVM runs: it might remove the very
-/// code that is to be judged.
+/// Turns local variables whose address is not used into values. No other pass of LLVM runs, because a pass might remove
+/// code that the prover must judge.
 void Program::prepare() {
     llvm::LoopAnalysisManager loops;
     llvm::FunctionAnalysisManager functions;

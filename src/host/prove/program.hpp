@@ -17,15 +17,16 @@ namespace canproof::host::prove {
 
 class Program {
   public:
-    /// Links the bitcode files; the first must hold the theorems. Throws InputError.
+    /// Links the bitcode files. The first must contain the theorems. Throws InputError when they cannot be read or
+    /// linked.
     explicit Program(const std::vector<std::filesystem::path>& bitcode);
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     ~Program();
 
     const llvm::Module& module() const { return *module_; }
-    /// Returns the names of the theorems: the functions `void canproof::proofs::NAME()` of the first bitcode file, in
-    /// the order of that file.
+    /// Returns the names of the theorems in the order of the first bitcode file. A theorem is a function `void
+    /// canproof::proofs::NAME()` in it.
     const std::vector<std::string>& theorems() const { return theorems_; }
     const llvm::Function& theorem(const std::string& name) const;
 

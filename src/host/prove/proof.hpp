@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that belongs to the proof of one theorem.
+// The state of the proof of one theorem.
 #pragma once
 
 #include <memory>
@@ -16,22 +16,24 @@
 
 namespace canproof::host::prove {
 
-/// The resources that a proof may use. A theorem that exceeds one of them is unknown.
+/// Limits of a proof's resources. A theorem that needs more has the verdict `unknown`.
 struct Limits {
-    unsigned seconds{3600};              ///< for one question about obligations; the bound of processor time
-                                         ///< (ProveOptions::seconds) is usually reached before
-    unsigned branch_milliseconds{1000};  ///< for the question whether a branch can be taken; it counts as possible then
-    unsigned loop_milliseconds{20000};   ///< for that question from the second pass of a loop on
-    unsigned visits{2000};               ///< of one block in one call: bounds the passes of loops
-    unsigned depth{64};                  ///< of calls inside calls
+    /// time for one question about obligations; ProveOptions::seconds usually ends the proof earlier
+    unsigned seconds{3600};
+    /// time for the question whether a branch can be taken; without an answer in time, the branch counts as possible
+    unsigned branch_milliseconds{1000};
+    unsigned loop_milliseconds{20000};  ///< the same time from the second pass of a loop on
+    unsigned visits{2000};              ///< executions of one block in one call; bounds the passes of loops
+    unsigned depth{64};                 ///< greatest number of nested calls
 };
 
-/// One value, object or memory that the harness leaves open: its bytes in the order in which the harness asked for
-/// them. In an object left open, a byte that is part of an address keeps its value and has no term here.
+/// One value, object or memory that the harness left open, that is, gave any values. `bytes` are in the order in which
+/// the harness asked for them. A byte that is part of an address keeps its value and has no term here.
 struct Input {
     std::vector<std::optional<Term>> bytes;
-    std::optional<Term> size{};                    ///< only for any_memory(): its size
-    std::shared_ptr<const UnknownBytes> memory{};  ///< only for any_memory(): its bytes that were read
+    std::optional<Term> size{};  ///< size of the memory that any_memory() made; otherwise empty
+    /// memory that any_memory() made, with the bytes that were read; otherwise empty
+    std::shared_ptr<const UnknownBytes> memory{};
 };
 
 struct Proof {
@@ -49,12 +51,12 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< bytes of open states, by number of the term
-    std::string statement{};                  ///< the statement of the harness
+    std::set<unsigned> state_bytes{};         ///< numbers of the terms for bytes that a state leaves open
+    std::string statement{};                  ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
-    std::function<void()> noted{};            ///< called after each change of the statement or the requirements
-    std::set<std::string> assumptions{};      ///< `file:line` of each
-    std::set<std::string> functions{};        ///< executed functions of the firmware
+    std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`
+    std::set<std::string> assumptions{};      ///< place of each assumption, as `file:line`
+    std::set<std::string> functions{};        ///< functions of the firmware that were executed
 };
 
 }  // namespace canproof::host::prove

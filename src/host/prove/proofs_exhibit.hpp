@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of theorems for the evidence pack.
+// Writes the table of theorems for the evidence pack.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace canproof::host::prove {
 
-/// Files of the folder build/exhibits/proofs, by name: exhibit.json, the table as CSV, all of it as JSON. It holds when
-/// every theorem is proven.
+/// Returns the files of the folder build/exhibits/proofs by name: exhibit.json, and the table as CSV and as JSON. The
+/// exhibit holds when every theorem is proven.
 std::map<std::string, std::string> exhibit_of(const std::vector<TheoremResult>& results);
 
 }  // namespace canproof::host::prove

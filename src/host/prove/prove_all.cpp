@@ -20,7 +20,8 @@ namespace canproof::host::prove {
 
 namespace {
 
-/// The files that may hold the theorems asked for: all files of a folder, or those that define the one theorem.
+/// Returns the files that may contain the selected theorems: all files of a folder, or those that define the one
+/// theorem.
 std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
     std::vector<std::filesystem::path> all;
     if (!std::filesystem::is_directory(options.proofs)) {
@@ -40,7 +41,7 @@ std::vector<std::filesystem::path> proof_files(const ProveOptions& options) {
     return all;
 }
 
-/// Ends the process with the signal SIGXCPU after `seconds` seconds of its own processor time, however busy the machine
+/// Makes the kernel end this process with SIGXCPU after `seconds` of its own processor time, however busy the machine
 /// is.
 void bound_processor_time(rlim_t seconds) {
     rlimit bound{};
@@ -50,7 +51,7 @@ void bound_processor_time(rlim_t seconds) {
     }
 }
 
-/// Decides one theorem in its own process: a crash there ends that process only.
+/// Decides one theorem in a separate process, so that a crash ends that process only.
 class Task {
   public:
     Task(const Program& program, TheoremResult result, const std::filesystem::path& place)
@@ -88,7 +89,7 @@ class Task {
 
     void save() const { write_file(place_, json_of(result_).dump()); }
 
-    /// Does the work of the child process. Does not return.
+    /// Does the work of the child process and ends it.
     [[noreturn]] void run(Compiler& compiler, const ProveOptions& options) {
         try {
             bound_processor_time(options.seconds);

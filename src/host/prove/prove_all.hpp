@@ -14,21 +14,21 @@ namespace canproof::host::prove {
 
 struct ProveOptions {
     std::filesystem::path proofs{"properties/proofs"};
-    std::filesystem::path generated;  ///< headers that the build wrote
-    std::filesystem::path scratch;    ///< folder for what is compiled
-    std::filesystem::path overlay{};  ///< changed sources, by their path; empty: none
-    std::string area{};               ///< only proofs of this folder; empty: all
-    std::string theorem{};            ///< only this one; empty: all
-    std::optional<Shard> shard{};     ///< only this part of the selected theorems
-    unsigned seconds{60};             ///< of processor time for one theorem; it is unknown after that
+    std::filesystem::path generated;  ///< folder with the headers that the build wrote
+    std::filesystem::path scratch;    ///< folder for compiled files
+    std::filesystem::path overlay{};  ///< folder with changed sources by their path; empty: no changes
+    std::string area{};               ///< folder of the proofs to decide; empty: all folders
+    std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
+    std::optional<Shard> shard{};     ///< decides only this part of the selected theorems
+    unsigned seconds{60};             ///< processor time for one theorem; without a decision in this time it is unknown
     unsigned jobs{2};                 ///< number of processes at the same time
-    bool replays{true};               ///< runs each counterexample as a native program
-    SeedPlace seeds{};                ///< where that program writes it as an input of a fuzz target
+    bool replays{true};               ///< whether each counterexample also runs as a native program
+    SeedPlace seeds{};                ///< where that program writes the counterexample as an input of a fuzz target
 };
 
-/// Returns the results of the theorems, in the order of the files and then in the order within a file. Paths are
-/// relative to the project's folder, which must be the current one. Throws InputError when a source does not compile or
-/// no theorem fits the options.
+/// Decides the selected theorems. Returns their results in the order of the files, and within a file in its order.
+/// Paths are relative to the project's folder, which must be the current folder. Throws InputError when a source does
+/// not compile or no theorem matches the options.
 std::vector<TheoremResult> prove_all(const ProveOptions& options);
 
 }  // namespace canproof::host::prove

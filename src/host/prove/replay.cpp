@@ -17,7 +17,7 @@ namespace {
 
 const std::string reproduced = "reproduced: ";
 
-/// Returns the line of the messages that states the fault: that of a sanitizer, or else the first one, which
+/// Returns the line of the messages that describes the fault: the line of a sanitizer, or else the first line, which
 /// properties/proofs/support/replay.cpp prints.
 std::string complaint(const std::string& messages) {
     std::istringstream lines{messages};

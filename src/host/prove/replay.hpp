@@ -7,17 +7,18 @@
 
 namespace canproof::host::prove {
 
-/// Where a counterexample goes as an input of a fuzz target, when its harness offers one: FOLDER/TARGET/NAME.
+/// The place where a counterexample is stored as an input of a fuzz target, if its harness writes one:
+/// FOLDER/TARGET/NAME.
 struct SeedPlace {
-    std::filesystem::path folder{};  ///< of corpora; empty: nowhere
-    std::string name{};              ///< empty: the name of the theorem
+    std::filesystem::path folder{};  ///< folder of the corpora; empty: the input is not stored
+    std::string name{};              ///< name of the input; empty: the name of the theorem
 };
 
-/// Compiles the theorem with sanitizers, runs it with the values of the counterexample, and writes into `result` what
-/// happened.
+/// Compiles the theorem with sanitizers and runs it with the values of the counterexample. Writes the outcome to
+/// `result.replay`.
 void replay(Compiler& compiler, const std::filesystem::path& scratch, const SeedPlace& seeds, TheoremResult& result);
 
-/// True when the native program failed as well.
+/// Returns whether the native program has failed as well.
 bool is_reproduced(const TheoremResult& result);
 
 }  // namespace canproof::host::prove

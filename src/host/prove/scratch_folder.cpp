@@ -16,8 +16,8 @@ ScratchFolder::ScratchFolder() {
 }
 
 ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;  // files that cannot be deleted stay in the system's folder for temporary files, which
-                              // does no harm
+    // files that cannot be deleted stay in the system's folder for temporary files; they do no harm there
+    std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
 }
 

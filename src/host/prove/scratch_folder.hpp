@@ -8,7 +8,7 @@ namespace canproof::host::prove {
 
 class ScratchFolder {
   public:
-    /// Makes the folder. Throws InputError when that fails.
+    /// Makes the folder. Throws InputError when it cannot be made.
     ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -8,7 +8,8 @@ namespace canproof::host::prove {
 namespace {
 
 constexpr unsigned longest_word = 64;
-constexpr unsigned deepest_look = 8;  ///< depth of the search in a term; no bit of a deeper part counts as known
+/// greatest depth of the search in a term; the bits of deeper parts count as unknown
+constexpr unsigned deepest_look = 8;
 
 KnownBits lowest(std::uint64_t bits, unsigned count) {
     const unsigned kept = std::min(count, longest_word);
@@ -27,7 +28,7 @@ KnownBits known_product(const KnownBits& a, const KnownBits& b) {
     return lowest(a.bits * b.bits, std::min(a.count + zeros_of(b), b.count + zeros_of(a)));
 }
 
-/// Returns the number of bits in which both begin alike.
+/// Returns the lowest bits that both have in common.
 KnownBits common(const KnownBits& a, const KnownBits& b) {
     unsigned count = 0;
     while (count < std::min(a.count, b.count) && ((a.bits ^ b.bits) >> count & 1U) == 0) {

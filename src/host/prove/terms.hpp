@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terms of z3 (bit vectors and truth values), and a few helpers for them.
+// The terms of z3 (bit vectors and truth values), and helpers for them.
 #pragma once
 
 #include <z3++.h>
@@ -16,7 +16,7 @@ using Term = z3::expr;
 constexpr unsigned byte_width = 8U;
 constexpr unsigned address_width = 64U;
 
-/// Returns whether both are the same node of z3. Different nodes may still have equal values.
+/// Returns whether both are the same node of z3. Different nodes can still have equal values.
 bool same(const Term& a, const Term& b);
 bool is_true(const Term& truth);
 bool is_false(const Term& truth);
@@ -26,21 +26,23 @@ std::optional<std::uint64_t> number(const Term& term);
 unsigned width_of(const Term& term);
 
 Term constant(z3::context& context, std::uint64_t value, unsigned width);
-/// Converts a truth value to a bit vector of one bit, and back; other terms stay as they are.
+/// Converts a truth value to a bit vector of one bit. as_truth() converts it back. Both return any other term
+/// unchanged.
 Term as_bits(const Term& term);
 Term as_truth(const Term& term);
-/// Converts a bit vector to a width: cuts off the upper bits, or adds zeros.
+/// Converts a bit vector to another width: removes the upper bits, or adds zeros.
 Term resized(const Term& term, unsigned width);
 /// Returns byte number `at` of a word; byte 0 is the least significant one.
 Term byte_of(const Term& word, unsigned at);
-/// Returns those of the lowest bits of a term that are the same for all values; at most `count` bits and at most 64.
+/// The lowest `count` bits of a term, at most 64. They are equal to `bits` for all values of the term.
 struct KnownBits {
     unsigned count{0};
     std::uint64_t bits{0};
 };
-/// Returns the lowest bits that are known. In a sum of products with powers of two, the remainder is there.
+/// Returns the lowest bits that are known. In a sum of products with powers of two, they are the bits of the constant
+/// remainder.
 KnownBits low_bits(const Term& term);
-/// Returns `condition ? a : b`, without a choice when the condition is constant or both are the same.
+/// Returns `condition ? a : b`; simply a or b if the condition is constant or both are the same.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
 Term all_of(z3::context& context, const std::vector<Term>& truths);

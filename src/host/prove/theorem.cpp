@@ -14,7 +14,7 @@ namespace canproof::host::prove {
 
 namespace {
 
-constexpr std::uint64_t most_memory_bytes = 4096;  ///< most bytes of one memory that a counterexample holds
+constexpr std::uint64_t most_memory_bytes = 4096;  ///< greatest number of bytes of one memory in a counterexample
 
 int byte_in(const z3::model& model, const Term& byte) {
     return static_cast<int>(number(model.eval(byte, true)).value_or(0));
@@ -47,7 +47,7 @@ std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Inpu
     return all;
 }
 
-/// Returns the preference that each memory of any size is small, so that the counterexample can be written to a file
+/// Returns conditions under which each memory of any size is small, so that the counterexample can be written to a file
 /// and run.
 std::vector<Term> small_memory(Proof& proof) {
     constexpr std::uint64_t small = 64;
@@ -60,12 +60,12 @@ std::vector<Term> small_memory(Proof& proof) {
     return all;
 }
 
-/// Whether some values come to the end of a case.
+/// Returns whether some values reach the end of a case.
 Answer reaches_end(Proof& proof, const std::optional<Return>& end) {
     return end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
 }
 
-/// Adds what a case needed to the figures of its theorem.
+/// Adds the figures of a case to those of its theorem.
 void add_figures(const Proof& proof, TheoremResult& result) {
     std::set<std::string> functions{result.functions.begin(), result.functions.end()};
     functions.insert(proof.functions.begin(), proof.functions.end());
@@ -79,7 +79,7 @@ void add_figures(const Proof& proof, TheoremResult& result) {
     result.questions += proof.solver.questions();
 }
 
-/// Decides one case. Returns whether values come to its end, where it is proven.
+/// Decides one case. If it is proven, returns whether some values reach its end; otherwise returns `no`.
 Answer decide_case(const Program& program, Proof& proof, TheoremResult& result) {
     Answer reached = Answer::no;
     try {
@@ -117,7 +117,8 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
     do {
         Proof proof{limits, one};
         const std::string name = one.text();
-        result.reason = name.empty() ? "" : " (case " + name + ")";  // where it is when its time is over
+        // names the case if the process ends at its time limit
+        result.reason = name.empty() ? "" : " (case " + name + ")";
         proof.noted = [&] {
             result.statement = proof.statement;
             result.requirements = proof.requirements;

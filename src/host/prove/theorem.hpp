@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One theorem: what it says, and its result.
+// One theorem: its statement and its result.
 #pragma once
 
 #include <functional>
@@ -11,32 +11,31 @@
 
 namespace canproof::host::prove {
 
-/// One value that a theorem left open, as in the counterexample: a number for each byte, and -1 for a byte that keeps
-/// its value.
+/// The bytes of one value that a theorem left open, in the counterexample. -1 stands for a byte that keeps its value.
 using InputBytes = std::vector<int>;
 
 struct TheoremResult {
     std::string name;
-    std::string file;  ///< the file of the harness
-    std::string area;  ///< the name of the folder of that file
+    std::string file;  ///< path of the harness
+    std::string area;  ///< name of the folder that contains the harness
     std::string statement{};
     std::vector<std::string> requirements{};
     Verdict verdict{Verdict::unknown};
-    std::string reason{};                    ///< the obligation that fails or is open; why nothing is known
-    std::vector<std::string> functions{};    ///< executed functions of the firmware
+    std::string reason{};  ///< the obligation that is refuted or undecided, or the reason why nothing was decided
+    std::vector<std::string> functions{};    ///< functions of the firmware that were executed
     std::vector<std::string> assumptions{};  ///< assumptions of the harness, each with its place
     double paths{0.0};
     std::size_t obligations{0};
     std::size_t questions{0};  ///< number of questions to z3
     double seconds{0.0};
     std::vector<InputBytes>
-        inputs{};          ///< inputs of the counterexample, in the order in which the harness asks for them
-    std::string replay{};  ///< result of the native program with these inputs
+        inputs{};          ///< values of the counterexample, in the order in which the harness asks for them
+    std::string replay{};  ///< result of the native program with these values
 };
 
-/// Executes the theorem and decides its obligations, case by case (each()). A theorem whose end no path reaches is
-/// refuted: its assumptions contradict each other. `noted` is called whenever the statement or the requirements in
-/// `result` have changed.
+/// Executes the theorem and decides its obligations, one case after the other (each()). If no path reaches the end of
+/// the theorem, it is refuted, because its assumptions contradict each other. Calls `noted` whenever the statement or
+/// the requirements in `result` have changed.
 void decide(const Program& program, const Limits& limits, TheoremResult& result, const std::function<void()>& noted);
 
 }  // namespace canproof::host::prove

@@ -6,8 +6,8 @@
 
 namespace canproof::host::prove {
 
-/// Thrown for something that the prover does not model, or at a bound that was reached; the text names the function and
-/// the line in the source. The theorem is then unknown, never proven.
+/// Reports that the program contains something that the prover does not model, or that a limit was reached. The text
+/// names the function and the line in the source. The verdict of the theorem is then unknown, never proven.
 class Unknown : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

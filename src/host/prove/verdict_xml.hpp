@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verdicts of theorems for the audit, in the form in which the test programs leave theirs.
+// Writes the verdicts of theorems for the audit, in the same form as the test programs.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace canproof::host::prove {
 
 /// Returns a test case for each theorem that names a requirement, with a claim of the kind `proof` for each
-/// requirement. A refuted theorem has failed. An unknown theorem is left out, because it shows nothing.
+/// requirement. A refuted theorem is a failed test case. An unknown theorem is left out, because it shows nothing.
 std::string verdict_xml(const std::vector<TheoremResult>& results);
 
 }  // namespace canproof::host::prove

@@ -33,8 +33,8 @@ std::map<std::string, Sources> sources_by_id(const Register& content) {
     return all;
 }
 
-/// Returns the statement's place and its other names: the objects that a section describes, or the sections that
-/// describe an object.
+/// Returns the place of a statement in the manual and the other names of that place: the objects that a section
+/// describes, or the sections that describe an object.
 std::set<std::string> names_of_place(const Manual& manual, const std::string& place) {
     std::set<std::string> names{place};
     for (const auto& section : manual.sections) {
@@ -48,7 +48,7 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Returns whether one of the sources names one of the places, a section above it or a section below it.
+/// Returns whether one of the sources is one of the places, a section above it or a section below it.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -89,14 +89,14 @@ void advise_on_statements(const Register& content, Faults& advice) {
     }
 }
 
-/// Returns the words between spaces, with their punctuation.
+/// Returns the words of the text with their punctuation.
 std::vector<std::string> words_of(const std::string& text) {
     std::istringstream in{text};
     return {std::istream_iterator<std::string>{in}, std::istream_iterator<std::string>{}};
 }
 
-/// Returns whether a sentence ends with this word: its last character, before closing quotes or brackets, is a full
-/// stop, an exclamation mark or a question mark.
+/// Returns whether a sentence ends with this word: its last character is a full stop, an exclamation mark or a question
+/// mark. Closing quotes and brackets after it do not count.
 bool ends_sentence(std::string word) {
     while (!word.empty() && (word.back() == '"' || word.back() == ')')) {
         word.pop_back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about a register without faults that could be better.
+// Warnings about a requirements register that has no faults but could be better.
 #pragma once
 
 #include "host/register/register.hpp"
@@ -8,8 +8,8 @@ namespace canproof::host {
 
 /// Returns the warnings, ascending by file and line. None of them prevents a build:
 /// - a statement with neither `covered` nor `reason`, which the audit reports as a gap;
-/// - a statement whose covering items do not cite its place in the manual;
-/// - a requirement in force that demands several things: more than one "shall", or several sentences.
+/// - a statement whose covering items do not name its place in the manual as their source;
+/// - a requirement in force that demands several things: it has more than one "shall", or several sentences.
 Faults advice_on(const Register& content);
 
 }  // namespace canproof::host

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the hazards: the things that they name exist, and every output has a hazard.
+// Checks the hazards: everything that they name exists, and every output has a hazard.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Adds the faults of all hazards. A device without hazards has no faults.
+/// Adds the faults of all hazards. A device without any hazard gets no fault.
 void check_hazards(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -13,11 +13,11 @@ namespace canproof::host {
 
 namespace {
 
-/// One end of a range with the default values of the device.
+/// One end of a range, with the number that results from the default values of the device.
 struct End {
     std::optional<double> value;
-    std::string words;  ///< description for a message: "4020h:1 default 2500 - 100"
-    std::string fix;    ///< the other value that can be changed: "4020h:1" or "the limit"
+    std::string words;  ///< description for a message, such as "4020h:1 default 2500 - 100"
+    std::string fix;    ///< the other value that can be changed instead, such as "4020h:1" or "the limit"
 };
 
 class LimitCheck {
@@ -85,10 +85,10 @@ class LimitCheck {
     void check_default(const Entry& entry, const End& low, const End& high) {
         auto given = number_of(entry.value);
         if (given && entry.node_id) {
-            *given += part_.info.node_id;  // the default with the node-ID as shipped
+            *given += part_.info.node_id;  // adds the node-ID as shipped
         }
         if (!given || !fits_type(entry.value, entry.type)) {
-            return;  // the check of the entry reports it
+            return;  // another check reports a default that does not fit the type
         }
         const std::string text = (entry.node_id ? "$NODEID+" : "") + to_text(entry.value);
         if (high.value && *given > *high.value) {

@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Adds the faults of the limits in one part: the objects to which they refer, their order, and the defaults.
+/// Adds the faults of one part's limits: missing objects to which they refer, limits in the wrong order, and defaults
+/// outside them.
 void check_limits(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -46,7 +46,7 @@ class LiteralCheck {
 
     void check_name(const Item& item, const std::string& name, std::map<std::string, unsigned>& taken) {
         if (name.empty()) {
-            return;  // the reader reports it
+            return;  // the reader reports a missing name
         }
         if (!is_cpp_name(name)) {
             fault(item.place, fmt::format("{} name {} is no C++ name", item.id, name),

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks names in the generated C++, and the tables to which [services] refers.
+// Checks the names in the generated C++, and the tables to which [services] refers.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Adds the faults in names of generated C++, and in [services].
+/// Adds the faults in the names of the generated C++ and in [services].
 void check_names(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

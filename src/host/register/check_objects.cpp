@@ -13,8 +13,9 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_mapping_entries = 64;  // CiA 301, 7.5.2.36: a PDO has at most 64 bits to map one by one
-constexpr std::size_t image_limit = 0xFFFF;       // EntryRow::offset has 16 bits
+// a PDO has at most 64 bits, each of which can be mapped alone (CiA 301, 7.5.2.36)
+constexpr std::size_t most_mapping_entries = 64;
+constexpr std::size_t image_limit = 0xFFFF;  // EntryRow::offset has 16 bits
 
 std::string name(const Object& object, const Entry& entry) {
     return fmt::format("{:04X}h:{}", object.index, entry.subindex);
@@ -39,7 +40,7 @@ void check_subindices(const Object& object, Faults& faults) {
     }
 }
 
-/// Objects of CiA 301, 7.5.2, with a fixed object code.
+/// An object of CiA 301, 7.5.2, with its fixed object code.
 struct FixedKind {
     unsigned first;
     unsigned last;

@@ -14,8 +14,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns whether the text has the form of an id: at least two words of capitals and digits with dashes between them,
-/// such as AO4-AOUT-002.
+/// Returns whether the text has the form of an id: two or more words of capital letters and digits with dashes between
+/// them, such as AO4-AOUT-002.
 bool is_id(const std::string& text) {
     const auto known = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'; };
     return std::all_of(text.begin(), text.end(), known) && text.find('-') != std::string::npos && text.front() != '-' &&
@@ -84,7 +84,7 @@ class ReferenceCheck {
             return;
         }
         if (!part.has_device_file) {
-            fault({"spec/devices/" + part.name + "/device.toml", 1}, "device without device.toml",
+            fault({"spec/devices/" + part.name + "/device.toml", 1}, "the device has no device.toml",
                   "write it (spec/README.md, device.toml)");
         } else {
             if (!part.info.manual.empty() && content_.manual(part.info.manual) == nullptr) {
@@ -97,10 +97,10 @@ class ReferenceCheck {
 
     void take_id(const Part& part, const std::string& id, const Place& place) {
         if (id.empty()) {
-            return;  // the reader reports it
+            return;  // the reader reports a missing id
         }
         if (part.prefix.empty() && id.front() == '-') {
-            return;  // an object of a device without prefix: the check of device.toml reports it
+            return;  // an object of a device without a prefix: the check of device.toml reports the missing prefix
         }
         if (!is_id(id)) {
             fault(place, fmt::format("id {} is malformed", id),
@@ -122,7 +122,8 @@ class ReferenceCheck {
         }
     }
 
-    /// Checks the origin of a device's item: it cites the device's manual, or it is derived and has a reason.
+    /// Checks the origin of an item. An item of a device must name a section of the device's manual as its source, or
+    /// be derived with a reason; it must not do both.
     void check_origin(const Part& part, const Item& item) {
         const bool cites_manual = std::any_of(item.sources.begin(), item.sources.end(),
                                               [](const std::string& one) { return one.rfind("CiA", 0) != 0; });
@@ -145,7 +146,7 @@ class ReferenceCheck {
             return;
         }
         if (key.rfind("CiA", 0) == 0 || place.file.rfind(from_package, 0) == 0) {
-            return;  // the shared rules cite manuals that only canproof itself has
+            return;  // the manuals of the shared rules are not part of a project that uses an installed canproof
         }
         const auto manual = refs_.find(key);
         if (manual == refs_.end()) {
@@ -161,7 +162,7 @@ class ReferenceCheck {
         }
     }
 
-    /// Checks that a device's requirement names a shared requirement in force in `by`.
+    /// Checks that the requirement in `by` is a shared requirement in force.
     void check_by(const Part& part, const Requirement& requirement) {
         if (requirement.by.empty()) {
             return;
@@ -199,7 +200,7 @@ class ReferenceCheck {
     void check_reviews(const Part& part) {
         for (const auto& [id, review] : part.reviews) {
             if (ids_.count(id) == 0) {
-                fault(review.place, fmt::format("review of {}, which does not exist", id), "remove the line");
+                fault(review.place, fmt::format("the reviewed item {} does not exist", id), "remove the line");
             }
         }
     }

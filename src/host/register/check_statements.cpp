@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// An item or decision whose id may be in `covered`.
+/// The properties of an item or decision that decide whether `covered` may contain its id.
 struct Known {
     const Part* part{nullptr};
     bool retired{false};

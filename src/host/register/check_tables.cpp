@@ -13,13 +13,13 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of inputs; the check visits their combinations with one nested call per input.
+/// Greatest number of inputs. The check makes one nested call for each input.
 constexpr std::size_t most_inputs = 32;
-/// Greatest number of steps of the check; no table of the register needs a tenth of it.
+/// Greatest number of steps of the check. No table of the register needs a tenth of it.
 constexpr std::size_t most_steps = 4000000;
 
-/// Checks one decision table. It represents inputs by small whole numbers: words and booleans by their position,
-/// integers by their value.
+/// Checks one decision table. Inputs become small whole numbers: words and booleans their position, integers their
+/// value.
 class TableCheck {
   public:
     TableCheck(const Register& content, const Part& part, Table& table, Faults& faults)
@@ -140,7 +140,7 @@ class TableCheck {
         const Column& column = input ? table_.inputs[i] : table_.outputs[i - table_.inputs.size()];
         bool fits = false;
         if (input && column.kind == Column::Kind::reals) {
-            return;  // check_column() reports an input column of reals
+            return;  // check_column() reports an input column of reals as a fault
         }
         if (!input && is_known_type(column.type)) {
             fits = fits_type(part.first, column.type);
@@ -164,8 +164,8 @@ class TableCheck {
         }
     }
 
-    /// Splits column `i` into pieces on which every row has a constant result, and checks each piece with the remaining
-    /// rows.
+    /// Divides column `i` into pieces in which every row either matches or does not. For each piece, checks the next
+    /// column with the matching rows.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
         if (i == table_.inputs.size()) {
             judge(rows, at);
@@ -174,7 +174,7 @@ class TableCheck {
         for (const auto& [words, first] : pieces_[i]) {
             steps_ += rows.size() + 1;
             if (told_ >= 5 || steps_ > most_steps) {
-                return;  // a table with a gap usually has many gaps; five suffice in the report
+                return;  // a table with one gap usually has many; five in the report suffice
             }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {
@@ -247,9 +247,9 @@ class TableCheck {
     const Part& part_;
     Table& table_;
     Faults& faults_;
-    std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< pieces of each input
+    std::vector<std::vector<std::pair<std::string, Value>>> pieces_;  ///< pieces of each input column
     std::vector<std::set<std::string>> words_;                        ///< words of each column
-    std::size_t steps_{0};                                            ///< number of compared rows
+    std::size_t steps_{0};                                            ///< number of rows that were compared so far
     int told_{0};
 };
 

@@ -6,8 +6,7 @@
 
 namespace canproof::host {
 
-/// Adds the faults in domains, and the gaps and overlaps of decision tables. Sets the words of columns with an
-/// enumeration.
+/// Adds the faults of decision tables: wrong domains, gaps and overlaps. Sets the words of columns with an enumeration.
 void check_tables(const Register& content, Part& part, Faults& faults);
 
 }  // namespace canproof::host

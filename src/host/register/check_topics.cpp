@@ -12,16 +12,16 @@ namespace canproof::host {
 
 namespace {
 
-/// An item with an answer to a topic.
+/// An item and its answer to a topic. A topic is a question that several items answer.
 struct Given {
     const Item* item;
     const Answer* answer;
 };
 
-/// The answer of one folder, a device or the shared part, to a topic.
+/// The answer of one part, a device or the shared part, to a topic.
 struct Stand {
     const Part* part;
-    std::vector<Given> items;  ///< at least one
+    std::vector<Given> items;  ///< items that give an answer, at least one
 
     const std::string& choice() const { return items.front().answer->choice; }
     const Item& first() const { return *items.front().item; }
@@ -44,13 +44,13 @@ bool same_maker(const Stand& one, const Stand& other) {
            one.part->info.vendor == other.part->info.vendor;
 }
 
-/// Returns `CO-HB-002 (spec/canopen/error_control.toml:30) chooses first-message`.
+/// Returns the answer in words: `CO-HB-002 (spec/canopen/error_control.toml:30) chooses first-message`.
 std::string choice_of(const Stand& stand) {
     const Place& place = stand.items.front().answer->place;
     return fmt::format("{} ({}:{}) chooses {}", stand.first().id, place.file, place.line, stand.choice());
 }
 
-/// Returns the value that [services] of device.toml has for a topic; nothing for another topic.
+/// Returns the value of [services] in device.toml that belongs to a topic; nothing for any other topic.
 std::optional<std::string> service_of(const DeviceInfo& info, const std::string& topic) {
     const std::map<std::string, std::string> services{{"services.lss", info.lss ? "true" : "false"},
                                                       {"services.block_sdo", info.block_sdo ? "true" : "false"},
@@ -102,7 +102,7 @@ class TopicCheck {
   private:
     void take(const Part& part, const Item& item, const Answer& answer) {
         if (answer.topic.empty() || answer.choice.empty()) {
-            return;  // there is no topic, or the reader reports it
+            return;  // the item answers no topic, or the reader reports the missing choice
         }
         Stands& stands = topics_[answer.topic];
         if (stands.empty() || stands.back().part != &part) {
@@ -115,7 +115,7 @@ class TopicCheck {
         faults_.push_back({stand.items.front().answer->place, what, fix});
     }
 
-    /// Checks that all items of one folder give the same answer; no reason excuses a difference within a folder.
+    /// Checks that all items of one folder give the same answer. A difference within a folder is always a fault.
     void check_within(const std::string& topic, const Stand& stand) {
         for (const Given& given : stand.items) {
             if (given.answer->choice != stand.choice()) {
@@ -151,7 +151,7 @@ class TopicCheck {
                 fmt::format("{} chooses {} for topic {}, but", stand.first().id, stand.choice(), topic);
             for (const Stand& other : stands) {
                 if (&other == &stand) {
-                    break;  // each pair is reported once, at its later place
+                    break;  // each pair is reported once, with its later item
                 }
                 if (other.choice() == stand.choice()) {
                     continue;
@@ -167,8 +167,8 @@ class TopicCheck {
         }
     }
 
-    /// Returns whether a difference is explained: one of the two gives a reason, or one of them agrees with the shared
-    /// item, which the other overrides with a reason.
+    /// Returns whether a difference is explained. One of the two must give a reason to differ (`differs`). Or one
+    /// agrees with the shared item and the other gives a reason to override the shared item (`overrides`).
     static bool explained(const Stand& one, const Stand& other, const Stands& stands) {
         const Stand& shared = stands.front();
         const bool has_shared = !shared.part->is_device();
@@ -177,7 +177,7 @@ class TopicCheck {
                (has_shared && other.choice() == shared.choice() && one.overrides());
     }
 
-    /// Reports a reason without a difference.
+    /// Reports a reason (`differs`, `overrides`) for which there is no difference.
     void check_needed(const Stand& stand, const Stands& stands) {
         const auto against = [&](const auto& matters) {
             return std::any_of(stands.begin(), stands.end(),
@@ -205,11 +205,11 @@ class TopicCheck {
 
     Faults& faults_;
     std::map<std::string, Stands> topics_;
-    /// True when the register contains the decisions of devices. The register in the program does not contain them, so
-    /// missing answers are no faults there.
+    /// Whether the register contains the decisions of devices. The register embedded in the program does not contain
+    /// them, so missing answers are no faults there.
     bool whole_{false};
-    bool inherits_{false};  ///< the shared rules come with an installed canproof: their answers need not concern this
-                            ///< project
+    /// whether the shared rules come with an installed canproof, so that their answers need not concern this project
+    bool inherits_{false};
 };
 
 }  // namespace

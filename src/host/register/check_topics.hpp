@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the answers of items to the same question.
+// Checks the answers of items to the same question, which is called a topic.
 #pragma once
 
 #include "host/register/register.hpp"
 
 namespace canproof::host {
 
-/// Adds a fault where two items answer the same question (topic) differently:
+/// Adds a fault when two items answer the same topic differently:
 /// - two items of one folder;
-/// - an item of a device and one of spec/canopen, when the device states no reason;
-/// - items of two devices of the same manufacturer, when no reason is stated.
+/// - an item of a device and an item of spec/canopen, unless the device gives a reason;
+/// - items of two devices of the same manufacturer, unless one of them gives a reason.
 void check_topics(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

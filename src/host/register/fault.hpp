@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fault in spec/ with its place and its remedy.
+// A fault in spec/: what is wrong, its place, and its fix.
 #pragma once
 
 #include <cstddef>
@@ -23,12 +23,12 @@ struct Fault {
     std::string what;
     std::string fix;
 
-    /// Returns `file:line: what; fix`.
+    /// Returns the fault as one line: `file:line: what; fix`.
     std::string text() const;
 };
 
-/// A list of faults. It keeps the first 10,000 and counts the others, so that a file with millions of faults needs no
-/// more memory.
+/// A list of faults. It keeps the first 10,000 and only counts the others, so that a file with millions of faults needs
+/// bounded memory.
 class Faults {
   public:
     static constexpr std::size_t most = 10000;

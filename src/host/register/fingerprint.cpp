@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Computes a fingerprint over fields, each terminated by a byte that no text contains.
+/// Computes a fingerprint from fields. After each field comes a byte that no text contains.
 class Print {
   public:
     Print& add(const std::string& text) {
@@ -18,14 +18,14 @@ class Print {
         return *this;
     }
     Print& add(const Value& value) {
-        // The index of the alternative distinguishes the text "1" from the number 1.
+        // The index of the value's type distinguishes the text "1" from the number 1.
         return add(fmt::format("{}:{}", value.index(), to_text(value)));
     }
     Print& add(std::int64_t number) { return add(std::to_string(number)); }
     Print& add(const std::optional<double>& number) { return add(number ? fmt::format("{}", *number) : ""); }
-    /// Adds the reason of a derived item, which replaces a section.
+    /// Adds the reason of a derived item, which such an item has in place of a section.
     Print& add_origin(const Item& item) { return item.derived.empty() ? *this : add(item.derived); }
-    /// Adds an answer: the check of topics compares answers, so a changed answer needs a new review.
+    /// Adds an answer to a topic. The check of topics compares answers, so a changed answer needs a new review.
     Print& add_answer(const Answer& answer) {
         return answer.topic.empty() ? *this
                                     : add(answer.topic).add(answer.choice).add(answer.differs).add(answer.overrides);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprints of items. When a fingerprint changes, the item's tests are suspect until a new review.
+// Fingerprints of items. When the fingerprint of an item changes, its tests are suspect until a new review.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Each function returns eight hexadecimal digits over the content of an item. Titles, sources, places and the spacing
-/// of the text have no effect.
+/// Returns eight hexadecimal digits that depend on the content of an item. Titles, sources, places and the spacing of
+/// the text have no influence. The following functions do the same for other items.
 std::string fingerprint(const Requirement& requirement);
 std::string fingerprint(const Object& object);
 std::string fingerprint(const Table& table);
@@ -19,7 +19,7 @@ std::string fingerprint(const Constant& constant);
 std::string fingerprint(const Signal& signal);
 std::string fingerprint(const Decision& decision);
 
-/// Returns every id of the part with its fingerprint, as in reviews.toml.
+/// Returns the fingerprint of each item and decision of the part by id, as reviews.toml contains it.
 std::map<std::string, std::string> fingerprints(const Part& part);
 
 }  // namespace canproof::host

@@ -17,19 +17,21 @@ struct Placement {
     std::uint16_t size{0};
 };
 
-/// The value image of a device: entries in dictionary order, without gaps.
+/// The values of a device: where each entry is, in the order of the dictionary and without gaps, and the image of the
+/// defaults.
 struct Layout {
-    std::vector<std::vector<Placement>> placements;  ///< [object][entry], parallel to Part::objects
-    std::vector<std::uint8_t> image;                 ///< defaults, without the node-ID
+    /// by object and entry: placements[i][j] belongs to entry j of Part::objects[i]
+    std::vector<std::vector<Placement>> placements;
+    std::vector<std::uint8_t> image;  ///< bytes of the defaults; the node-ID is not added
     std::vector<std::uint8_t> constants;
-    std::uint32_t fingerprint{0};  ///< hash over the stored entries and their places
+    std::uint32_t fingerprint{0};  ///< hash of the stored entries and their places
 };
 
 Layout make_layout(const Part& part);
-/// Returns the size in bytes of the value image, that is, of make_layout(part).image.
+/// Returns the size of the value image in bytes, equal to make_layout(part).image.size().
 std::size_t image_size(const Part& part);
 
-/// Returns the bytes of a default: little-endian, strings padded with zeros to `size`.
+/// Returns the default in `size` bytes: numbers little-endian, strings padded with zeros.
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
 
 }  // namespace canproof::host

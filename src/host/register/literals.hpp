@@ -11,17 +11,18 @@ namespace canproof::host {
 
 /// Returns whether the type is REAL32 or REAL64.
 bool is_real_type(const std::string& type);
-/// Returns a number or a boolean as double; nothing for words.
+/// Returns a number or a boolean as double; nothing for a text.
 std::optional<double> number_of(const Value& value);
-/// Returns whether a number or boolean is a value of the type: a whole number within the limits of an integer type;
-/// true, false, 0 or 1 for BOOLEAN.
+/// Returns whether a value belongs to the type. For an integer type it must be a whole number within the type's limits;
+/// for BOOLEAN it must be true, false, 0 or 1.
 bool fits_type(const Value& value, const std::string& type);
-/// Returns a description of the type's values for a remedy: "a whole number from 0 to 255".
+/// Returns the values of the type in words for the fix of a fault: "a whole number from 0 to 255".
 std::string type_words(const std::string& type);
-/// Returns whether the text is usable as a name in the generated C++: letters, digits, underscores, no C++ keyword.
+/// Returns whether the text can be a name in the generated C++: it begins with a letter, consists of letters, digits
+/// and underscores, and is no C++ keyword.
 bool is_cpp_name(const std::string& name);
-/// Returns a word of the register as an enumerator in snake_case. A keyword gets a trailing underscore, a leading digit
-/// the prefix `n`.
+/// Returns a word of the register as an enumerator in snake_case. A keyword gets an underscore at its end; a word that
+/// begins with a digit gets the prefix `n`.
 std::string cpp_word(const std::string& word);
 
 }  // namespace canproof::host

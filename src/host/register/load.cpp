@@ -39,7 +39,7 @@ LoadResult load_register(const SpecFiles& files) {
         return std::tie(a.place.file, a.place.line, a.what, a.fix) <
                std::tie(b.place.file, b.place.line, b.what, b.fix);
     });
-    // The elements of an array share their place: equal faults are reported once.
+    // The elements of an array have the same place, so an equal fault of several elements is reported once.
     const auto same = [](const Fault& a, const Fault& b) {
         return a.place.file == b.place.file && a.place.line == b.place.line && a.what == b.what;
     };

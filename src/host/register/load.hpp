@@ -13,15 +13,15 @@ namespace canproof::host {
 
 struct LoadResult {
     Register content;
-    Faults faults;  ///< ascending by file and line
+    Faults faults;  ///< in ascending order of file and line
 };
 
-/// Reads and checks the files. It reports all faults at once; a register with faults must not be used.
+/// Reads and checks the files. Reports all faults at once. A register with faults must not be used.
 LoadResult load_register(const SpecFiles& files);
-/// Reads and checks the files of a folder. Throws InputError when there are none.
+/// Reads and checks the files of a folder. Throws InputError when the folder has no such files.
 LoadResult load_register(const std::filesystem::path& spec);
-/// Reads all or some files of a register that was checked before, without checking them again. Returns nothing when an
-/// item needs another file.
+/// Reads all or some files of a register that was checked before, and does not check them again. Returns nothing when
+/// the files alone have faults, for example because an item needs a file that is left out.
 std::optional<Register> read_sound_register(const SpecFiles& files);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mark of a passage: it identifies words of a manual without containing them.
+// The mark of a passage. It identifies words of a manual but does not contain them.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace canproof::host {
 
-/// `132:3f9a0c1b2d4e`: the number of ASCII letters and digits of a passage, and the first 12 hexadecimal digits of the
-/// SHA-256 over these characters in lower case. Layout, punctuation and other characters do not count.
+/// A mark such as `132:3f9a0c1b2d4e`. It consists of the number of ASCII letters and digits in a passage, and of the
+/// first 12 hexadecimal digits of their SHA-256 in lower case. Layout, punctuation and other characters do not count.
 struct Mark {
     static constexpr std::size_t longest = 99999;
     static constexpr std::size_t hash_digits = 12;
 
-    std::size_t length{0};  ///< 1 to `longest`
+    std::size_t length{0};  ///< number of letters and digits, 1 to `longest`
     std::string hash;
 
     std::string text() const { return std::to_string(length) + ":" + hash; }
@@ -31,7 +31,7 @@ std::string reduced(const std::string& passage);
 /// refuses.
 Mark mark_of(const std::string& passage);
 
-/// Parses a mark; returns nothing for a malformed text.
+/// Parses a mark. Returns nothing for a text in another form.
 std::optional<Mark> read_mark(const std::string& text);
 
 }  // namespace canproof::host

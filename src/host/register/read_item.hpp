@@ -7,9 +7,9 @@
 
 namespace canproof::host {
 
-/// Reads the id and checks its form.
+/// Reads the id of an item and checks its form.
 void read_id(TomlItem& item, Item& into);
-/// Reads the common fields text and source; with `text_required`, an item without text is a fault.
+/// Reads the fields `text` and `source`. If `text_required`, an item without text is a fault.
 void read_common(TomlItem& item, Item& into, bool text_required);
 
 }  // namespace canproof::host

@@ -47,7 +47,7 @@ Manual read_manual(TomlItem& item) {
     return manual;
 }
 
-/// Returns the marks in `mark`, which is one mark or a list of marks.
+/// Returns the marks in the field `mark`, which contains one mark or a list of marks.
 std::vector<Mark> read_marks(TomlItem& item) {
     const toml::node* node = item.node("mark");
     const bool is_list = node != nullptr && node->is_array();
@@ -57,7 +57,7 @@ std::vector<Mark> read_marks(TomlItem& item) {
     for (const std::string& word : words) {
         if (const auto mark = read_mark(word)) {
             marks.push_back(*mark);
-        } else if (!word.empty()) {  // an empty word is already reported
+        } else if (!word.empty()) {  // the reader has already reported an empty text
             item.fault(item.place("mark"), fmt::format("mark {} is malformed", word),
                        "write LENGTH:HASH, the hash with 12 hexadecimal digits in lower case");
         }

@@ -12,8 +12,8 @@ namespace canproof::host {
 /// First part of the paths of manuals and statements.
 inline const std::string manuals_folder = "spec/manuals/";
 
-/// Reads spec/manuals/NAME.toml, or statements of that manual from a file in spec/manuals/NAME/. The manual's own file
-/// must be read first.
+/// Reads a manual from spec/manuals/NAME.toml, or statements of that manual from a file in spec/manuals/NAME/. The file
+/// of the manual must be read first.
 void read_manual_file(TomlItem& item, std::vector<Manual>& manuals);
 
 /// Numbers the statements of each section, table, figure and object in reading order.

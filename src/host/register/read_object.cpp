@@ -26,7 +26,7 @@ std::string numbered(std::string text, std::int64_t n) {
     return text;
 }
 
-/// Parses a reference in hexadecimal, `"4020"` or `"4020:1"`. Returns false for another text.
+/// Parses a reference to an object in hexadecimal: `"4020"` or `"4020:1"`. Returns false for any other text.
 bool parse_reference(const std::string& text, Limit& limit) {
     const auto colon = text.find(':');
     const std::string index = text.substr(0, colon);
@@ -71,7 +71,7 @@ Limit read_limit(TomlItem& range, const std::string& key) {
     return limit;
 }
 
-/// Returns the range in the table `range = { … }` of an item.
+/// Returns the range in the TOML table `range = { … }` of an item.
 Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
     Range range;
     TomlItem* const table = &table_item;
@@ -100,14 +100,14 @@ Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
 Range read_range(TomlItem& item) {
     const toml::node* node = item.node("range");
     if (node != nullptr && node->is_array() && item.has("array")) {
-        return Range{};  // one range per element: see read_elements()
+        return Range{};  // read_element_ranges() reads a list with one range for each element
     }
     auto table = item.item("range");
     return table ? read_range(item, *table, item.place("range")) : Range{};
 }
 
 void set_default(Entry& entry, const toml::node& node) {
-    // A list in place of a value becomes an invalid default, which the check of the defaults reports.
+    // A list in place of a value becomes an invalid default. The check of the defaults reports it.
     const bool list = !node.is_value() && !is_string_type(entry.type);
     const Value value = list ? Value{std::string{"[list]"}} : literal(node);
     const auto* text = std::get_if<std::string>(&value);
@@ -117,7 +117,7 @@ void set_default(Entry& entry, const toml::node& node) {
             entry.node_id = true;
             return;
         } catch (const std::exception&) {
-            // The check of the default's type reports it.
+            // The check of the default's type reports a text that is not a number.
         }
     }
     entry.value = value;
@@ -164,13 +164,14 @@ const toml::node* default_for(const toml::node* node, std::int64_t n) {
     if (table == nullptr) {
         return node;
     }
-    // check_family_default() reports a member without a value. Here the member gets the value of another member, so
-    // that the fault is reported only once.
+    // check_family_default() reports a member without a value. Here such a member gets the value of another member, so
+    // that the fault is not reported twice.
     const toml::node* own = table->get(std::to_string(n));
     return own != nullptr || table->empty() ? own : &table->begin()->second;
 }
 
-/// Returns the names in `element`: one name for all, with {n} for the number, or a list with one name per element.
+/// Returns the names in the field `element`: a list with one name for each element, or one name in which {n} stands for
+/// the number.
 std::vector<std::string> read_element_names(TomlItem& item, const std::string& object, std::size_t count) {
     const toml::node* node = item.node("element");
     if (node == nullptr || !node->is_array()) {
@@ -185,7 +186,7 @@ std::vector<std::string> read_element_names(TomlItem& item, const std::string& o
     return names;
 }
 
-/// Returns the ranges in `range`: one for all elements, or a list with one per element.
+/// Returns the ranges in the field `range`: one for all elements, or a list with one for each element.
 std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std::size_t count) {
     std::vector<Range> ranges(count, pattern.range);
     const toml::node* node = item.node("range");
@@ -255,7 +256,7 @@ struct Member {
     std::int64_t last;
 };
 
-/// Checks that `default = { 1 = 0, 2 = 5 }` names each member of the family, and no other.
+/// Checks that a default such as `{ 1 = 0, 2 = 5 }` contains each member of the family and no other number.
 void check_family_default(TomlItem& item, const Member& member) {
     const toml::node* node = item.node("default");
     const auto table = node == nullptr ? nullptr : node->as_table();
@@ -312,7 +313,8 @@ void add_sub_zero(Object& object) {
     });
 }
 
-/// Reads `kind`, the object code of CiA 301, for entries whose form does not determine it.
+/// Reads the field `kind`, the object code of CiA 301. Entries that could form either an array or a record need it;
+/// without it, the kind is `usual`.
 Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
     const std::string word = item.text_or("kind", usual == Object::Kind::array ? "array" : "record");
     if (word != "array" && word != "record") {
@@ -374,7 +376,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     }
     check_family_default(item, Member{first, first, last});
     std::vector<Object> all;
-    // All members of a family would have the same faults, so only those of the first member are kept.
+    // All members of a family have the same faults, so only the faults of the first member are kept.
     const std::size_t faults_before = item.faults().size();
     std::size_t faults_after = faults_before;
     for (std::int64_t n = first; n <= last; ++n) {
@@ -386,7 +388,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     item.faults().erase(item.faults().begin() + static_cast<std::ptrdiff_t>(faults_after), item.faults().end());
     item.finish();
     if (!has_index) {
-        all.clear();  // reported above; an invented index would cause false faults
+        all.clear();  // the missing index is already reported; an assumed index would cause further faults
     }
     return all;
 }

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Reads one [[object]]. Returns a list, because `repeat` makes one object for each n.
+/// Reads one [[object]]. Returns a list, because with `repeat` it describes one object for each n.
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix);
 
 }  // namespace canproof::host

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Parses the marks of a review, `ITEM CODE TESTS`; `-` or a missing mark means that there was no code or no test.
+/// Parses the marks of a review, `ITEM CODE TESTS`. `-` or a missing mark means that there was no code or no test.
 Review read_marks(const std::string& marks) {
     std::istringstream words{marks};
     Review review;
@@ -48,7 +48,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
             }
         }
     } else {
-        item.fault("review without items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
+        item.fault("the review has no items", "write [review.items] with `ID = \"ITEM CODE TESTS\"` lines");
     }
     item.finish();
 }

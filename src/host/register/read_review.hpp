@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Adds the reviews of one [[review]] by id of the item.
+/// Reads one [[review]] and adds a review for each of its items, by id.
 void read_review(TomlItem& item, std::map<std::string, Review>& reviews);
 
 }  // namespace canproof::host

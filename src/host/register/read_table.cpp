@@ -45,7 +45,7 @@ std::vector<Column> read_columns(TomlItem& item, const std::string& key) {
     const toml::node* node = item.node(key);
     const auto list = node == nullptr ? nullptr : node->as_array();
     if (list == nullptr || list->empty()) {
-        item.fault(fmt::format("table without {}", key), fmt::format("add `{} = [ … ]`", key));
+        item.fault(fmt::format("the table has no {}", key), fmt::format("add `{} = [ … ]`", key));
         return columns;
     }
     for (const auto& one : *list) {
@@ -82,7 +82,7 @@ Cell read_cell(const toml::node& node) {
             cell.parts.push_back(read_part(one));
         }
         if (list->empty()) {
-            cell.parts.push_back({});  // allows no value: the check of the column's domain reports it
+            cell.parts.push_back({});  // a part that allows no value; the check of the column's domain reports it
         }
     } else if (const auto text = node.as_string(); text == nullptr || text->get() != "*") {
         cell.parts.push_back(read_part(node));
@@ -90,7 +90,7 @@ Cell read_cell(const toml::node& node) {
     return cell;
 }
 
-/// Determines a column's kind and, for words, its domain, from its values.
+/// Determines the kind of a column from its values and, for words, also its domain.
 void infer(Column& column, const Table& table, std::size_t at) {
     bool words = !column.words.empty() || !column.enumeration.empty();
     bool booleans = false;
@@ -144,7 +144,7 @@ Table read_table(TomlItem& item) {
     const toml::node* node = item.node("rows");
     const auto rows = node == nullptr ? nullptr : node->as_array();
     if (rows == nullptr || rows->empty()) {
-        item.fault("table without rows", "add `rows = [ [ … ], … ]`");
+        item.fault("the table has no rows", "add `rows = [ [ … ], … ]`");
         table.complete = false;
     } else {
         for (const auto& one : *rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the register. A fault does not stop the reading, so that one run reports all faults.
+// Reads the register. Reading continues after a fault, so that one run reports all faults.
 #include "host/register/reader.hpp"
 
 #include <fmt/format.h>
@@ -62,8 +62,8 @@ void read_device(TomlItem& item, Part& part) {
     item.finish();
 }
 
-/// Returns whether the text consists of words of lower-case letters and digits, joined by characters of `joints`, such
-/// as no-block-transfer.
+/// Returns whether the text consists of words of lower-case letters and digits, such as no-block-transfer. `joints`
+/// contains the characters that may stand between words.
 bool is_joined_words(const std::string& text, const std::string& joints) {
     bool within = false;
     for (const char c : text) {
@@ -85,7 +85,7 @@ Answer read_answer(TomlItem& item) {
     answer.overrides = item.text_or("overrides", "");
     for (const char* key : {"choice", "differs", "overrides"}) {
         if (item.has(key) && !item.has("topic")) {
-            item.fault(item.place(key), fmt::format("{} without a topic", key), "add `topic = …` or remove it");
+            item.fault(item.place(key), fmt::format("{} has no topic", key), "add `topic = …` or remove it");
         }
     }
     if (!answer.topic.empty() && !is_joined_words(answer.topic, "-._")) {
@@ -143,7 +143,7 @@ Enumeration read_enumeration(TomlItem& item) {
         }
     }
     if (enumeration.values.empty()) {
-        item.fault("enumeration without values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
+        item.fault("the enumeration has no values", "add `values = [\"off\", \"on\"]` or `values = { off = 0 }`");
     }
     item.finish();
     return enumeration;
@@ -263,8 +263,8 @@ Part& part_named(Register& content, const std::string& name) {
     return content.parts.back();
 }
 
-/// Returns the part of a path: NAME for `spec/devices/NAME/…`, canopen for `spec/canopen/…` and
-/// `canproof/spec/canopen/…`, otherwise an empty text.
+/// Returns the name of the part to which a file belongs: NAME for `spec/devices/NAME/…`, canopen for `spec/canopen/…`
+/// and `canproof/spec/canopen/…`, and otherwise an empty text.
 std::string part_of(const std::string& path) {
     const std::string devices = "spec/devices/";
     if (path.rfind(shared_rules, 0) == 0 || path.rfind(from_package + shared_rules, 0) == 0) {
@@ -282,11 +282,12 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
     if (path.rfind(manuals_folder, 0) == 0) {
         read_manual_file(item, content.manuals);
     } else if (part.empty()) {
-        faults.push_back({{path, 1}, "file in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+        faults.push_back(
+            {{path, 1}, "the file is in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
-        // A review does not change the generated code.
+        // Generated code does not depend on reviews, so their files are not listed.
         if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
             part_named(content, part).files.push_back(path);
         }
@@ -300,7 +301,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
 Register read_register(const SpecFiles& files, Faults& faults) {
     Register content;
     part_named(content, "canopen");
-    // device.toml is read first: it contains the prefix of the objects' ids.
+    // device.toml is read first, because it contains the prefix of the objects' ids.
     for (const bool device_files : {true, false}) {
         for (const auto& [path, text] : files) {
             const bool is_device = path.size() > 12 && path.substr(path.size() - 12) == "/device.toml";
@@ -320,7 +321,7 @@ Register read_register(const SpecFiles& files, Faults& faults) {
                 read_part_file(path, toml::parse(text, path), content, faults);
             } catch (const toml::parse_error& error) {
                 faults.push_back({{path, static_cast<unsigned>(error.source().begin.line)},
-                                  fmt::format("not TOML: {}", error.description()),
+                                  fmt::format("the file is not TOML: {}", error.description()),
                                   "correct the syntax"});
             }
         }

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Reads all files and adds a fault for everything unreadable. References between items are not checked.
+/// Reads all files. Adds a fault for everything that cannot be read. Does not check references between items.
 Register read_register(const SpecFiles& files, Faults& faults);
 
 }  // namespace canproof::host

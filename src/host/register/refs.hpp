@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of a manual's places: "1.3", "Table 7", "Figure 2", "2340h".
+// The names of places in a manual: "1.3", "Table 7", "Figure 2", "2340h".
 #pragma once
 
 #include <set>
@@ -10,14 +10,14 @@
 
 namespace canproof::host {
 
-/// Returns "1.3" and "Table 7" for "1.3 Table 7".
+/// Returns the single places: "1.3" and "Table 7" for "1.3 Table 7".
 std::vector<std::string> split_refs(const std::string& text);
 
 /// Returns all places of a manual: its sections, tables and figures, and the objects that they describe.
 std::set<std::string> refs_of(const Manual& manual);
 
-/// Returns whether `ref` is the section `above` or lies below it: 1.3.2 is in 1.3. A table, figure or object is only in
-/// itself.
+/// Returns whether `ref` is the section `above` or one below it: 1.3.2 is below 1.3. A table, figure or object has
+/// nothing below it.
 bool is_within(const std::string& ref, const std::string& above);
 
 }  // namespace canproof::host

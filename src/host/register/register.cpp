@@ -89,7 +89,7 @@ struct TypeFacts {
 };
 
 constexpr std::int64_t none = 0;
-// The most frequent types come first, because the table is searched from its begin.
+// The most frequent types come first, because the search begins at the start.
 constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
                                            {"UNSIGNED16", 2, 0, UINT16_MAX},
                                            {"UNSIGNED32", 4, 0, UINT32_MAX},
@@ -122,7 +122,7 @@ bool is_known_type(const std::string& type) {
 }
 
 bool is_string_type(const std::string& type) {
-    const std::string_view word{type};  // compares lengths first
+    const std::string_view word{type};  // std::string_view compares the lengths first
     return word == "VISIBLE_STRING" || word == "OCTET_STRING";
 }
 

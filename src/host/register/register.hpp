@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requirements register in memory: the content of spec/ with expanded families and arrays. Grammar: spec/README.md.
+// The requirements register in memory: the content of spec/, in which each family and array is expanded to single
+// objects and entries. spec/README.md describes the grammar.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace canproof::host {
 
-/// A literal of the register; monostate when there is none.
+/// A literal of the register; monostate means that there is none.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 std::string to_text(const Value& value);
 
@@ -24,13 +25,12 @@ struct Item {
     std::string id;
     std::string text;
     std::vector<std::string> sources;
-    std::string
-        derived;  ///< reason of an item that no sentence of a manual demands; empty: a source contains the sentence
+    std::string derived;  ///< reason of an item that no sentence of a manual demands; empty: the item has a source
     Place place;
     Place id_place;      ///< place of `id`, or of an object's `index`
     Place source_place;  ///< place of `source`, or of `derived`
 };
-/// Returns the sources; for a derived item also `derived: …` with the reason.
+/// Returns the sources of the item. For a derived item, also returns `derived: …` with the reason.
 std::vector<std::string> origins(const Item& item);
 
 struct Section {
@@ -39,7 +39,7 @@ struct Section {
     bool normative{false};
     std::string reason;
     std::vector<std::string> objects;
-    std::vector<std::string> conditions;  ///< conditions of use for installers and operators, one sentence each
+    std::vector<std::string> conditions;  ///< conditions that installers and operators must keep, one sentence each
     Place place;
 
     bool is_condition_of_use() const { return !normative && reason.empty(); }
@@ -53,20 +53,21 @@ struct Manual {
     std::string date;
     std::vector<Section> sections;
     Place place;
-    std::vector<Statement> statements{};  ///< statements of all sections; none: coverage of this manual counts by
-                                          ///< section
+    /// statements of all sections; if there are none, the audit counts the coverage of this manual by section
+    std::vector<Statement> statements{};
 
-    /// Returns the section, table or figure with this name, or the section that describes this object; nullptr when
-    /// there is none.
+    /// Returns the section, table or figure with this name, or the section that describes the object with this name;
+    /// nullptr when there is none.
     const Section* describing(const std::string& ref) const;
 };
 
-/// The answer of an item to a question that other items answer as well. Without a topic it is not compared.
+/// The answer of an item to a topic, that is, to a question that other items answer as well. An answer without a topic
+/// is not compared.
 struct Answer {
     std::string topic;      ///< name of the question, for example heartbeat.consumer-range
-    std::string choice;     ///< the answer, one word
-    std::string differs;    ///< reason why another device of the same manufacturer answers differently
-    std::string overrides;  ///< reason why a shared item answers differently
+    std::string choice;     ///< the answer, as one word
+    std::string differs;    ///< reason for a difference from another device of the same manufacturer
+    std::string overrides;  ///< reason for a difference from a shared item
     Place place;            ///< place of `topic`
 };
 
@@ -74,7 +75,7 @@ struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
-    std::string by;  ///< shared requirement whose code implements it for this device; empty: the device's own code
+    std::string by;  ///< id of the shared requirement whose code implements this one; empty: the device's own code does
     Place by_place;
     Answer answer;
 };
@@ -84,7 +85,7 @@ struct Limit {
     enum class Kind { none, number, object } kind{Kind::none};
     Value number;
     std::uint16_t index{0};
-    int subindex{-1};  ///< -1: the sub-index of the entry itself
+    int subindex{-1};  ///< -1: the same sub-index as the entry that has the limit
     std::int64_t add{0};
     Place place;
 };
@@ -92,9 +93,9 @@ struct Limit {
 struct Range {
     Limit minimum;
     Limit maximum;
-    std::vector<Value> values;  ///< from `values` or, once resolved, from `table`
+    std::vector<Value> values;  ///< allowed values, from `values` or, after resolve_ranges(), from `table`
     std::string table;
-    bool zero{false};  ///< 0 is allowed in addition to the range
+    bool zero{false};  ///< whether 0 is allowed in addition to the range
     Place place;
     bool empty() const {
         return minimum.kind == Limit::Kind::none && maximum.kind == Limit::Kind::none && values.empty() &&
@@ -105,28 +106,30 @@ struct Range {
 struct Entry {
     std::uint8_t subindex{0};
     std::string name;
-    std::string type;  ///< CiA type: UNSIGNED16 …
+    std::string type;  ///< CiA type such as UNSIGNED16
     std::string access;
-    Value value;  ///< default; with node_id, the value to which the node-ID is added
+    Value value;  ///< default; if `node_id` is true, the node-ID is added to it
     bool node_id{false};
     Range range;
     std::string mapping{"none"};
     bool stored{false};
     std::string service{"none"};
-    std::size_t length{0};  ///< bytes of a string
+    std::size_t length{0};  ///< length of a string in bytes
     bool factory{false};
     bool live{false};
     Place place;
-    Place default_place;  ///< place of `default`, or of its element in a list; without one, `place`
+    /// place of `default`, or of the element's default in a list; without a default equal to `place`
+    Place default_place;
 };
 
 struct Object : Item {
     std::uint16_t index{0};
     std::string name;
-    std::string family;  ///< name of its family, with {n}; empty: none
-    int member{0};       ///< its n in the family
+    std::string family;  ///< name of the family with {n} in place of the number; empty: no family
+    int member{0};       ///< number of the object in its family
     enum class Kind { var = 7, array = 8, record = 9 } kind{Kind::var};
-    bool alike{false};  ///< `array = N` defines its entries: one type, one field of the firmware
+    /// whether `array = N` defines the entries, so that they have one type and form one field of the firmware
+    bool alike{false};
     std::string unit;
     std::vector<Entry> entries;
 };
@@ -134,29 +137,31 @@ struct Object : Item {
 struct Column {
     std::string name;
     std::string enumeration;
-    std::string type;  ///< type of an output; empty: inferred
+    std::string type;  ///< type of an output column; empty: inferred from the values
     std::string unit;
     std::optional<std::int64_t> minimum;
     std::optional<std::int64_t> maximum;
-    std::vector<std::string> words;  ///< domain of a column of words
+    std::vector<std::string> words;  ///< allowed words of a column of words
     Place place;
     enum class Kind { words, integers, booleans, reals } kind{Kind::words};
 };
 
-/// The content of one field of a row: alternatives, each a literal or an inclusive range. No alternative means "any".
+/// The content of one cell in a row. It is a list of alternatives, each of which is a literal or an inclusive range. An
+/// empty list means "any".
 struct Cell {
     struct Part {
         Value first;
         Value last;
-        bool hexadecimal{false};  ///< the value is hexadecimal in spec/
+        bool hexadecimal{false};  ///< whether spec/ contains the value as a hexadecimal number
     };
     std::vector<Part> parts;
     bool any() const { return parts.empty(); }
 };
 
 struct Table : Item {
-    std::string name;    ///< its C++ namespace: `name`, or the words of the title up to the first punctuation mark
-    std::string errors;  ///< column whose words are errors of the node; empty: none
+    /// name of its C++ namespace: `name`, or the words of the title up to the first punctuation mark
+    std::string name;
+    std::string errors;  ///< name of the column whose words are errors of the node; empty: none
     std::vector<Column> inputs;
     std::vector<Column> outputs;
     struct Row {
@@ -164,13 +169,13 @@ struct Table : Item {
         Place place;
     };
     std::vector<Row> rows;
-    bool complete{true};  ///< false when a row could not be read; then gaps are not checked
+    bool complete{true};  ///< false when a row could not be read, so that gaps are not checked
 };
 
 struct Enumeration : Item {
     std::string name;
     std::vector<std::pair<std::string, std::int64_t>> values;
-    bool hexadecimal{false};  ///< its numbers are hexadecimal in spec/
+    bool hexadecimal{false};  ///< whether spec/ contains its numbers in hexadecimal
 };
 
 struct Constant : Item {
@@ -178,13 +183,14 @@ struct Constant : Item {
     std::string type;
     std::string unit;
     Value value;
-    bool hexadecimal{false};  ///< the value is hexadecimal in spec/
-    bool compiled_in{false};  ///< the firmware needs it at compile time, for example as the size of an array
+    bool hexadecimal{false};  ///< whether spec/ contains the value in hexadecimal
+    /// whether the firmware needs the constant at compile time, for example as the size of an array
+    bool compiled_in{false};
     Place value_place;
 };
 
 struct Signal : Item {
-    std::string name;  ///< may contain {n}
+    std::string name;  ///< name of the signal; may contain {n}
     int count{1};
     bool input{false};
     std::string type;
@@ -193,7 +199,7 @@ struct Signal : Item {
     std::optional<double> maximum;
     Value value;
     Place default_place;
-    /// Returns the names of the single signals: aout1, aout2 …
+    /// Returns the name of each single signal: aout1, aout2 …
     std::vector<std::string> names() const;
 };
 
@@ -218,27 +224,27 @@ struct Decision : Item {
 struct Hazard : Item {
     struct Failure {
         std::string text;
-        std::vector<std::string> prevented_by;  ///< requirements
-        std::string reason;                     ///< reason why nothing prevents it; empty when something does
+        std::vector<std::string> prevented_by;  ///< ids of the requirements that prevent the failure
+        std::string reason;                     ///< reason why nothing prevents the failure; empty when something does
         Place place;
     };
-    std::vector<std::string> at;  ///< signals and objects: outputs and messages
+    std::vector<std::string> at;  ///< signals and objects: the outputs and messages that the hazard concerns
     Place at_place;
     std::string safe_state;
     std::vector<Failure> failures;
-    std::vector<std::string> decisions;  ///< decisions that chose the safer failure
+    std::vector<std::string> decisions;  ///< ids of the decisions that chose the safer failure
     Place decisions_place;
 };
 
 /// The review of an item with its code and tests.
 struct Review {
-    std::string fingerprint;  ///< fingerprint of the item at the review
-    std::string code;         ///< mark of the functions that implemented it; empty: there were none
-    std::string tests;        ///< mark of the tests that claimed it; empty: there were none
+    std::string fingerprint;  ///< fingerprint of the item when it was reviewed
+    std::string code;         ///< mark of the functions that implemented the item; empty: there were none
+    std::string tests;        ///< mark of the tests that claimed the item; empty: there were none
     std::string date;         ///< YYYY-MM-DD
     std::string by;
-    std::string role;    ///< author or independent; empty: not stated
-    std::string marked;  ///< date on which code and tests were marked without being read; empty: they were read
+    std::string role;    ///< author or independent; empty: not recorded
+    std::string marked;  ///< date on which code and tests got new marks without being read; empty: they were read
     Place place;
 };
 
@@ -248,7 +254,8 @@ struct DeviceInfo {
     std::string vendor;
     std::string manual;
     std::vector<std::string> part_numbers;
-    std::vector<std::string> variants;  ///< difference between part numbers: `AX130771: CAN and outputs isolated`
+    /// differences between part numbers, such as `AX130771: CAN and outputs isolated`
+    std::vector<std::string> variants;
     int node_id{0};
     std::string node_id_note;
     std::int64_t bit_rate{0};
@@ -257,20 +264,21 @@ struct DeviceInfo {
     Place source_place;
     Place manual_place;
     bool lss{false};
-    std::string lss_bit_rates;  ///< id of the table with columns index and bit_rate; empty: the table of CiA 305
-    bool lss_reset{false};      ///< each switch from LSS configuration to waiting resets the communication
+    std::string lss_bit_rates;  ///< id of the table with the columns index and bit_rate; empty: the table of CiA 305
+    /// whether each change from the LSS configuration state to the waiting state resets the communication
+    bool lss_reset{false};
     bool block_sdo{false};
     std::string limit_abort{"high_low"};
     std::string error_list{"history"};
     std::string emcy_content{"listed_errors"};
     std::string tpdo_trigger{"value_change"};
-    std::vector<std::int64_t> rpdos_answering_remote;  ///< numbers of the RPDOs, counted from 1
+    std::vector<std::int64_t> rpdos_answering_remote;  ///< numbers, from 1, of the RPDOs that answer a remote frame
     bool saves_in_pre_operational_only{false};
     Place services_place;
     Place place;
 };
 
-/// An object of the standard with its name in shared code. Only the shared part has these.
+/// An object of the standard with its name in shared code. Only the shared part has such objects.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;
@@ -284,7 +292,7 @@ struct Part {
     DeviceInfo info;
     bool has_device_file{false};
     std::vector<Requirement> requirements;
-    std::vector<Object> objects;  ///< ascending by index
+    std::vector<Object> objects;  ///< in ascending order of the index
     std::vector<Table> tables;
     std::vector<Enumeration> enumerations;
     std::vector<Constant> constants;
@@ -292,24 +300,24 @@ struct Part {
     std::vector<Decision> decisions;
     std::vector<Hazard> hazards;
     std::vector<StandardObject> standard_objects;  ///< in the order of spec/
-    std::map<std::string, Review> reviews;         ///< by id
+    std::map<std::string, Review> reviews;         ///< reviews by the id of the item
     std::vector<std::string> files;
-    bool inherited{false};  ///< shared rules of an installed canproof: proven there, not in this project
+    bool inherited{false};  ///< whether these are shared rules of an installed canproof, which that project proves
 
-    /// Returns the name in C++: cbx_ao412 for `cbx-ao412`.
+    /// Returns the name of the part in C++: cbx_ao412 for `cbx-ao412`.
     std::string cpp_name() const;
     bool is_device() const { return name != "canopen"; }
 };
 
 struct Register {
     std::vector<Manual> manuals;
-    std::vector<Part> parts;  ///< canopen first, then the devices by name
+    std::vector<Part> parts;  ///< canopen first, then the devices in the order of their names
 
     const Part* part(const std::string& name) const;
     const Manual* manual(const std::string& key) const;
-    /// Returns an enumeration of `part` itself or of the shared part; nullptr when there is none.
+    /// Returns the enumeration with this id of `part` or of the shared part; nullptr when there is none.
     const Enumeration* enumeration(const Part& part, const std::string& id) const;
-    /// Calls visit(item, word) for all items that have an id; `word` is the kind of item: "requirement", "object" …
+    /// Calls visit(item, word) for each item with an id. `word` is the kind of the item: "requirement", "object" …
     template <typename Visit>
     void for_each_item(const Part& part, const Visit& visit) const {
         for (const auto& item : part.requirements)
@@ -327,14 +335,16 @@ struct Register {
     }
 };
 
-/// Returns the bytes of a CiA type with a fixed size; 0 for strings, domains and unknown types.
+/// Returns the size of a CiA type in bytes; 0 for strings, domains and unknown types.
 std::size_t type_size(const std::string& type);
-/// Returns the smallest and largest value of an integer type (INT64_MAX limits the 64-bit unsigned type).
+/// Returns the smallest and the largest value of an integer type; nothing for any other type. The largest value of
+/// UNSIGNED64 is INT64_MAX here.
 std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type);
 bool is_string_type(const std::string& type);
 bool is_known_type(const std::string& type);
 
-/// Return `ao_cbx_error_mode_2` for `AO CBX-Error mode 2`, and the PascalCase form for types.
+/// Returns the text in snake_case: `ao_cbx_error_mode_2` for `AO CBX-Error mode 2`. pascal_case() returns it in
+/// PascalCase, for types.
 std::string snake_case(const std::string& text);
 std::string pascal_case(const std::string& text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets the length of a string without `length` to that of its default.
+// Gives each string without a `length` the length of its default.
 
 #include "host/register/resolve_lengths.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves `range = { table = … }`: copies the values of the table's first input column into the entry.
+// Resolves `range = { table = … }`: copies the values of the table's first input column to the entry.
 #include "host/register/resolve_ranges.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of single values in a table; a table with more must be a range without gaps.
+/// Greatest number of single values in a table. More values must form a range without gaps.
 constexpr std::int64_t most_values = 0x10000;
 
 const Table* find_table(const Register& content, const Part& part, const std::string& id) {
@@ -47,7 +47,7 @@ void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell&
     }
 }
 
-/// Returns the numbers in a table's first input column; for a column of words, those of its enumeration.
+/// Returns the numbers in a table's first input column. For a column of words, returns all numbers of its enumeration.
 std::set<std::int64_t> numbers_of(const Register& content, const Part& part, const Table& table) {
     std::set<std::int64_t> numbers;
     if (table.inputs.empty()) {
@@ -66,7 +66,7 @@ std::set<std::int64_t> numbers_of(const Register& content, const Part& part, con
     return numbers;
 }
 
-/// Stores numbers without a gap as a range with two ends, others as a list.
+/// Stores numbers without a gap as a range with two ends, and others as a list.
 void put(const std::set<std::int64_t>& numbers, Range& range) {
     const std::int64_t low = *numbers.begin();
     const std::int64_t high = *numbers.rbegin();

@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Copies the values of the named table into each such range; adds faults.
+/// Copies the values of the named table to each range with `table`. Adds a fault for each range for which this is
+/// impossible.
 void resolve_ranges(const Register& content, Part& part, Faults& faults);
 
 }  // namespace canproof::host

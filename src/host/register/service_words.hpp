@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The services of a device that an entry can configure or show.
+// The words for the services that an entry of the dictionary can configure or show.
 #pragma once
 
 #include <string>

@@ -12,16 +12,17 @@ namespace canproof::host {
 inline const std::string shared_rules = "spec/canopen/";
 /// First part of the paths of the cases of `canproof conform`, which do not belong to a register.
 inline const std::string conformance_cases = "spec/conformance/";
-/// First part of the path of a file that comes with canproof, in a project without spec/canopen.
+/// First part of the path of a shared rule's file that comes with canproof. A project without spec/canopen uses such
+/// files.
 inline const std::string from_package = "canproof/";
 /// Text by path, such as "spec/devices/NAME/device.toml".
 using SpecFiles = std::map<std::string, std::string>;
 
-/// Reads the .toml files below a folder, with paths as if it were named spec/, without the conformance cases. Throws
-/// InputError when there are none.
+/// Reads the .toml files below a folder, except the conformance cases. Each path begins with spec/, whatever the name
+/// of the folder. Throws InputError when there are none.
 SpecFiles read_spec_files(const std::filesystem::path& spec);
-/// Returns `own`, and the shared rules of `package` when `own` has no spec/canopen. The paths of these rules begin with
-/// canproof/.
+/// Returns `own` and, if it has no spec/canopen, also the shared rules of `package`. The paths of these rules then
+/// begin with canproof/.
 SpecFiles with_shared_rules(SpecFiles own, const SpecFiles& package);
 
 }  // namespace canproof::host

@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Scans a text once and ignores the content of strings and comments.
+/// Scans a text once. Ignores the content of strings and comments.
 class DepthScan {
   public:
     explicit DepthScan(const std::string& text) : text_{text} {}
@@ -50,8 +50,8 @@ class DepthScan {
         }
     }
 
-    /// Skips a string. One quote opens a string of one line, three quotes one of several lines. A backslash escapes the
-    /// next character only in "…" strings.
+    /// Skips a string. One quote opens a string on one line; three quotes open a string on several lines. A backslash
+    /// escapes the next character in "…" strings only.
     void skip_string(char quote) {
         const std::string three(3, quote);
         const bool many = text_.compare(at_, 3, three) == 0;
@@ -60,7 +60,8 @@ class DepthScan {
             const char c = text_[at_];
             if (many && text_.compare(at_, 3, three) == 0) {
                 const std::size_t end = std::min(text_.find_first_not_of(quote, at_), text_.size());
-                at_ += std::min<std::size_t>(end - at_, 5);  // two quotes can precede the closing three
+                // two quotes may stand directly before the three closing quotes
+                at_ += std::min<std::size_t>(end - at_, 5);
                 return;
             }
             if (!many && (c == quote || c == '\n')) {

@@ -7,12 +7,12 @@
 
 namespace canproof::host {
 
-/// Greatest nesting depth; the register needs four levels. The parser makes a table for each part of a dotted key and
-/// recurses over them.
+/// Greatest nesting depth. The register needs four levels. The parser makes a table for each part of a dotted key and
+/// handles these tables by recursion.
 constexpr unsigned deepest_toml = 32;
 
-/// Returns the line of the first key with more parts, or of the first value in more brackets, than `deepest_toml`;
-/// nothing when there is none.
+/// Returns the line of the first key with more than `deepest_toml` parts, or of the first value in more than
+/// `deepest_toml` brackets. Returns nothing when there is none.
 std::optional<unsigned> too_deep_in(const std::string& text);
 
 }  // namespace canproof::host

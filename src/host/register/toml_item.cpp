@@ -45,7 +45,7 @@ const toml::node* TomlItem::node(const std::string& key) {
 }
 
 void TomlItem::missing(const std::string& key, const std::string& what) {
-    fault(fmt::format("missing {}", key), fmt::format("add `{} = …` ({})", key, what));
+    fault(fmt::format("{} is missing", key), fmt::format("add `{} = …` ({})", key, what));
 }
 
 void TomlItem::wrong_type(const std::string& key, const std::string& expected) {
@@ -215,7 +215,8 @@ void TomlItem::finish() {
     for (const auto& [key, node] : table_) {
         const std::string name{key.str()};
         if (asked_.count(name) == 0) {
-            fault(Place{file_, static_cast<unsigned>(node.source().begin.line)}, fmt::format("unknown key `{}`", name),
+            fault(Place{file_, static_cast<unsigned>(node.source().begin.line)},
+                  fmt::format("the key `{}` is unknown", name),
                   "remove it or correct its spelling (spec/README.md lists the keys)");
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads one TOML table. It remembers the requested keys and reports every fault with its line.
+// Reads one TOML table. Records which keys are requested, and reports every fault with its line.
 #pragma once
 
 #include <cstdint>
@@ -29,27 +29,28 @@ class TomlItem {
     Place place(const std::string& key) const;
     bool has(const std::string& key) const;
 
-    /// Returns a required string that is not empty.
+    /// Returns a required string. Adds a fault when it is missing or empty.
     std::string text(const std::string& key);
     std::string text_or(const std::string& key, const std::string& otherwise);
-    /// Returns a required whole number within [minimum, maximum].
+    /// Returns a required whole number. Adds a fault when it is missing or not in [minimum, maximum].
     std::int64_t integer(const std::string& key, std::int64_t minimum, std::int64_t maximum);
     std::int64_t integer_or(const std::string& key, std::int64_t otherwise, std::int64_t minimum, std::int64_t maximum);
     bool boolean_or(const std::string& key, bool otherwise);
     std::optional<double> number(const std::string& key);
     std::vector<std::string> texts(const std::string& key, bool required);
     std::vector<std::int64_t> integers(const std::string& key);
-    /// Returns one of the words; for another word, adds a fault that lists them.
+    /// Returns the value of the key, which must be one of the words; adds a fault that lists the words for any other
+    /// value. Without the key, returns `otherwise`, and adds a fault if that is empty.
     std::string word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise);
     Value value(const std::string& key);
     const toml::node* node(const std::string& key);
-    /// Returns the sub-tables of an array of tables.
+    /// Returns the tables of an array of tables.
     std::vector<TomlItem> items(const std::string& key);
     std::optional<TomlItem> item(const std::string& key);
 
     void fault(const std::string& what, const std::string& fix) { fault(place(), what, fix); }
     void fault(const Place& at, const std::string& what, const std::string& fix) { faults_.push_back({at, what, fix}); }
-    /// Reports each key that was never requested.
+    /// Adds a fault for each key that was never requested.
     void finish();
 
     Faults& faults() { return faults_; }
@@ -67,7 +68,7 @@ class TomlItem {
 };
 
 Value literal(const toml::node& node);
-/// Returns whether a whole number is written as 0x….
+/// Returns whether the file contains a whole number in the form 0x….
 bool is_hexadecimal(const toml::node& node);
 
 }  // namespace canproof::host

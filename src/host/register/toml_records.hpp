@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a TOML file of records that people write; the first fault is reported with file, line and remedy.
+// Reads a TOML file of records that people write. Reports the first fault with file, line and fix.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// Passes the file's table to `read`. Throws InputError for invalid TOML, and for the first fault that `read` reported.
+/// Calls `read` with the table of the file. Throws InputError for invalid TOML, and for the first fault that `read` has
+/// reported.
 void read_toml_records(const std::filesystem::path& file, const std::function<void(TomlItem&)>& read);
 
 }  // namespace canproof::host

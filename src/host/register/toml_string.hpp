@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Returns the text as a basic string of TOML with quotation marks; control characters become \uXXXX.
+/// Returns the text in quotation marks as a basic string of TOML. Control characters become \uXXXX.
 std::string toml_string(const std::string& text);
 
 }  // namespace canproof::host

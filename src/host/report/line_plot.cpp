@@ -21,17 +21,17 @@ constexpr double legend_top = 416.0;
 constexpr double legend_row = 20.0;
 constexpr std::size_t legend_columns = 6;
 
-// The colours differ in hue and in lightness, so that they are distinguishable without colour as well.
+// The colours differ in hue and in lightness, so that readers who cannot see colours can distinguish them.
 constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
 
-/// The second set of curves with these colours is dashed, the third one dotted.
+/// After all colours are used once, further curves are dashed, then dotted.
 constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
 
 struct AxisRange {
     double low{0.0};
     double high{1.0};
 
-    /// Returns the range of all points, extended to whole ticks; never empty.
+    /// Returns the range of all points, extended to whole ticks. The range is never empty.
     static AxisRange of(const std::vector<Curve>& curves, bool of_x) {
         bool any = false;
         AxisRange range;
@@ -108,7 +108,7 @@ class Canvas {
                              (top + bottom) / 2.0, escaped(plot_.y_label));
     }
 
-    /// Returns the number of a tick without rounding errors in its last digits.
+    /// Returns the number at a tick without the rounding errors in its last digits.
     static std::string number(double value, double step) {
         const double shown = std::fabs(value) < step / 1000.0 ? 0.0 : value;
         return grouped(std::fabs(shown) < 1e5 ? fmt::format("{:.6g}", shown) : fmt::format("{:.0f}", shown));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line plot as SVG, with round numbers on the axes, a legend and marks. Any browser can display it.
+// A line plot as SVG, with round numbers on the axes, a legend and marks. Every browser can display it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct Curve {
     std::string name;
-    std::vector<std::pair<double, double>> points;  ///< x ascending
+    std::vector<std::pair<double, double>> points;  ///< points in ascending order of x
 };
 
 /// A vertical line with a label.
@@ -21,14 +21,14 @@ struct PlotMark {
 
 struct LinePlot {
     std::string title;
-    std::string x_label;  ///< label with its unit
+    std::string x_label;  ///< label of the x axis with its unit
     std::string y_label;
     std::vector<Curve> curves;
     std::vector<PlotMark> marks;
 };
 
-/// Returns the distance of the ticks of an axis from `low` to `high`: 1, 2 or 5 times a power of ten, for four to ten
-/// ticks.
+/// Returns the distance between the ticks of an axis from `low` to `high`. It is 1, 2 or 5 times a power of ten and
+/// gives four to ten ticks.
 double tick_step(double low, double high);
 
 /// Returns the plot as a complete SVG file.

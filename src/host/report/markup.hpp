@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns the text with `& < > "` escaped, for elements and for attributes in double quotes.
+/// Returns the text with escaped `& < > "`, for use in elements and in attributes in double quotes.
 std::string escaped(const std::string& text);
 
 /// Returns a decimal number with groups of three digits: `-1,234,567.8`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots a file of `--outputs`. Each signal keeps its value until the next line that names it.
+// Plots a file of `--outputs`. Each signal keeps its value until its next line.
 #pragma once
 
 #include <istream>
@@ -10,9 +10,10 @@
 
 namespace canproof::host {
 
-/// Returns a curve for each of `signals` in their order; when it is empty, for each signal that changes, in order of
-/// appearance. `name` is used in messages and as the title. Throws InputError for a line that is not
-/// `seconds,signal,value`, for a signal that the file lacks, and when there is nothing to draw.
+/// Returns a curve for each of `signals`, in their order. If `signals` is empty, returns a curve for each signal that
+/// changes, in the order in which they appear. `name` appears in messages and as the title. Throws InputError for a
+/// line that is not `seconds,signal,value`, for a signal that the file does not contain, and when there is nothing to
+/// draw.
 LinePlot output_plot(std::istream& csv, const std::string& name, const std::vector<std::string>& signals);
 
 }  // namespace canproof::host

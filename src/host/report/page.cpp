@@ -51,7 +51,7 @@ const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=a
 }
 )";
 
-/// Returns the style rule that prints the origin of a page and its number at the foot of each sheet.
+/// Returns the style rule that prints the origin of a page and the page number at the foot of each sheet.
 std::string printed_origin(const std::string& origin) {
     if (origin.empty()) {
         return "";
@@ -70,7 +70,8 @@ bool is_number(const std::string& cell) {
     return digits_alone && std::count(cell.begin(), cell.end(), '.') <= 1 && cell.find_first_of("0123456789") == 0;
 }
 
-/// Returns whether every non-empty cell of the column is a number; numbers of sections ("2.1.1") do not count.
+/// Returns whether the column has at least one cell with text and all such cells are numbers. Section numbers ("2.1.1")
+/// are no numbers here.
 bool holds_numbers(const std::vector<std::vector<std::string>>& rows, const std::size_t column) {
     bool any = false;
     for (const auto& row : rows) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common frame of all pages of the pack. One style serves phones, dark mode and paper; there are no external
-// assets.
+// The common frame of all pages of the pack. One style sheet serves phones, dark mode and paper. The pages load no
+// external files.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct NavigationEntry {
 
 /// The parts of a page around its body.
 struct PageFrame {
-    std::vector<NavigationEntry> navigation;  ///< empty when there are no other pages
+    std::vector<NavigationEntry> navigation;  ///< links to the other pages; empty when there are none
     std::string origin;                       ///< plain text below the page and on each printed sheet; may be empty
 };
 
@@ -25,18 +25,18 @@ std::string html_page(const std::string& title, const std::string& own_page, con
 
 struct HtmlColumn {
     std::string title;
-    int share{0};  ///< share of the width in per cent; 0: as wide as its text
+    int share{0};  ///< share of the table's width in per cent; 0: as wide as its text
 };
 
 enum class Search { no, yes };
 
-/// Returns a table; on a phone each row becomes a list. Cells are markup. A column of numbers is right-aligned with
-/// groups of three digits. A search field hides the rows that do not contain all of its words; without scripts, all
-/// rows show. The caption is plain text.
+/// Returns a table as markup. The cells are markup, and the caption is plain text. Numbers in a column of numbers are
+/// right-aligned, in groups of three digits. A search field hides the rows that do not contain all of its words;
+/// without scripts, all rows show. On a phone, each row becomes a list.
 std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
                        Search search = Search::no, const std::string& caption = "");
 
-/// Returns `<span class=holds>✓ holds</span>` and so on.
+/// Returns the word of a state as markup with its symbol: `<span class=holds>✓ holds</span>` and so on.
 std::string html_state(const std::string& word);
 
 }  // namespace canproof::host

@@ -42,7 +42,7 @@ TEST(EdsFormCase, DataSheetWithAnErrorFailsWithItsLine) {
     // The list counts two of the three mandatory objects of CiA 301.
     const CaseResult result = judged(altered("SupportedObjects=3", "SupportedObjects=2"));
     EXPECT_EQ(result.verdict, Verdict::failed);
-    EXPECT_NE(result.why.find("error(s) in the data sheet; the first: slave.eds:"), std::string::npos) << result.why;
+    EXPECT_NE(result.why.find("error(s); the first is: slave.eds:"), std::string::npos) << result.why;
 }
 
 TEST(EdsFormCase, DataSheetWithAWarningPassesWithANote) {

@@ -170,12 +170,11 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"count 180+N for 1 s", ">= 5 or <= 5"}, BadLine{"check $x == 1", "double quotes"},
                     BadLine{"check $x = 1 \"text\"", "double quotes"}, BadLine{"repeat 3 {\nwait 1 ms", "has no end"},
                     BadLine{"wait 1 ms\n}", "no block to close"},
-                    BadLine{"choose E: writeable", "tells no entries apart"},
+                    BadLine{"choose E: writeable", "is no filter for entries"},
                     BadLine{"do nothing-known", "there is no procedure"}, BadLine{"nmt go", "is no NMT command"},
-                    BadLine{"lss hello", "is no LSS service"}, BadLine{"wait 1 ms now", "is too much"},
-                    BadLine{"block write 1008:00 = zeros(9) lost 3", "says nothing of a block transfer"},
-                    BadLine{"let x = foo", "functions are"},
-                    BadLine{"each object as E {\n}", "cannot be gone through"}));
+                    BadLine{"lss hello", "is no LSS service"}, BadLine{"wait 1 ms now", "is not expected here"},
+                    BadLine{"block write 1008:00 = zeros(9) lost 3", "is no option of a block transfer"},
+                    BadLine{"let x = foo", "functions are"}, BadLine{"each object as E {\n}", "`each` has no list"}));
 
 TEST(ConformLanguage, UnknownKeysOfACaseAreRefused) {
     EXPECT_THAT(faults_of_steps("wait 1 ms", "risk = \"some\""), ElementsAre(HasSubstr("none")));

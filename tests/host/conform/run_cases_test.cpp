@@ -131,7 +131,7 @@ TEST(ConformRun, ValueThatTheSlaveDoesNotRestoreIsReported) {
     const CaseResult result = run_on(target, case_text("some", "write 1017:00 = 100")).results.at(0);
     EXPECT_EQ(result.verdict, Verdict::failed);
     ASSERT_EQ(result.left.size(), 1U);
-    EXPECT_THAT(result.left.front(), HasSubstr("1017h:00 does not take back 00 00"));
+    EXPECT_THAT(result.left.front(), HasSubstr("1017h:00 does not accept its former value 00 00"));
 }
 
 TEST(ConformRun, SilentSlaveIsDistinguishedFromAFailingSlave) {

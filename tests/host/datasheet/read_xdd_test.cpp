@@ -166,17 +166,19 @@ TEST(ReadXdd, FaultsAreReportedWithTheirLineAndTheRestRuns) {
     EXPECT_EQ(texts(read.faults), "");
     const auto at = [&](const char* where) { return "x:" + std::to_string(line_of(text, where)) + ": "; };
     const std::string told = texts(read.notes);
-    EXPECT_THAT(told, HasSubstr(at("index=\"box\"") + "index `box` is none; it is ignored"));
+    EXPECT_THAT(told, HasSubstr(at("index=\"box\"") + "`box` is no index; it is ignored"));
     EXPECT_THAT(told, HasSubstr(at("index=\"1018\"/>") + "object 1018h is already in line"));
-    EXPECT_THAT(told, HasSubstr(at("subIndex=\"100\"") + "subIndex `100` is none; it is ignored"));
+    EXPECT_THAT(told, HasSubstr(at("subIndex=\"100\"") + "`100` is no sub-index; it is ignored"));
     EXPECT_THAT(told, HasSubstr(at("index=\"2000\"") + "PDOMapping often is neither 0 nor 1; 0 is assumed"));
     EXPECT_EQ(entry(read.part, 0x1018, 0).name, "[1]");
 }
 
 TEST(ReadXdd, TextThatIsNoDescriptionIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
-    EXPECT_EQ(told("<a>\n<b>\n</a>"), "x:3: not XML: Start-end tags mismatch; name an EDS, DCF or XDD file\n");
-    EXPECT_EQ(told(" <html/>"), "x:1: XML without CANopenObjectList of CiA 311; name an EDS, DCF or XDD file\n");
+    EXPECT_EQ(told("<a>\n<b>\n</a>"),
+              "x:3: the file is not XML: Start-end tags mismatch; name an EDS, DCF or XDD file\n");
+    EXPECT_EQ(told(" <html/>"),
+              "x:1: the XML contains no CANopenObjectList of CiA 311; name an EDS, DCF or XDD file\n");
     EXPECT_EQ(told("<CANopenObjectList/>"), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");
     std::string deep;
     for (int i = 0; i < 1000000; ++i) {

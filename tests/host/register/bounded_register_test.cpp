@@ -101,7 +101,7 @@ TEST(BoundedRegister, FaultsOfManyUnknownKeysAreBounded) {
     const LoadResult loaded = load_register(with(items_file, keys));
     EXPECT_EQ(loaded.faults.size(), 10000U);
     EXPECT_EQ(loaded.faults.left_out(), 190000U);
-    EXPECT_THAT(loaded.faults.front().text(), HasSubstr("unknown key `k"));
+    EXPECT_THAT(loaded.faults.front().text(), HasSubstr("the key `k"));
 }
 
 TEST(BoundedRegister, NamesOfAMillionCharactersAreFaults) {

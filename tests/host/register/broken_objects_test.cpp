@@ -17,8 +17,9 @@ source = ["M1:1"]
 const std::string rw16 = var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines
 
 const std::vector<Broken> cases{
-    {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "unknown key `colour`", "correct its spelling"},
-    {"MissingType", items_file, var + "access = \"rw\"\n", 1, "missing type", "add `type = …`"},
+    {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "the key `colour` is unknown",
+     "correct its spelling"},
+    {"MissingType", items_file, var + "access = \"rw\"\n", 1, "type is missing", "add `type = …`"},
     {"UnknownType", items_file, var + "type = \"INTEGER24\"\naccess = \"rw\"\ndefault = 0\n", 5,
      "type INTEGER24 is unknown", "use a CiA 301 type in capitals"},
     {"UnknownAccess", items_file, var + "type = \"UNSIGNED8\"\naccess = \"write\"\ndefault = 0\n", 6,
@@ -36,7 +37,7 @@ const std::vector<Broken> cases{
      3, "name is not a non-empty string", "write a non-empty string"},
     {"MissingSource", items_file,
      "[[object]]\nindex = 0x2000\nname = \"a\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n", 1,
-     "missing source", "add `source = …`"},
+     "source is missing", "add `source = …`"},
     {"NoDefault", items_file, rw16, 1, "2000h:0 has no default", "a whole number from -32768 to 32767"},
     {"DefaultAboveType", items_file, rw16 + "default = 32768\n", 7, "2000h:0 default 32768 is no INTEGER16",
      "use a whole number from -32768 to 32767"},
@@ -157,7 +158,7 @@ const std::vector<Broken> cases{
      1, "1020h is an ARRAY in CiA 301", "add kind = \"array\""},
     {"UnknownKind", items_file, rw16 + "array = 2\nkind = \"list\"\ndefault = 0\n", 8, "kind \"list\" is unknown",
      "write \"array\" or \"record\""},
-    {"KindOfAVar", items_file, rw16 + "kind = \"array\"\ndefault = 0\n", 7, "unknown key `kind`",
+    {"KindOfAVar", items_file, rw16 + "kind = \"array\"\ndefault = 0\n", 7, "the key `kind` is unknown",
      "correct its spelling"},
     {"DuplicateSubindex", items_file,
      var + "[[object.entry]]\nsub = 1\nname = \"a\"\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n"

@@ -152,7 +152,7 @@ TEST(ManualStatements, StatementsHaveItemsOrAReasonAndNotBoth) {
 }
 
 TEST(ManualStatements, StatementMarksAreUniqueInAManual) {
-    EXPECT_THAT(faults_of(edited("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("missing mark"));
+    EXPECT_THAT(faults_of(edited("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
     EXPECT_THAT(faults_of(edited("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
     EXPECT_THAT(faults_of(edited("20:3f9a0c1b2d4e", "20:3f9a")),
                 HasSubstr("1-objects.toml:4: mark 20:3f9a is malformed; write LENGTH:HASH"));
@@ -168,8 +168,8 @@ TEST(ManualStatements, StatementsAreInTheFolderOfAManual) {
 }
 
 TEST(ManualStatements, FileOfStatementsHasNothingElse) {
-    EXPECT_THAT(faults_of("[[section]]\nref = \"9\"\n" + covered), HasSubstr("unknown key `section`"));
-    EXPECT_THAT(faults_of(covered + "author = \"me\"\n"), HasSubstr("unknown key `author`"));
+    EXPECT_THAT(faults_of("[[section]]\nref = \"9\"\n" + covered), HasSubstr("the key `section` is unknown"));
+    EXPECT_THAT(faults_of(covered + "author = \"me\"\n"), HasSubstr("the key `author` is unknown"));
 }
 
 }  // namespace canproof::host::test

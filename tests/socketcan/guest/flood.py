@@ -57,7 +57,7 @@ def losses_are_told(program):
         ear.rest()
         answered = ear.heard.count(ANSWER)
         said = run.stop()
-        told = re.search(r"in total (\d+) frames lost for the log, (\d+) for the devices", said)
+        told = re.search(r"in total (\d+) frames were lost for the log, and (\d+) for the devices", said)
         assert told, said
         logged = occurrences(run.log, REQUEST + " R")
         assert int(told.group(1)) >= count - logged > 0, f"{logged} of {count} logged, but: {said}"

@@ -297,7 +297,7 @@ class ProveCommand : Command {
     }
 
   private:
-    /// Adds the options of canproof-prove, which checks the values and has the defaults.
+    /// Adds the options as canproof-prove names them. canproof-prove checks the values and has the defaults.
     void add_options(CLI::App& command) {
         for (const ProveOption& one : prove_options) {
             if (one.takes_value) {

@@ -53,7 +53,8 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// The items and statements that pass a filter, and the number of those that are not shown.
+/// The items and statements that pass a filter. `not_shown` counts those items without the status `shown` and those
+/// statements that are open.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;
@@ -99,7 +100,7 @@ int list(const Register& content, const std::vector<PartAudit>& audits, const Ev
 }
 
 struct ConditionOfUse {
-    std::string section;  ///< AX130751:1.3
+    std::string section;  ///< manual and section: `AX130751:1.3`
     std::string text;
 };
 
@@ -139,7 +140,7 @@ void print_conditions(const std::vector<ConditionOfUse>& conditions, const bool 
     fmt::print("{} condition(s) of use\n", conditions.size());
 }
 
-/// Returns the audits of this device and of the shared rules that it uses. Without a name, returns all audits.
+/// Returns the audits without those of other devices. Without a name, returns all audits.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
         return !device.empty() && one.part->is_device() && one.part->name != device;
@@ -184,7 +185,7 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
     return story->open ? 1 : 0;
 }
 
-/// Prints everything that is open in these audits. Returns the exit status.
+/// Prints all gaps, open statements and other open points of these audits. Returns the exit status.
 int tell_all(const AuditOptions& options, const Register& content, const std::vector<PartAudit>& audits,
              const Evidence& evidence) {
     const auto strays = orphans(evidence);

@@ -26,8 +26,8 @@ bool same(const std::string& number, const std::string& name) {
     });
 }
 
-/// Returns the requirements register of the embedded files whose path `is_wanted` accepts; nothing when these files
-/// need others.
+/// Returns the requirements register of the embedded files whose path `is_wanted` accepts. Returns nothing when the
+/// register of these files alone has faults.
 template <typename Wanted>
 std::optional<Register> register_of(const Wanted& is_wanted) {
     SpecFiles files;

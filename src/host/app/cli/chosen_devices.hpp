@@ -16,7 +16,7 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< nullptr for a device from an EDS, which has no part in the requirements register
+    const Part* part{nullptr};  ///< nullptr for a device from an EDS: it has no part in the requirements register
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
     std::string notice;         ///< message for the user before the run; empty: no message
 };

@@ -35,7 +35,7 @@ namespace {
 
 constexpr int wrong_use = 2;
 
-/// Longest time on the command line in seconds: below it, a double represents every microsecond.
+/// Longest time on the command line, in seconds. Below this limit, a double represents every microsecond exactly.
 constexpr double most_seconds = 4.0e9;
 
 const CLI::Validator seconds{[](std::string& text) -> std::string {
@@ -217,7 +217,7 @@ class ReplayCommand : Command {
     }
 
     ReplayOptions options_;
-    std::vector<std::string> words_;  ///< DEVICE LOG; with --eds only LOG
+    std::vector<std::string> words_;  ///< the positional arguments: DEVICE and LOG; with --eds only LOG
 };
 
 class ConformCommand : Command {
@@ -308,7 +308,8 @@ class WordsCommands : Command {
     std::string shell_;
 };
 
-/// Returns the text of an error. A failure of standard output is reported instead, because it caused the error.
+/// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because it is
+/// the cause.
 std::string why(const std::exception& error) {
     try {
         finish_standard_output();

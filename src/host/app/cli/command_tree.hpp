@@ -19,10 +19,10 @@ struct OptionWords {
 };
 
 struct CommandWords {
-    std::vector<std::string> path;  ///< `eds`, `check`; empty for the program
+    std::vector<std::string> path;  ///< words before the last one, for example `eds`; empty for the program
     std::string description;
     std::vector<OptionWords> options;
-    std::vector<std::string> below;  ///< names of subcommands
+    std::vector<std::string> below;  ///< names of the direct subcommands
 
     /// Returns the words of the path with `between` as separator.
     std::string joined(const std::string& between) const;

@@ -92,7 +92,7 @@ std::uint8_t node_of(const std::string& text) {
     return static_cast<std::uint8_t>(node);
 }
 
-/// Returns the data sheet that the user gives, or otherwise that of the slave. `device` is a name of the catalogue.
+/// Returns the data sheet of `options.eds`; without it, the data sheet of `device`, which is a name of the catalogue.
 conform::ConformSheet sheet_for(const ConformCommandOptions& options, const std::string& device) {
     if (!options.eds.empty()) {
         conform::ConformSheet sheet = conform::read_sheet(read_file(options.eds, longest_eds_file), options.eds, 1);
@@ -135,7 +135,8 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     return target;
 }
 
-/// Makes the one slave and the one target (virtual time, image or bus) that the options name. Throws InputError.
+/// Checks that the options name a slave either of the catalogue or by a file, and not both an image and a bus. Throws
+/// InputError.
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
         throw InputError{
@@ -143,7 +144,8 @@ void check_slave(const ConformCommandOptions& options) {
     }
     if (!options.arm.empty() && !options.bus.empty()) {
         throw InputError{
-            "--arm is a slave in virtual time; put it on a bus with `canproof run --arm`, or leave out one"};
+            "--arm runs the slave in virtual time and cannot use --bus; leave out one of them, or put the image on a "
+            "bus with `canproof run --arm`"};
     }
 }
 
@@ -172,8 +174,8 @@ bool is_of_a_report(const std::filesystem::directory_entry& entry) {
     return entry.is_regular_file() && (name.extension() == ".html" || records.count(name.string()) != 0);
 }
 
-/// Replaces the folder of the report as a whole. Throws InputError for a folder that contains anything except an old
-/// report.
+/// Checks that the report may replace this folder: it is absent or empty, or it contains only an earlier report. Throws
+/// InputError for any other folder.
 void check_report_folder(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
@@ -181,7 +183,9 @@ void check_report_folder(const std::filesystem::path& folder) {
     const std::filesystem::directory_iterator entries{folder};
     if (!std::filesystem::exists(folder / "report.json") ||
         !std::all_of(begin(entries), end(entries), is_of_a_report)) {
-        throw InputError{fmt::format("{} holds other files; name an empty folder, or a new one", folder.string())};
+        throw InputError{fmt::format(
+            "{} contains files that belong to no report; name an empty folder or one that does not exist yet",
+            folder.string())};
     }
 }
 
@@ -198,7 +202,7 @@ int run_conform(const ConformCommandOptions& options) {
         image = choose_image(options.arm);
     }
     if (options.by_hand && options.bus.empty()) {
-        throw InputError{"--by-hand is for a slave on a bus; in virtual time the program switches it off and on"};
+        throw InputError{"--by-hand needs --bus: in virtual time the program itself switches the slave off and on"};
     }
     if (!options.report.empty()) {
         check_report_folder(options.report);

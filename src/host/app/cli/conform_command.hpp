@@ -10,22 +10,22 @@ namespace canproof::host {
 
 struct ConformCommandOptions {
     std::string device;               ///< name in the catalogue; empty: `eds` or `arm` is given
-    std::string eds;                  ///< file
+    std::string eds;                  ///< path of an EDS, DCF or XDD; empty: `device` or `arm` is given
     std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: no image
     std::optional<std::string> node;  ///< node-ID; without it, the node-ID as shipped
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
-    std::vector<std::string> only;   ///< services to run
-    std::vector<std::string> skip;   ///< ids, numbers or services to leave out
-    std::vector<std::string> cases;  ///< ids or numbers to run
+    std::vector<std::string> only;   ///< services to run; empty: all
+    std::vector<std::string> skip;   ///< ids, numbers or services of the cases to leave out
+    std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
     std::string folder;              ///< folder with cases that replace the built-in cases
-    std::string report;              ///< folder for the report
+    std::string report;              ///< folder for the report; empty: no report
     bool json{false};
     bool allow_outputs{false};
     bool allow_store{false};
     bool allow_lss{false};
-    bool by_hand{false};           ///< the user switches the slave off and on
-    bool no_remote_frames{false};  ///< the user's adapter does not carry them
+    bool by_hand{false};           ///< whether the user switches the slave off and on
+    bool no_remote_frames{false};  ///< the user's adapter does not transmit remote frames
     double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
 };
 

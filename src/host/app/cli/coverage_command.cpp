@@ -59,7 +59,8 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Checks without a measurement whether each record still matches a place in the sources. Returns the exit status.
+/// Checks the records against the sources, without a measurement. Returns the exit status: 1 for a record that matches
+/// no place.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);

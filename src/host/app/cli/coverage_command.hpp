@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof coverage`: places in the firmware that no test reaches.
+// `canproof coverage`: lists the places in the firmware that no test reaches.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct CoverageOptions {
     std::string measured{"build/coverage/coverage.json"};  ///< file that `llvm-cov export` wrote
     std::string cobertura;                                 ///< file to write; empty: none
     bool json{false};                                      ///< JSON instead of lines
-    bool records_only{false};                              ///< no measurement: checks the records against the sources
+    bool records_only{false};  ///< only checks the records against the sources, without a measurement
 };
 
 /// Prints the places that no test reaches. Returns the exit status: 1 when one has no reason.

@@ -12,7 +12,7 @@ struct DiffOptions {
     std::string verdicts;
     std::string old_verdicts;
     bool json{false};
-    bool exit_code{false};  ///< exit status 1 when anything changed, as git has it
+    bool exit_code{false};  ///< exit status 1 when anything changed, as with `git diff --exit-code`
 };
 
 /// Prints the items, code, tests and verdicts that a change affects. Returns the exit status.

@@ -11,7 +11,7 @@ struct EdsCheckOptions {
     std::string fix;     ///< file for the fixed sheet; empty: none
     bool json{false};    ///< findings as JSON
     bool strict{false};  ///< warnings count as errors for the exit status
-    bool rules{false};   ///< print every rule instead
+    bool rules{false};   ///< prints every rule and checks no file
 };
 
 /// Prints the findings. With `fix`, writes the fixed sheet and prints what was fixed and which findings are left.

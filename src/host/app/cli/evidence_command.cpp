@@ -98,7 +98,8 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
 
 /// Returns the sources that an exhibit is about.
 std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
-    if (key == "code-mutation") {  // for an exhibit about mutants, tests are sources too: they notice a mutant
+    // an exhibit about mutants also depends on the tests, because a test notices a mutant
+    if (key == "code-mutation") {
         return firmware_and_tests(root);
     }
     return key == "proofs" ? proof_sources(root) : firmware_sources(root);
@@ -166,8 +167,8 @@ std::map<std::string, std::string> materials_in(const Places& places) {
     return sums;
 }
 
-/// Returns the evidence that is absent or stale and that a command can make. Without any verdicts, returns all that can
-/// be made.
+/// Returns the evidence that is absent or stale and that a command can make. Without test results, returns all evidence
+/// that a command can make.
 std::vector<ExpectedEvidence> needed(const EvidenceOptions& options, const Register& content) {
     const Places places{options};
     const bool tested = read_verdict_files(places.verdicts).tests != 0;

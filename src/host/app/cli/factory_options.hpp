@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `--factory KEY=VALUE`: values that a single unit gets in the factory. The keys are the entries that the requirements
-// register marks as factory data, with their types and ranges. The AX060805 has further keys that no object shows.
+// The option `--factory KEY=VALUE`: values that the factory sets in one unit. The keys are the entries that the
+// requirements register marks as factory data, with their types and ranges. The AX060805 has more keys, for values that
+// no object contains.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ namespace canproof::host {
 /// part numbers.
 std::string part_number_of(const std::string& name, const Part& part);
 
-/// Returns the keys of a unit with this part number; without one, the keys of the device.
+/// Returns the keys of a unit with this part number. For an empty part number, returns the keys of the device.
 std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_number = {});
 
 /// The factory values on the command line: KEY=VALUE applies to every device that has the key, DEVICE.KEY=VALUE to one
@@ -24,7 +25,7 @@ std::vector<FactoryKey> factory_keys(const Part& part, const std::string& part_n
 class FactoryOptions {
   public:
     FactoryOptions() = default;
-    /// Throws InputError for a text that is not KEY=VALUE.
+    /// Parses the options. Throws InputError for a text that is not KEY=VALUE.
     explicit FactoryOptions(const std::vector<std::string>& given);
 
     /// Returns the values for a device; `name` is what the user wrote, NAME or NAME@NODE. Throws InputError for a value
@@ -40,7 +41,7 @@ class FactoryOptions {
         std::string key;
         std::string value;
         bool used{false};
-        std::vector<std::string> others;  ///< keys of the devices for which for_device() was called
+        std::vector<std::string> others;  ///< keys of the devices to which for_device() was applied
     };
     std::vector<Given> given_;
 };

@@ -29,7 +29,7 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
     const bool own = options.log.empty();
     if (own && !std::filesystem::exists(folder / "bus.log")) {
         throw InputError{
-            fmt::format("there is no {}: name a log of frames to the device", (folder / "bus.log").string())};
+            fmt::format("there is no {}; name a candump log of frames to the device", (folder / "bus.log").string())};
     }
     const std::string log = own ? (folder / "bus.log").string() : options.log;
     const std::string stimulus = own ? (folder / "inputs.csv").string() : options.stimulus;

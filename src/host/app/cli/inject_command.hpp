@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof inject`: turns single bits of a running device's memory and reports what follows.
+// `canproof inject`: inverts single bits in the memory of a running device and reports the effects.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,16 @@ namespace canproof::host {
 struct InjectOptions {
     std::string root{"."};
     std::string device;
-    std::string log;       ///< frames to the device; empty: the device's workload below `root`
-    std::string stimulus;  ///< changes of its inputs; empty, and no `log`: the device's workload below `root`
+    std::string log;  ///< frames to the device; empty: the device's workload below `root`
+    /// file with changes of the device's inputs; when `log` is empty too: the device's workload below `root`
+    std::string stimulus;
     std::optional<std::string> node;
     InjectionOptions campaign;
     bool json{false};
     bool is_shard{false};
     std::string out{"build/inject"};  ///< folder of the files of shards
-    std::string merge;                ///< folder of all shards of a campaign, in place of running it; empty: run
+    /// folder with the files of all shards, which are merged instead of a run; empty: runs the campaign
+    std::string merge;
 };
 
 /// Prints the table, or JSON. Returns the exit status.

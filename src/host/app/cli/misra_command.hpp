@@ -10,7 +10,7 @@ struct MisraOptions {
     std::string root{"."};
     std::string build;        ///< folder with a built firmware; empty: build/release or build/debug
     std::string out;          ///< folder for misra.sarif, compliance.md and misra.html; empty: BUILD/misra
-    std::string review_file;  ///< file that `reviewer` judged for `review_rule`; empty: run the check
+    std::string review_file;  ///< file that `reviewer` has reviewed for the rule `review_rule`; empty: runs the check
     std::string review_rule;
     std::string reviewer;
     std::string judgement;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `mutate` command: alters every generated cell, or every operator and condition of the firmware and of the host's
-// buses and replay, one at a time. It prints by item the survivors that have no recorded reason.
+// The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
+// cell, or each operator and condition of the firmware and of the host's buses and replay. It prints, by item, the
+// survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Removes the cells of shared rules that come with an installed canproof: the tests of canproof cover them.
+/// Removes the cells of shared rules that come with an installed canproof, because canproof's own tests cover them.
 void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     const auto inherited = [&](const AlteredCell& cell) {
         return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
@@ -52,7 +53,8 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     };
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
-        throw InputError{fmt::format("`{}` is no device and no item with generated cells", subject)};
+        throw InputError{
+            fmt::format("`{}` is no device and no item with generated cells; name another or leave it out", subject)};
     }
     return cells;
 }
@@ -61,7 +63,8 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format("no file with mutants has `{}` in its path", file)};
+        throw InputError{fmt::format(
+            "no file with mutants has `{}` in its path; name another part of a path or leave it out", file)};
     }
     return mutants;
 }
@@ -86,7 +89,7 @@ void print_count(const std::string& what, const MutationCount& count) {
                count.noticed, count.justified, count.open());
 }
 
-/// Prints the counts. For mutants of code, prints those of the host separately.
+/// Prints the counts. With `code`, prints the counts of the host's mutants separately.
 void print_counts(const CountsByItem& counts, bool code) {
     const MutationCount host = total_of(counts, true);
     if (!code || host.altered == 0) {
@@ -124,7 +127,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Judges alterations with the test programs. `count` is the number of alterations.
+/// Judges `count` alterations with the test programs.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
@@ -156,7 +159,7 @@ int judge_shard(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Returns a line for each of these records of survivors, with its file and line.
+/// Returns one line for each record of a survivor: the file, the line of the record, and `what`.
 std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& records,
                                      const std::filesystem::path& file, const char* what) {
     std::vector<std::string> lines;
@@ -166,7 +169,7 @@ std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& r
     return lines;
 }
 
-/// Keeps the outcomes of a whole run for the evidence pack.
+/// Saves the outcomes of a complete run for the evidence pack.
 void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& options,
           const std::filesystem::path& programs) {
     write_file(programs / (options.code ? "code_mutation.json" : "mutation.json"), write_mutation_json(outcomes));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof mutate`: whether a test notices each broken requirement.
+// `canproof mutate`: checks whether a test notices each alteration of a requirement's data or of the code.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,20 @@ namespace canproof::host {
 struct MutateOptions {
     std::string root{"."};
     std::string programs;  ///< folder; empty: build/mutation below `root`
-    std::string subject;   ///< device, id or empty; for mutants of code: part of a file's path
+    std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
     bool code{false};      ///< alters the code of the firmware instead of generated cells
-    bool kills{false};     ///< writes reports/kills.csv: the mutants that each test notices of the items it verifies
+    bool kills{false};  ///< writes reports/kills.csv: for each test, the items it verifies of which it notices a mutant
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
     std::optional<Shard> shard{};  ///< judges only this part of a run and writes its outcomes below `programs`
-    std::string merge;  ///< folder of the shards of a run, which are merged instead of a new run; empty: judge
-    bool json{false};   ///< the outcomes as JSON instead of lines
+    /// folder with the outcomes of all shards, which are merged instead of a new run; empty: runs the judgement
+    std::string merge;
+    bool json{false};  ///< the outcomes as JSON instead of lines
 };
 
-/// Returns the exit status: 1 when an alteration survives without a reason. A shard reports no survivors.
+/// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason. A
+/// shard reports no survivors.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file that a command writes during its run. It is emptied after all checks have passed, and checked at the end.
+// A file that a command writes during its run. The command empties the file only after all checks have passed; finish()
+// checks that the file is complete.
 #pragma once
 
 #include <fstream>

@@ -55,8 +55,8 @@ const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string
     throw InputError{fmt::format("{}: {} has no signals", one.where, one.signal)};
 }
 
-/// Checks each stimulus against the devices. For `device.signal`, the device must be part of the run; its short name is
-/// replaced by its whole name.
+/// Checks each stimulus against the devices of the run. In `device.signal`, replaces a short device name by the
+/// complete name. Throws InputError when no device has the signal.
 void check_targets(std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
     std::vector<std::string> names;

@@ -26,11 +26,11 @@ class PreparedRun {
 
     /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.
     void open_outputs();
-    /// Sends a notice for each node-ID that more than one device has got since the last call.
+    /// Sends a notice for each node-ID that more than one device has received since the last call.
     void tell_node_ids();
-    /// Writes what is buffered of the log and the outputs to their files.
+    /// Writes the buffered text of the log and the outputs to their files.
     void flush();
-    /// Completes the files. Throws InputError.
+    /// Flushes the files. Throws InputError when one of them could not be written completely.
     void finish();
 
   private:

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Shows `done` of `all` in one line of standard error; without a terminal there, shows nothing.
+/// Prints `done` of `all` as one line on standard error; prints nothing when standard error is not a terminal.
 void show_progress(std::size_t done, std::size_t all);
 
 }  // namespace canproof::host

@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Starts canproof-prove with these arguments and waits for its end. Returns its exit status. Throws InputError when
-/// the program does not exist.
+/// Starts canproof-prove with the arguments `words` and waits for its end. Returns its exit status. Throws InputError
+/// when the program does not exist.
 int prove(const std::vector<std::string>& words);
 
 }  // namespace canproof::host

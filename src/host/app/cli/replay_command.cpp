@@ -28,17 +28,18 @@ std::optional<Instant> instant_of(const std::optional<double>& seconds) {
 
 void tell_counts(const LogCounts& counts) {
     if (counts.error_frames != 0) {
-        tell(fmt::format("{} error frame(s) in the log, which no node receives", counts.error_frames));
+        tell(fmt::format("the log contains {} error frame(s), which no node receives", counts.error_frames));
     }
     if (counts.coded_lengths != 0) {
-        tell(fmt::format("{} frame(s) with a length code above 8, received as eight bytes", counts.coded_lengths));
+        tell(fmt::format("the log contains {} frame(s) with a length code above 8, which are received as eight bytes",
+                         counts.coded_lengths));
     }
 }
 
 }  // namespace
 
 int replay_log(const ReplayOptions& options) {
-    std::ios::sync_with_stdio(false);  // otherwise a read error of standard input looks like its end
+    std::ios::sync_with_stdio(false);  // otherwise a read error of standard input looks like the end of the input
     FactoryOptions factory{options.factory};
     ChosenDevice chosen = options.eds.empty() ? choose_device(options.device, factory) : choose_eds(options.eds);
     factory.check_used();

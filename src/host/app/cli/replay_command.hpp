@@ -12,7 +12,7 @@ struct ReplayOptions {
     std::string device;
     std::string eds;                  ///< file that replaces `device`
     std::string log;                  ///< file, or - for standard input
-    std::optional<std::string> node;  ///< node-ID; none: the node-ID as shipped
+    std::optional<std::string> node;  ///< node-ID; without a value, the node-ID as shipped
     std::vector<std::string> factory;
     std::string nvm;
     std::string stimulus;

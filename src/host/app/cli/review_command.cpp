@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `spec review` command: records that items were read in their present form, with their code and tests.
+// The `spec review` command: records that a reader has read items in their present form, with their code and tests.
 #include "host/app/cli/review_command.hpp"
 
 #include <fmt/chrono.h>
@@ -43,10 +43,10 @@ void check(const ReviewOptions& options) {
         return;
     }
     if (options.by.empty() || options.role.empty()) {
-        throw InputError{"name the reader: --by NAME --role author|independent"};
+        throw InputError{"the reader is not named; write --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
-        throw InputError{"name the ids or devices that were read, or give --all"};
+        throw InputError{"no item is named; name the ids or devices that were read, or give --all"};
     }
 }
 

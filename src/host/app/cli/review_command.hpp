@@ -14,12 +14,12 @@ struct ReviewOptions {
     std::string by;
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
-    bool mark{false};      ///< renews the marks of code and tests of existing reviews, without a new review
-    bool wording{false};   ///< records that only the items were read; the marks of code and tests are the present ones
+    bool mark{false};      ///< updates the marks of code and tests in existing reviews and adds no review
+    bool wording{false};   ///< records that only the text of the items was read; the marks of code and tests stay
     std::string date;      ///< YYYY-MM-DD; empty: today
 };
 
-/// Writes reviews.toml of each part. Returns the exit status.
+/// Writes reviews.toml of each selected part. Returns the exit status.
 int review_spec(const ReviewOptions& options);
 
 }  // namespace canproof::host

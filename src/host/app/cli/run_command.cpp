@@ -69,7 +69,7 @@ class Run {
         show_table(true);
         prepared_.finish();
         if (output_ended_ && std::cout) {
-            throw InputError{"the reader of standard output has ended"};
+            throw InputError{"standard output cannot be written, because its reader has ended"};
         }
     }
 
@@ -103,8 +103,8 @@ class Run {
             take_notice(pace_.summary());
         }
         if (report.lost != 0 || report.missed != 0) {
-            take_notice(
-                fmt::format("in total {} frames lost for the log, {} for the devices", report.lost, report.missed));
+            take_notice(fmt::format("in total {} frames were lost for the log, and {} for the devices", report.lost,
+                                    report.missed));
         }
     }
 
@@ -112,7 +112,7 @@ class Run {
         while (!lines_.empty()) {
             try {
                 if (!session_.put(parse_frame(lines_.front(), "standard input"))) {
-                    return;  // the bus is busy: the line waits, and the program reads no further input
+                    return;  // the bus is busy: the line is sent later, and the program reads no further input
                 }
             } catch (const InputError& error) {
                 take_notice(error.what());
@@ -132,7 +132,7 @@ class Run {
         }
         const Instant due = earliest(earliest(session_.next_deadline(), end_), next_table_);
         loop_.wait(watches, due == never ? longest_wait : elapsed(now(), due));
-        // A pipe is watched only for its end, which shows that the reader has closed it.
+        // A pipe becomes ready here only when its reader has closed it.
         output_ended_ = output_ended_ || (is_piped_ && loop_.is_ready(STDOUT_FILENO));
         if (reads_lines && loop_.is_ready(input_.descriptor())) {
             for (std::string& line : input_.read_lines()) {

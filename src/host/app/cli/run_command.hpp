@@ -9,18 +9,20 @@
 namespace canproof::host {
 
 struct RunOptions {
-    std::vector<std::string> devices;  ///< NAME or NAME@NODE; none here, in `eds` and in `arm`: the whole catalogue
-    std::vector<std::string> eds;      ///< FILE or FILE@NODE
-    std::vector<std::string> arm;      ///< IMAGE or IMAGE@NODE, on the emulated microcontroller
-    std::vector<std::string> factory;  ///< KEY=VALUE or DEVICE.KEY=VALUE
+    /// each NAME or NAME@NODE; when this, `eds` and `arm` are empty: all devices of the catalogue
+    std::vector<std::string> devices;
+    std::vector<std::string> eds;      ///< each FILE or FILE@NODE
+    std::vector<std::string> arm;      ///< each IMAGE or IMAGE@NODE, an image for the emulated microcontroller
+    std::vector<std::string> factory;  ///< each KEY=VALUE or DEVICE.KEY=VALUE
     std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT],
                                        ///< socketcand-client:HOST:PORT[/BUS]
-    std::string bus_faults;            ///< faults of the in-process bus, see parse_bus_faults()
+    std::string bus_faults;            ///< faults of the in-process bus; parse_bus_faults() describes the format
     bool control_interface{false};     ///< the run may set the bit rate of an interface and restart its controller
     bool plain{false};                 ///< no table, even on a terminal
-    std::string log;                   ///< log of all frames; its name's ending selects pcapng or pcap
-    bool log_marks{false};             ///< T and R after the frames of a candump log
-    std::string nvm;                   ///< folder with one memory image per device
+    /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump
+    std::string log;
+    bool log_marks{false};  ///< appends T or R to each frame of a candump log
+    std::string nvm;        ///< folder with one memory image per device
     std::string stimulus;
     std::string outputs;
     std::optional<double> seconds;

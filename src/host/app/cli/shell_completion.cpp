@@ -129,7 +129,7 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
     return text;
 }
 
-/// Returns the text escaped for roff: a hyphen becomes a minus sign, and no line starts as a request.
+/// Returns the text escaped for roff: each hyphen becomes a minus sign, and no line starts with a control character.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {

@@ -22,8 +22,9 @@ struct StatementsOptions {
 };
 
 /// Prints the statements of a manual by section. Returns the exit status: 1 when a statement is open or a normative
-/// section has none. With a text of the manual, prints instead the marks that are not in the text and the text that no
-/// statement covers; then 1 means that a mark is not in the text.
+/// section has none.
+/// With `text`, prints instead the marks that the manual's text does not contain, and the text that no statement
+/// covers. Then 1 means that the text does not contain a mark.
 int list_statements(const StatementsOptions& options);
 
 }  // namespace canproof::host

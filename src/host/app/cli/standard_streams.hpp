@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Opens /dev/null, read only, for each standard descriptor that is closed. So no file that a command opens gets such a
-/// descriptor, and a write to a closed standard stream fails with an error.
+/// Opens /dev/null, read only, for each standard descriptor that is closed. A file that a command opens then never gets
+/// such a descriptor, and a write to a closed standard stream fails with an error.
 void keep_standard_descriptors();
 
 /// Writes a line to standard error. A failure is ignored: there is no place to report it.

@@ -21,7 +21,7 @@ constexpr std::int64_t usual_bit_rate = 125000;
 constexpr int usual_node_id = 1;
 constexpr std::size_t longest_name = 40;
 
-/// Returns the words that are reserved as names by C++ or by canproof.
+/// Returns the words that cannot be names because C++ or canproof reserves them.
 const std::set<std::string>& taken_words() {
     static const std::set<std::string> words{
         "alignas",  "alignof", "and",     "asm",       "auto",      "bool",      "break",     "canopen",  "canproof",
@@ -100,8 +100,8 @@ std::int64_t number_of(const Entry* entry) {
     return number == nullptr ? 0 : *number;
 }
 
-/// Returns the source of a test function that returns the emergency frame of node 5. Its COB-ID follows the default of
-/// 1014h COB-ID EMCY.
+/// Returns the source of a test function that returns the emergency frame of node 5. The default of 1014h COB-ID EMCY
+/// determines the frame's COB-ID.
 std::string emergency_of(const Part& part) {
     constexpr int node = 5;
     constexpr std::int64_t switched_off = 0x80000000;
@@ -118,7 +118,7 @@ std::string emergency_of(const Part& part) {
         id);
 }
 
-/// Returns the usual bit rates and the bit rate as shipped, in bit/s.
+/// Returns the usual bit rates and the bit rate `shipped`, in bit/s.
 std::string bit_rates_with(std::int64_t shipped) {
     std::set<std::int64_t> rates{10000, 20000, 50000, 125000, 250000, 500000, 800000, 1000000};
     rates.insert(shipped);
@@ -152,7 +152,8 @@ Words words_of(const NewProject& project, const std::string& prefix) {
     return words;
 }
 
-/// Returns the text with every @word@ that `words` contains replaced.
+/// Returns the text in which each @word@ is replaced by its value in `words`. A @word@ that `words` does not contain
+/// stays.
 std::string filled(const std::string& text, const Words& words) {
     std::string out;
     std::size_t at = 0;

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns the text of each file by its path, both with @names@ as placeholders.
+/// Returns the text of each file by its path; text and path contain @names@ as placeholders.
 const std::map<std::string, std::string>& project_templates();
 
 }  // namespace canproof::host

@@ -55,8 +55,7 @@ std::string response_text(const PanelResponse& response, bool with_body) {
            (with_body ? response.body : "");
 }
 
-/// Returns a socket that listens on the loopback address; -1 when it cannot be opened. It does not set SO_REUSEPORT, so
-/// that two panels cannot share a port unnoticed.
+/// Returns a socket that listens on the loopback address; -1 when it cannot be opened.
 int listen_at(std::uint16_t port) {
     const int descriptor = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
@@ -149,7 +148,8 @@ void HttpFront::accept_clients(Instant now) {
     }
 }
 
-/// Closes one connection: among those whose response is sent, or else among all, the one with the earliest deadline.
+/// Closes the connection with the earliest deadline: among those whose response is sent, or, if there are none, among
+/// all.
 void HttpFront::make_place() {
     const auto rank = [](const auto& one) { return std::pair{!one->closing, one->deadline.us}; };
     const auto first = std::min_element(connections_.begin(), connections_.end(),

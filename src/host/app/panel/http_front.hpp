@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel over HTTP on the loopback address, without a thread: the run loop calls it. No client can block another:
-// each request and each response has a deadline, and the number of connections is bounded.
+// The panel over HTTP on the loopback address. It has no thread: the run loop calls it. No client can block another,
+// because each request and each response has a deadline and the number of connections is bounded.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@ std::string LampHistory::words(Instant now) const {
     if (rises.size() < 2U) {
         return lit() ? "on" : "off";
     }
-    // Counts the flashes between the last two pauses, which is the newest complete group.
+    // Counts the flashes between the last two pauses: they form the newest complete group.
     int in_group = 1;
     int groups = 0;
     for (std::size_t i = rises.size() - 1; i > 0; --i) {

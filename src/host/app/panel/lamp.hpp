@@ -22,8 +22,8 @@ class LampHistory {
     /// Records the state at `now`. Returns whether it differs from the state before.
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
-    /// Returns `off`, `on`, `blinking`, `flickering`, `1 flash` … `4 flashes`; `flashing` while the edges are too few
-    /// to decide.
+    /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Returns `flashing` while there are
+    /// too few edges to decide.
     std::string words(Instant now) const;
 
   private:

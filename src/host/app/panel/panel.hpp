@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session that a page shows and stimulates. The run loop advances it; requests read it and queue stimuli and frames.
+// A session that a page shows and stimulates. The run loop advances the session; requests read it and queue stimuli and
+// frames for it.
 #pragma once
 
 #include <functional>
@@ -24,9 +25,9 @@ class Panel {
     /// `clock` is a function that returns the time of the session.
     Panel(const Register& content, Clock clock);
 
-    /// Returns the observer to pass to the session; valid as long as the panel.
+    /// Returns the observer to pass to the session. It is valid as long as the panel exists.
     SessionObserver& observer() { return recorder_; }
-    /// Attaches the session. Called once, before power-on. `parts` are parallel to the session's nodes.
+    /// Attaches the session. Must be called once, before power-on. `parts[i]` is the part of the session's node i.
     void take(RunSession& session, std::vector<const Part*> parts);
 
     void power_on();

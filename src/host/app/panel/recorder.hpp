@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The record of a session for the page: changes of outputs and LEDs with their times, measured values, decoded frames,
-// and each device's last emergency. The memory is bounded: a late reader gets the newest records.
+// and each device's last emergency. Its memory is bounded: old records are dropped, even if a slow reader has not read
+// them.
 #pragma once
 
 #include <map>
@@ -26,19 +27,19 @@ struct Channel {
     std::string name;
     std::string text;
     std::string unit;
-    double scale{1.0};  ///< factor from counts to the unit: 0.1 for `0.1 degC`
+    double scale{1.0};  ///< unit per count: 0.1 for `0.1 degC`
     std::optional<double> minimum;
     std::optional<double> maximum;
     const Entry* entry{nullptr};  ///< the entry of a measured value or setting
     EntryRef place{};
     bool truth{false};
-    bool whole{false};  ///< integer: shown without decimals
+    bool whole{false};  ///< whether the value is an integer, shown without decimals
 };
 
 /// Data for drawing a device that are not in its part of the requirements register.
 struct DeviceFace {
-    std::vector<std::string> leds;      ///< outputs that are LEDs; none: the panel adds `run` and `error`
-    std::vector<std::string> settings;  ///< names of entries
+    std::vector<std::string> leds;      ///< outputs that are LEDs; empty: the panel adds `run` and `error`
+    std::vector<std::string> settings;  ///< names of the entries that the page marks on a scale
 };
 
 struct ChannelChange {
@@ -57,7 +58,7 @@ struct RecordedFrame {
 struct LastEmergency {
     Instant time{};
     std::string text;
-    bool error{false};  ///< false: the code reports the end of an error
+    bool error{false};  ///< false: the code reports that an error has ended
 };
 
 class Recorder final : public SessionObserver {
@@ -72,7 +73,7 @@ class Recorder final : public SessionObserver {
         const SimulatedDevice* device{nullptr};
         const Part* part{nullptr};
         std::vector<Channel> channels;
-        std::vector<double> values;  ///< parallel to channels
+        std::vector<double> values;  ///< last recorded value of each element of `channels`
         std::map<std::size_t, LampHistory> lamps;
         std::optional<LastEmergency> emergency;
         std::size_t first_channel{0};

@@ -20,10 +20,10 @@ class Ring {
         items_.push_back(std::move(item));
         ++next_;
     }
-    /// Returns the number of the next item; the first item has number 0.
+    /// Returns the number that the next added item will get; the first item has number 0.
     std::uint64_t next() const { return next_; }
     std::uint64_t oldest() const { return next_ - items_.size(); }
-    /// Calls visit(number, item) for the items from number `from` on, but at most for the `most` newest.
+    /// Calls visit(number, item) for the items from number `from` on. Skips all but the newest `most` items.
     template <typename Visit>
     void for_each_from(std::uint64_t from, std::size_t most, const Visit& visit) const {
         const std::uint64_t newest = next_ > most ? next_ - most : 0U;

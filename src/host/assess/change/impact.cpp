@@ -67,14 +67,14 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
-/// Returns what is to be done about stale evidence, and the command.
+/// Returns the next step for stale evidence in words, with its command.
 std::string next_step(const Impact& impact) {
     return impact.stale.empty() ? ""
                                 : "next: `./test`, then read these items with their code and tests and record it: "
                                   "`canproof spec review ID… --by NAME --role author`\n";
 }
 
-/// Returns the items that a file implements or tests.
+/// Returns the items that a file of code implements or a file of tests verifies.
 std::set<std::string> items_in(const std::string& file, const Evidence& evidence) {
     std::set<std::string> ids;
     for (const auto* places : {&evidence.implemented, &evidence.used}) {

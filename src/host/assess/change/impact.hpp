@@ -13,18 +13,18 @@ namespace canproof::host {
 
 struct VerdictChange {
     std::string id;
-    std::string before;  ///< passed, failed or none
+    std::string before;  ///< `passed`, `failed` or `none`
     std::string after;
 };
 
-/// Returns the items whose tests as a whole changed between passed, failed and none.
+/// Returns the items whose result over all their tests differs: passed, failed or none.
 std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidence& after);
 
 struct Impact {
     std::vector<ItemChange> items;
     std::vector<std::string> files;  ///< changed files of code and tests
     std::vector<VerdictChange> verdicts;
-    std::vector<WorkChange> stale;  ///< items whose code or tests changed, by function
+    std::vector<WorkChange> stale;  ///< items whose code or tests changed, compared function by function
 
     bool empty() const { return items.empty() && files.empty() && verdicts.empty() && stale.empty(); }
 };

@@ -14,7 +14,7 @@ struct ItemChange {
     enum class Kind { added, removed, changed } kind{Kind::changed};
     std::string id;
     std::string word;                  ///< kind of the item: requirement, object, table, decision, statement …
-    std::vector<std::string> details;  ///< `sub 1 default: 5 -> 6`; empty for an added or removed item
+    std::vector<std::string> details;  ///< for example `sub 1 default: 5 -> 6`; empty for an added or removed item
 };
 
 /// The content of an item by facet: `text`, `sub 1 default`, `row 3` …

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the items whose code or tests differ from a revision, by the functions and test bodies that belong to each.
+// Finds the items whose code or tests differ from those of a revision. It compares the functions and test bodies of
+// each item.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +15,11 @@ namespace canproof::host {
 /// An item whose evidence is stale since a revision.
 struct WorkChange {
     std::string id;
-    bool code{false};   ///< a function that implements it differs
-    bool tests{false};  ///< the body of a test that claims it differs
+    bool code{false};   ///< whether a function that implements the item differs
+    bool tests{false};  ///< whether the body of a test that claims the item differs
 };
 
-/// Returns the items with other marks, by id. Comments and layout change no mark.
+/// Returns the items whose marks differ, by id. A change of comments or layout changes no mark.
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after);
 
 /// Returns the marks of the sources at a revision, for the items of `content` and the tests in `verdicts`. Reads the

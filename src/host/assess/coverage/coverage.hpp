@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Number of covered elements and of all elements: lines, branches (each outcome of a decision counts), MC/DC
-/// conditions or functions.
+/// A number of covered elements and of all elements. Elements are lines, branches (one for each outcome of a decision),
+/// MC/DC conditions or functions.
 struct CoverageCount {
     std::size_t covered{0};
     std::size_t total{0};
@@ -20,13 +20,14 @@ struct CoverageCount {
     double percent() const;
 };
 
-/// An element that no run reached. `code` is its text in the source; a record refers to the element by this text.
+/// An element that no run reached. `code` is the element's text in the source. A record identifies the element by this
+/// text.
 struct CoverageGap {
     std::string kind;  ///< function, line, branch or condition
     std::string file;  ///< relative to the project's folder
     unsigned line{0};
     std::string code;
-    std::string missing;  ///< in words: never true, not shown to decide alone, …
+    std::string missing;  ///< in words: `never true`, `not shown to decide alone` …
 };
 
 struct FileCoverage {
@@ -40,11 +41,12 @@ struct FileCoverage {
     std::vector<CoverageGap> gaps;
 
     CoverageCount line_count() const;
-    /// Returns whether the file belongs to the host's buses and replay instead of the firmware.
+    /// Returns whether the file belongs to the host's buses and replay. All other measured files belong to the
+    /// firmware.
     bool is_host() const;
 };
 
-/// Counts over several files.
+/// Sums of the counts of several files.
 struct CoverageTotals {
     CoverageCount lines;
     CoverageCount branches;

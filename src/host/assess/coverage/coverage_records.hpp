@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// A known gap and the reason why no test closes it. The record matches gaps of this kind and code in a file or below a
-/// folder.
+/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code, in one file
+/// or below one folder.
 struct CoverageRecord {
     std::string file;
     std::string kind;
@@ -27,11 +27,11 @@ std::vector<CoverageRecord> read_coverage_records(const std::filesystem::path& f
 
 struct JudgedGap {
     CoverageGap gap;
-    std::string reason;  ///< empty: open
+    std::string reason;  ///< reason of the record that matches; empty: the gap is open
 };
 
 struct CoverageVerdict {
-    /// Required MC/DC in per cent; records cannot lower it.
+    /// Required MC/DC of the firmware in per cent; records do not reduce it.
     static constexpr double least_conditions = 99.0;
     /// Required MC/DC of the host's buses and replay in per cent.
     static constexpr double least_host_conditions = 95.0;

@@ -44,12 +44,13 @@ Region region_of(const nlohmann::json& values) {
     return {values.at(0), values.at(1), values.at(2), values.at(3)};
 }
 
-/// Returns the lines of a source. Throws InputError when the source is missing or has changed since `measured` was
-/// written.
+/// Returns the lines of a source. Throws InputError when the source is missing or, with SourceAge::by_time, is newer
+/// than `measured`.
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
                                   const SourceAge age) {
     if (!std::filesystem::exists(file)) {
-        throw InputError{fmt::format("{} was measured but is not there; measure again", file.string())};
+        throw InputError{
+            fmt::format("{} was measured but does not exist any more; tests/coverage measures again", file.string())};
     }
     if (age == SourceAge::by_time &&
         std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
@@ -88,7 +89,8 @@ class FileReader {
         made_.file = std::move(name);
     }
 
-    /// Reads the coverage of the file. `functions` holds the number of executions and the name by region of the body.
+    /// Returns the coverage of the file. `functions` gives the number of executions and the name of each function by
+    /// the region of its body.
     FileCoverage read(const std::map<Region, std::pair<unsigned long long, std::string>>& functions) {
         for (const auto& [body, function] : functions) {
             made_.functions.add({function.first == 0 ? 0U : 1U, 1});
@@ -115,8 +117,8 @@ class FileReader {
                            [line](const Region& body) { return body.line <= line && line <= body.end_line; });
     }
 
-    /// Sets the executions of each line: those of the busiest region that starts on it, otherwise those of the region
-    /// that continues from the line before.
+    /// Sets the executions of each line: those of the region with the most executions that starts on the line. If none
+    /// starts there, uses the region that continues from the line before.
     void read_lines() {
         const nlohmann::json& segments = source_.at("segments");
         std::size_t at = 0;
@@ -188,8 +190,8 @@ class FileReader {
         return ways.taken == 0 ? "never true" : "never false";
     }
 
-    /// Reads the MC/DC conditions, which each decision lists in the order of their places. Returns the places of the
-    /// gaps.
+    /// Reads the MC/DC conditions. llvm-cov lists the conditions of a decision in the order of the source. Returns the
+    /// places of the gaps.
     std::set<Region> read_conditions(const std::map<Region, Ways>& branches) {
         std::map<Region, std::vector<bool>> decisions;
         for (const auto& record : source_.at("mcdc_records")) {
@@ -236,7 +238,7 @@ class FileReader {
 
     const nlohmann::json& source_;
     std::vector<std::string> lines_;
-    std::vector<Region> silent_;  ///< regions of functions that were never called
+    std::vector<Region> silent_;  ///< bodies of functions that were never called
     FileCoverage made_;
 };
 
@@ -296,8 +298,9 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                                         const SourceAge age) {
     std::ifstream in{file};
     if (!in) {
-        throw InputError{fmt::format(
-            "no coverage in {}; tests/coverage measures it, `./run coverage` in a project of your own", file.string())};
+        throw InputError{
+            fmt::format("there is no measurement {}; tests/coverage makes it, in your own project `./run coverage`",
+                        file.string())};
     }
     std::vector<FileCoverage> files;
     try {

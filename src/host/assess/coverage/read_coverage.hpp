@@ -13,9 +13,9 @@ namespace canproof::host {
 /// compared the contents.
 enum class SourceAge { by_time, compared };
 
-/// Reads a file that `llvm-cov export --format=text` wrote. Returns the files of the firmware and the files of the host
-/// that count with it (firmware_scope.hpp). Instantiations of a template count together. Throws InputError when the
-/// file is no such export or a source is missing.
+/// Reads a file that `llvm-cov export --format=text` wrote. Returns the measured files of firmware and host
+/// (firmware_scope.hpp). Adds up the counts of all instantiations of a template. Throws InputError when the file is no
+/// such export or a source is missing.
 std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const std::filesystem::path& root,
                                         SourceAge age = SourceAge::by_time);
 

@@ -24,7 +24,7 @@ std::string on_one_line(std::istream& in) {
     return text;
 }
 
-/// Returns the file, or all files below the folder.
+/// Returns the file `place`, or all files below it when it is a folder.
 std::vector<fs::path> sources_of(const fs::path& place) {
     std::vector<fs::path> files;
     if (fs::is_directory(place)) {
@@ -39,8 +39,7 @@ std::vector<fs::path> sources_of(const fs::path& place) {
     return files;
 }
 
-/// Returns the text that must occur in the source: the code of the record, or `curve(` for a function
-/// `canproof::curve`.
+/// Returns the text that the source must contain: the code of the record, or `curve(` for a function `canproof::curve`.
 std::string written(const CoverageRecord& record) {
     if (record.kind != "function") {
         std::istringstream code{record.code};

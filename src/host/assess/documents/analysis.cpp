@@ -28,7 +28,7 @@ void read_failures(TomlItem& whole, Analysis& into) {
         one.note = item.text_or("note", "");
         one.place = item.place();
         if (one.signals.empty() == one.at.empty()) {
-            item.fault("it names either signals or `at`", "write one of the two");
+            item.fault("it must name either `signals` or `at`", "write one of the two");
         }
         into.failure_modes.push_back(one);
         item.finish();
@@ -145,7 +145,7 @@ class AnalysisCheck {
 
 std::vector<std::string> modes_of(const Signal& signal) {
     if (!signal.input) {
-        return {};  // the hazards already describe the failures of outputs, so there is none here
+        return {};  // this device's hazards already describe the failures of its outputs
     }
     if (signal.type == "BOOLEAN") {
         return {"stuck at true", "stuck at false"};

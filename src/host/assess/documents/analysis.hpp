@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analyses that people write in reports/analysis, beside the requirements register: the requirement that detects each
-// failure, the lamps, and the threats to each service. The generated documents use them and show `missing` for the
-// rest.
+// Analyses in reports/analysis that people write: the requirements that detect each failure, the indication of the
+// lamps, and the threats to each service. The generated documents use them and print `missing` for everything that no
+// analysis contains.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ struct FailureMode {
     std::vector<std::string> signals;  ///< ids of signals; empty: `at` names the failing element
     std::string at;
     std::string mode;
-    std::vector<std::string> detected;  ///< requirements
-    std::vector<std::string> reaction;  ///< requirements
-    std::vector<std::string> errors;    ///< words of the device's tables of errors
+    std::vector<std::string> detected;  ///< ids of the requirements that detect the failure
+    std::vector<std::string> reaction;  ///< ids of the requirements that react to the failure
+    std::vector<std::string> errors;    ///< names of errors in the device's tables of errors
     std::string note;
     Place place;
 };
@@ -30,19 +30,20 @@ struct Lamp {
     std::string device;
     std::string error;
     std::string shows;
-    std::vector<std::string> by;  ///< requirements
+    std::vector<std::string> by;  ///< ids of the requirements for this indication
     Place place;
 };
 
-/// A threat to a service. It concerns a device that has one of the objects; without objects, any device.
+/// A threat to a service. It concerns a device that has one of these objects; without objects, it concerns every
+/// device.
 struct Threat {
     std::string service;
-    std::vector<std::string> objects;  ///< `1010h`
+    std::vector<std::string> objects;  ///< indices such as `1010h`
     bool lss{false};                   ///< concerns only devices with LSS
-    std::string requirement;           ///< the foundational requirement of IEC 62443
+    std::string requirement;           ///< the foundational requirement of IEC 62443 to which the threat belongs
     std::string text;
     std::vector<std::string> by;  ///< ids of requirements that limit the threat; empty: the device does not limit it
-    std::string rest;             ///< the remaining threat, or a measure for the integrator
+    std::string rest;             ///< the threat that remains, or a measure for the integrator
     Place place;
 };
 
@@ -65,7 +66,7 @@ struct Analysis {
 /// file, line and fix for unreadable content, and for an id, device, signal or error that the register does not have.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
-/// Returns the failure modes to analyse for a signal, by its type and direction.
+/// Returns the failure modes that the analysis of a signal must treat, by the signal's type and direction.
 std::vector<std::string> modes_of(const Signal& signal);
 
 /// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors has it.

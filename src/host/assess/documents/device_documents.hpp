@@ -10,8 +10,8 @@
 
 namespace canproof::host {
 
-/// Returns the safety manual, hardware-software interface, interface control document, error matrix, software FMEA and
-/// threats.
+/// Returns the six documents: safety manual, hardware-software interface, interface control document, error matrix,
+/// software FMEA and threats.
 std::vector<Document> device_documents(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -22,7 +22,7 @@ struct Chapter {
 struct Document {
     std::string name;   ///< name of the file without extension: `safety-manual`
     std::string title;  ///< `Safety manual of the CAN-CBX-AO412`
-    std::string about;  ///< the content in one sentence
+    std::string about;  ///< one sentence about the content
     std::vector<Chapter> chapters;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error matrix of a device.
+// The error matrix of a device: its errors with codes, lamps and requirements.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"

@@ -11,14 +11,14 @@
 namespace canproof::host {
 
 struct ErrorRow {
-    std::string table;                                        ///< id of the table
-    std::string error;                                        ///< word of the error
-    std::string code;                                         ///< emergency code: `8130h`
-    std::vector<std::pair<std::string, std::string>> others;  ///< other columns and values; words of enumerations have
-                                                              ///< their number
+    std::string table;  ///< id of the table
+    std::string error;  ///< the error's name in the table
+    std::string code;   ///< emergency code: `8130h`
+    /// the other columns with their values; a word of an enumeration appears with its number
+    std::vector<std::pair<std::string, std::string>> others;
 };
 
-/// Returns all rows of all tables of the part with `errors`, in the order of the register.
+/// Returns all rows of the part's tables of errors, in the order of the register.
 std::vector<ErrorRow> errors_of(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 /// Returns type, access, range, default, storage and mapping of one entry.
 std::string entry_words(const Entry& entry);
-/// Returns the words of all entries; consecutive entries with the same data are combined.
+/// Returns the words of all entries. Combines consecutive entries that have the same data.
 std::string object_words(const Object& object);
 std::string constant_words(const Constant& constant);
 std::string enumeration_words(const Enumeration& enumeration);
@@ -18,11 +18,11 @@ std::string table_words(const Table& table);
 /// Returns direction, type, unit, range and default.
 std::string signal_words(const Signal& signal);
 
-/// Returns the description of the item of this part with this id. Empty for requirements and decisions, whose text is
-/// complete.
+/// Returns the description of the part's item with this id. Returns an empty text for requirements and decisions,
+/// because their own text is complete.
 std::string item_words(const Part& part, const std::string& id);
 
-/// Returns one field of a table: `any`, `1 … 5`, `2 or 4`, `8110h`.
+/// Returns one cell of a table in words: `any`, `1 … 5`, `2 or 4`, `8110h`.
 std::string cell_words(const Cell& cell);
 
 }  // namespace canproof::host

@@ -14,14 +14,14 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t searched = 20;  ///< number of rows from which a table has a search field
+constexpr std::size_t searched = 20;  ///< a table with at least this number of rows gets a search field
 
 bool stands_in_id(const char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0 || std::isdigit(static_cast<unsigned char>(c)) != 0 ||
            c == '-';
 }
 
-/// Returns the escaped text with its ids as links.
+/// Returns the escaped text in which each id of `links` is a link.
 std::string linked(const std::string& text, const ItemLinks& links) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

@@ -15,7 +15,7 @@ using ItemLinks = std::map<std::string, std::string>;
 /// Returns the body of a page. Each id that `links` contains becomes a link.
 std::string document_html(const Document& document, const ItemLinks& links);
 std::string document_markdown(const Document& document);
-/// Returns title, chapters and tables; each row is an object with the words of the table's head as keys.
+/// Returns title, chapters and tables. A row of a table is an object whose keys are the table's column headings.
 std::string document_json(const Document& document);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates the rate of wrong frames that pass the checks of CAN.
+// Estimates the rate of corrupted frames that pass the checks of CAN.
 #pragma once
 
 #include "host/assess/documents/analysis.hpp"
@@ -8,19 +8,19 @@
 
 namespace canproof::host {
 
-/// Bits of a data frame with eight bytes and an 11-bit identifier, with the intermission and without stuff bits: 1
-/// start, 11 identifier, 1 RTR, 2 reserved, 4 length, 64 data, 15 CRC, 1 CRC delimiter, 2 ACK, 7 end, 3 intermission.
+/// Bits of the longest data frame: eight bytes, 11-bit identifier, intermission, no stuff bits. The terms are: 1 start,
+/// 11 identifier, 1 RTR, 2 reserved, 4 length, 64 data, 15 CRC, 1 CRC delimiter, 2 ACK, 7 end, 3 intermission.
 constexpr int longest_frame_bits = 1 + 11 + 1 + 2 + 4 + 64 + 15 + 1 + 2 + 7 + 3;
 
 /// Returns the probability that at least two of `bits` bits are wrong; `bit_error` is the probability of one wrong bit,
 /// 0 to 1.
 double two_or_more_wrong(int bits, double bit_error);
-/// Returns an estimate of the probability that a frame is wrong and passes its CRC of 15 bits.
+/// Returns an estimate of the probability that a frame is corrupted and still passes its 15-bit CRC.
 double undetected_in_frame(double bit_error);
 /// Returns the number of frames with eight bytes per hour on a fully loaded bus; `bit_rate` in bit/s.
 double frames_an_hour(double bit_rate);
 
-/// Returns the figures for each bit rate of the devices, and the detection of each kind of communication error.
+/// Returns the rates for each bit rate of the devices, and the detection of each kind of communication error.
 Document residual_errors(const Register& content, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -92,8 +92,8 @@ Chapter limits_chapter(const Part& part) {
     return {"Limits", {}, {signals, constants}};
 }
 
-/// Returns the decisions that concern an integrator: those of a hazard, and those that change a bus message or an
-/// output.
+/// Returns the decisions that concern an integrator: those that belong to a hazard, and those that change a bus message
+/// or an output.
 Chapter decisions_chapter(const Register& content, const Part& part) {
     std::set<std::string> of_hazards;
     for (const auto& hazard : part.hazards) {

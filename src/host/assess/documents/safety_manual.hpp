@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns hazards, conditions of use, decisions for the integrator, limits and reactions to faults.
+/// Returns the chapters: hazards, conditions of use, decisions for the integrator, limits and reactions to faults.
 Document safety_manual(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -9,9 +9,9 @@
 
 namespace canproof::host {
 
-/// Returns `A-1, A-2`; `otherwise` for an empty list.
+/// Returns the words separated by commas: `A-1, A-2`. Returns `otherwise` for an empty list.
 std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise = "");
-/// Returns `-40 … 85 °C`; empty for a signal without limits.
+/// Returns the range with its unit: `-40 … 85 °C`. Returns an empty text for a signal without limits.
 std::string range_of(const Signal& signal);
 /// Returns the part's requirements of this kind that are in force, as rows of id, text and sources.
 std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind);

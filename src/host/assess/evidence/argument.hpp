@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The argument of reports/argument.toml: claims, the techniques of the standards, and the tools with the detection of
-// their errors.
+// The argument of reports/argument.toml: claims, the techniques of the standards, and the tools with the means that
+// detect the tools' errors.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@ namespace canproof::host {
 
 struct Claim {
     std::string id;
-    std::string parent;  ///< empty: the top claim
+    std::string parent;  ///< id of the claim above; empty: this is the top claim
     std::string text;
     std::vector<std::string> evidence;  ///< keys of exhibits
-    std::string limits;                 ///< limits of the evidence
+    std::string limits;                 ///< properties that the evidence does not show
 };
 
 /// An element of a complete pack, present or absent.
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;  ///< the command that creates it, for a person
-    std::string run{};    ///< the same command for a shell in the project's folder; empty: `evidence --full` cannot run
-                          ///< it create it
+    std::string made_by;  ///< the command that creates it, as text for a person
+    /// the same command for a shell in the project's folder; empty: `evidence --full` cannot create it
+    std::string run{};
     std::int64_t minutes{0};  ///< approximate duration on two cores
 };
 
 struct Technique {
-    std::string table;  ///< `IEC 61508-3 A.1`
+    std::string table;  ///< the table of the standard: `IEC 61508-3 A.1`
     std::string title;  ///< title of the table
     std::string number;
     std::string name;
@@ -44,11 +44,11 @@ struct Tool {
     std::string hides;
     std::string noticed;
     std::string tool_class;  ///< T1, T2 or T3 of IEC 61508-4; empty: not classified
-    std::string defects;     ///< known defects
+    std::string defects;     ///< known defects of the tool
 };
 
 struct Argument {
-    std::vector<Claim> claims;  ///< claims; a parent is before its children
+    std::vector<Claim> claims;  ///< each parent stands before its children
     std::vector<ExpectedEvidence> evidence;
     std::vector<Technique> techniques;
     std::vector<Tool> tools;

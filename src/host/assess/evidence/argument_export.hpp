@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The argument as data and as a graph, in the terms of the Goal Structuring Notation: a claim is a goal, evidence is a
-// solution, limits are a context.
+// solution, and limits are a context.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace canproof::host {
 
-/// Returns JSON: goals with parent, state, limits and solutions; solutions with state and sentence.
+/// Returns JSON: goals with parent, state, limits and solutions; each solution with its state and its sentence.
 std::string write_argument_json(const Argument& argument, const Exhibits& exhibits);
 
-/// Returns SVG markup of the root, its claims, and the evidence of each claim. Each box is a link to its element.
-/// Deeper claims are left out.
+/// Returns SVG markup of the top claim, the claims directly below it, and their evidence. Each box links to its
+/// element. Deeper claims are left out.
 std::string argument_graph(const Argument& argument, const Exhibits& exhibits);
 
 }  // namespace canproof::host

@@ -11,10 +11,10 @@
 
 namespace canproof::host {
 
-/// Returns the claims with their evidence and its limits as markup.
+/// Returns the claims as markup, with their evidence and the limits of that evidence.
 std::string claims_markup(const Argument& argument, const Exhibits& exhibits);
-/// Returns the state of a claim. It holds when its evidence and all claims below it hold. It is open when one of them
-/// is open or stale. It is not measured when only absent evidence is missing.
+/// Returns the state of a claim. A claim holds when its evidence and all claims below it hold. It is open when one of
+/// them is open or stale. Otherwise it is not measured: some evidence is absent.
 Exhibit::State state_of_claim(const Claim& claim, const Argument& argument, const Exhibits& exhibits);
 struct ClaimCounts {
     std::size_t all{0};
@@ -22,7 +22,8 @@ struct ClaimCounts {
     std::size_t not_measured{0};
 };
 ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits);
-/// Returns `7 of 9 claims hold; 2 wait for evidence that was not measured, which canproof evidence --full measures`.
+/// Returns a sentence such as `7 of 9 claims hold; 2 wait for evidence that was not measured: `canproof evidence
+/// --full` measures it`.
 std::string claims_sentence(const ClaimCounts& counts);
 
 /// Returns the body of the page as markup.

@@ -14,7 +14,8 @@ namespace canproof::host {
 std::string write_requirements_csv(const std::vector<PartAudit>& audits, const Evidence& evidence);
 /// Returns one row for each decision.
 std::string write_decisions_csv(const std::vector<PartAudit>& audits);
-/// Returns one row for each statement of a manual: our words, and the items that cover it or the reason why none does.
+/// Returns one row for each statement of a manual: the statement in the project's words, and the items that cover it or
+/// the reason why none does.
 std::string write_statements_csv(const std::vector<PartAudit>& audits);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One exhibit of a pack: its statement and its files.
+// One exhibit of a pack: a statement about one kind of evidence, and the files that support it.
 //
 // A tool with results for the pack writes a folder with `exhibit.json`:
 //   {"title": "…", "state": "holds" | "open", "says": "one sentence with figures",
@@ -20,7 +20,7 @@
 namespace canproof::host {
 
 struct Exhibit {
-    /// `stale`: a source on which the measurement depends has changed since.
+    /// `stale`: a source on which the measurement depends has changed after the measurement.
     enum class State { holds, open, stale, absent };
 
     std::string key;
@@ -44,8 +44,8 @@ Exhibit read_exhibit(const std::filesystem::path& folder);
 /// Returns the folders below this one that contain an exhibit, sorted by name; none when the folder does not exist.
 std::vector<std::filesystem::path> exhibit_folders(const std::filesystem::path& folder);
 
-/// Marks the exhibit as stale and names the source `newer`, which changed after the measurement. Does nothing when
-/// `newer` is empty.
+/// Marks the exhibit as stale because the source `newer` changed after the measurement. Does nothing when `newer` is
+/// empty.
 void mark_stale(Exhibit& exhibit, const std::string& newer);
 
 }  // namespace canproof::host

@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fields of one CSV line with quotes as in RFC 4180; a field contains no line break.
+/// Returns the fields of one CSV line with quotes as in RFC 4180. The line must contain no line break inside a field.
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;

@@ -53,7 +53,7 @@ Contents contents_of(const fs::path& root, const std::vector<std::string>& folde
     return all;
 }
 
-/// Returns a file that is missing on one side or differs; empty when both sides are equal.
+/// Returns the first file that differs or is missing in `now` or `before`; empty when both are equal.
 std::string first_difference(const Contents& before, const Contents& now) {
     for (const auto& [name, sum] : now) {
         const auto found = before.find(name);
@@ -69,7 +69,7 @@ std::string first_difference(const Contents& before, const Contents& now) {
     return "";
 }
 
-/// Returns the path of the record for a measurement; nothing for a measurement outside build/.
+/// Returns the path of the record for a measurement. Returns nothing when the measurement is not below build/.
 std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured) {
     const auto from = fs::weakly_canonical(measured).lexically_relative(fs::weakly_canonical(root)).generic_string();
     if (from.rfind("build/", 0) != 0) {
@@ -78,7 +78,8 @@ std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured
     return root / "build" / "freshness" / (sha256(from) + ".json");
 }
 
-/// Returns the recorded contents of the sources; nothing when the record belongs to another measurement.
+/// Returns the recorded contents of the sources. Returns nothing when the record is missing, is not valid, or belongs
+/// to another measurement.
 std::optional<Contents> recorded(const fs::path& record, const std::string& measurement) {
     if (!fs::exists(record)) {
         return std::nullopt;

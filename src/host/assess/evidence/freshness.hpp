@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides whether a measurement is up to date with its sources: by their recorded contents, otherwise, as make does, by
-// the times of files.
+// Decides whether a measurement is up to date with its sources. It compares the recorded contents of the sources;
+// without a record, it compares the times of the files, as make does.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the folders of the firmware relative to `root`, and that of the requirements register.
+/// Returns the folders of the firmware and the folder of the requirements register, relative to `root`.
 std::vector<std::string> firmware_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folders of tests and properties.
 std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
@@ -22,18 +22,19 @@ std::vector<std::string> proof_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folder of the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
-/// Returns the first file by name below these folders of `root` that was written after `measured`. Returns an empty
-/// text when there is none or `measured` does not exist. Reviews and READMEs are ignored.
+/// Returns the first file, by name, below these folders of `root` that was written after `measured`. Returns an empty
+/// text when there is none or `measured` does not exist. Ignores reviews and READMEs.
 std::string newer_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                          const std::filesystem::path& measured);
 
-/// Returns the first of these sources that differs from its state when `measured` was made. The first call records the
-/// contents of the sources in build/freshness, if `measured` lies below `root`/build and is younger than its sources.
-/// Later calls compare the contents and ignore the times. Without a record the times of the files decide.
+/// Returns the first of these sources that differs from its state when `measured` was made.
+/// The first call records the contents of the sources in build/freshness, if `measured` is below `root`/build and
+/// younger than its sources. Later calls compare the contents and ignore the times of the files. Without a record, the
+/// times decide.
 std::string changed_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                            const std::filesystem::path& measured);
 
-/// Returns the file of this folder that was written first; empty when there is none.
+/// Returns the file of this folder with the oldest time of writing; empty when the folder has no file.
 std::filesystem::path oldest_file(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

@@ -26,7 +26,7 @@ StatusById status_of_items(const PackInput& input) {
     return all;
 }
 
-/// Returns whether a requirement that prevents the failure is not shown in this build.
+/// Returns whether this build does not show one of the requirements that prevent the failure.
 bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     return std::any_of(failure.prevented_by.begin(), failure.prevented_by.end(), [&](const std::string& id) {
         const auto found = status.find(id);

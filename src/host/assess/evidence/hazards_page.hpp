@@ -12,11 +12,11 @@ namespace canproof::host {
 /// failure.
 std::string hazards_page(const PackInput& input);
 
-/// Number of hazards, of all their failures, and of failures without prevention.
+/// Numbers of hazards, of all their failures, of open failures, and of failures without prevention.
 struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};
-    std::size_t open{0};         ///< failures of which a preventing requirement is not shown
+    std::size_t open{0};         ///< failures with a preventing requirement that is not shown
     std::size_t unprevented{0};  ///< failures that nothing prevents, each with a reason
 };
 FailureCounts count_failures(const PackInput& input);

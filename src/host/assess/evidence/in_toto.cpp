@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-using Json = nlohmann::json;  // its members are sorted, as canonical JSON wants them
+using Json = nlohmann::json;  // nlohmann::json sorts the members, as canonical JSON requires
 
 constexpr const char* step_name = "evidence";
 
@@ -45,7 +45,7 @@ std::string canonical(const Json& value) {
     return value.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-/// The key as in-toto describes it.
+/// A signing key with the description that in-toto requires.
 struct Signer {
     std::filesystem::path file;
     Json key;
@@ -68,7 +68,7 @@ std::optional<Signer> signer_with(const std::filesystem::path& private_key) {
     return made;
 }
 
-/// Returns the text of a file of metadata: the object with a signature of its canonical form.
+/// Returns the text of a metadata file: the object and a signature of its canonical form.
 std::string signed_text(const Json& object, const Signer& signer) {
     std::string hex;
     for (const char one : sign(canonical(object), signer.file)) {
@@ -86,13 +86,13 @@ Json hashes_of(const std::map<std::string, std::string>& sums) {
     return all;
 }
 
-/// Returns the end of the tenth year after that of the pack, because a layout must expire.
+/// Returns the expiry date of the layout: the end of the tenth year after the year of the pack. A layout must have one.
 std::string expiry_of(const Provenance& provenance) {
     const int year = std::stoi(provenance.date.substr(0, 4));
     return fmt::format("{:04}-12-31T23:59:59Z", year + 10);
 }
 
-/// Reads the manifest's checksums and compares them, so that a missing file is refused.
+/// Compares the files with the checksums in the manifest. A missing file is an error.
 constexpr const char* check_sums = R"sh(sed -n 's/^ *"\(.*\)": "\([0-9a-f]\{64\}\)",\{0,1\}$/\2  \1/p' manifest.json |
 sha256sum --check --quiet)sh";
 

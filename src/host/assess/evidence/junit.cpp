@@ -38,7 +38,8 @@ void add_suite(pugi::xml_node suites, const std::string& name, const Cases& case
     suite.append_attribute("name") = name.c_str();
     suite.append_attribute("tests") = cases.size();
     auto failed = suite.append_attribute("failures");
-    suite.append_attribute("errors") = 0;  // Jenkins demands it; a case that broke off counts as failed
+    // Jenkins requires the attribute; a test case that was interrupted counts as failed
+    suite.append_attribute("errors") = 0;
     auto time = suite.append_attribute("time");
     double seconds = 0.0;
     for (const TestCase* one : cases) {

@@ -12,13 +12,13 @@
 
 namespace canproof::host {
 
-/// Returns the expected evidence that is absent or stale and has a command, in the order of the argument. Coverage is
-/// included when the tests are stale, because its run writes their verdicts.
+/// Returns the expected evidence that is absent or stale and has a command, in the order of the argument. When the
+/// tests are stale, also returns coverage, because the coverage run writes the verdicts of the tests.
 std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits& exhibits);
 
-/// Runs each command in a shell in `root`, with its output in build/log/evidence-KEY.log. It reports a failed command
-/// and continues with the next one. `tell` receives lines with progress and an estimate. Returns the number of failed
-/// commands.
+/// Runs each command in a shell in `root` and writes its output to build/log/evidence-KEY.log. After a failed command,
+/// reports it and continues with the next. `tell` receives lines with progress and an estimate of the time. Returns the
+/// number of failed commands.
 std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std::filesystem::path& root,
                           const std::function<void(const std::string&)>& tell);
 

@@ -17,7 +17,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The display of a section's state: its word, its class in the style sheet, and its symbol for readers without colour.
+/// The look of a section's state: its word, its class in the style sheet, and its symbol for readers who cannot see
+/// colours.
 struct StateLook {
     const char* word;
     const char* style;
@@ -36,7 +37,7 @@ const StateLook& look_of(const std::string& word) {
     return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
 }
 
-/// Returns the name of a place as an anchor of the page.
+/// Returns the place as the name of an anchor in the page.
 std::string anchor(std::string place) {
     std::replace(place.begin(), place.end(), ' ', '-');
     return escaped(place);

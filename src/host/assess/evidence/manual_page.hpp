@@ -9,18 +9,21 @@
 
 namespace canproof::host {
 
-/// Returns the state of a section: `proven`, `not proven` (items cover it, and one of them is not shown), `uncovered`
-/// (a statement that no item covers, or no statement), `explained` (each statement has a reason instead of an item),
-/// `informative` or `condition of use`. In a manual without statements, the items with the section as their source
-/// decide.
+/// Returns the state of a section:
+/// - `proven`;
+/// - `not proven`: items cover it, and one of them is not shown;
+/// - `uncovered`: it has a statement that no item covers, or no statement;
+/// - `explained`: each statement has a reason instead of an item;
+/// - `informative` or `condition of use`.
+/// In a manual without statements, the items that name the section as their source decide.
 std::string section_state(const Section& section, const std::vector<const AuditedStatement*>& statements,
                           const std::vector<std::string>& item_states, bool counts_by_section);
 
 /// Returns the name of the page's file: `manual-cbx-ao412.html`.
 std::string manual_page_name(const Part& part);
 
-/// Returns the body of the page as markup: a tile and a row for each section, with our statements and links to their
-/// items. It contains no text of the manual.
+/// Returns the body of the page as markup. Each section has a tile, and a row with the project's statements and links
+/// to their items. The page contains no text of the manual.
 std::string manual_page(const PackInput& input, const PartAudit& audit, const Manual& manual);
 
 }  // namespace canproof::host

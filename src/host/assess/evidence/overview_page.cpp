@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t listed = 40;  ///< longest list of open points in a group; the others are only counted
+constexpr std::size_t listed = 40;  ///< longest list of open points in a group; further points are only counted
 
 std::string verdict_line(const Argument& argument, const Exhibits& exhibits) {
     return fmt::format("<p><b>{}</b></p>\n", escaped(claims_sentence(count_claims(argument, exhibits))));

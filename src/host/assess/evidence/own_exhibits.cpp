@@ -89,8 +89,8 @@ Exhibit sections_exhibit(const PackInput& input) {
                    "sections.html");
 }
 
-/// Returns an exhibit that holds when every manual has statements and every statement is covered or explained. The
-/// audit decides whether the covering items are shown.
+/// Returns an exhibit that holds when every manual has statements and every statement has an item or a reason. It does
+/// not judge whether the items are shown; the audit does.
 std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     std::size_t statements = 0;
     std::size_t bare = 0;

@@ -36,10 +36,10 @@ struct PackInput {
     Evidence evidence;
     std::vector<PartAudit> audits;
     std::optional<Evidence> socketcan;                ///< result of the runs on CAN interfaces of a real kernel
-    std::optional<std::vector<std::string>> orphans;  ///< code or tests without a requirement, one sentence each
+    std::optional<std::vector<std::string>> orphans;  ///< one sentence for each function or test without a requirement
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
-    std::optional<std::string> target;  ///< markup with the figures measured on the microcontroller
+    std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
     /// The source that changed after a measurement, by the key of the measurement. Audit, tests, properties and corpora
     /// share the key `tests`.
     std::map<std::string, std::string> newer;

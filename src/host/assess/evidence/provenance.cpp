@@ -71,7 +71,8 @@ std::map<std::string, std::string> packages_of(const std::filesystem::path& root
     return found;
 }
 
-/// Returns the SHA-256 of the packages' files from the lists of apt; a version that the lists do not have is left out.
+/// Returns the SHA-256 of each package's .deb from the lists of apt. Leaves out a version that the lists do not
+/// contain.
 std::map<std::string, std::string> package_sums(const std::map<std::string, std::string>& packages) {
     std::string names;
     for (const auto& [name, version] : packages) {

@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& words) {
     return escaped(fmt::format("{}", fmt::join(words, ", ")));
 }
 
-/// Returns places in the code without the common prefix `src/`.
+/// Returns the places in the code without their common prefix `src/`.
 std::string places_of(const std::vector<std::string>& places) {
     const std::string common = "src/";
     std::string text;
@@ -47,7 +47,7 @@ std::string tests_of(const std::string& id, const Evidence& evidence) {
     return text;
 }
 
-/// Returns the counts of altered cells of an item.
+/// Returns the counts of the item's altered cells in words.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";
@@ -100,8 +100,8 @@ std::string audit_page(const PackInput& input) {
                              rows, Search::yes);
 }
 
-/// Returns the table of conditions that installers and operators must keep. No test shows them, because the firmware
-/// cannot keep them.
+/// Returns the table of conditions that installers and operators must keep. No test can show them, because the firmware
+/// does not control them.
 std::string conditions_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {
@@ -141,7 +141,8 @@ std::string manuals_table(const PackInput& input) {
                       rows);
 }
 
-/// Returns the normative sections of a manual without statements, each with the items that have it as their source.
+/// Returns a table of the normative sections of a manual without statements, each with the items that name it as their
+/// source.
 std::string sections_table(const PartAudit& audit) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : audit.sections) {
@@ -217,7 +218,8 @@ std::string decisions_page(const PackInput& input) {
 }
 
 std::string tests_page(const PackInput& input) {
-    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;  // number of cases, and of failed ones
+    // by suite: the number of cases and the number of failed cases
+    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;
     std::vector<std::vector<std::string>> failed;
     for (const auto& one : input.evidence.cases) {
         auto& [cases, failures] = suites[one.suite];

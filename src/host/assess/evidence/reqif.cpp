@@ -43,7 +43,7 @@ constexpr Attribute severity_of{"_attribute-severity", "Severity"};
 constexpr Attribute section_id{"_attribute-section", "ReqIF.ForeignID"};
 constexpr Attribute section_title{"_attribute-title", "ReqIF.Text"};
 
-/// The attributes of an item or a decision that a tool shows.
+/// The attributes of an item or a decision that a requirements tool shows.
 struct Written {
     std::string id;
     std::string text;
@@ -61,7 +61,7 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Returns `2026-11-21, NAME, author`; empty when there is no review.
+/// Returns the review in words: `2026-11-21, NAME, author`. Returns an empty text when there is no review.
 std::string review_words(const Part& part, const std::string& id) {
     const auto found = part.reviews.find(id);
     if (found == part.reviews.end()) {
@@ -205,7 +205,7 @@ class ReqifWriter {
         }
     }
 
-    /// Returns the XML identifier of a section; such an identifier has no spaces and no colons.
+    /// Returns the section as an XML identifier, which contains no spaces and no colons.
     static std::string section_name(const PartAudit& audit, const Section& section) {
         std::string name = "_section-" + audit.part->name + "-";
         for (const char c : section.ref) {
@@ -233,7 +233,8 @@ class ReqifWriter {
         node.append_child("TARGET").append_child("SPEC-OBJECT-REF").text() = to.c_str();
     }
 
-    /// Writes the relations from a decision to the affected items, if these are in the same file.
+    /// Writes the relations from each decision to the items that it affects. Leaves out items that are not in the same
+    /// file.
     void write_relations(pugi::xml_node relations, const PartAudit& audit) const {
         for (const auto& decision : audit.part->decisions) {
             for (const auto& affected : decision.affects) {

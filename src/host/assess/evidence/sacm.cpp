@@ -21,14 +21,14 @@ void set(pugi::xml_node node, const char* name, const std::string& text) {
     node.append_attribute(name) = text.c_str();
 }
 
-/// Adds a text in a language: the value of a MultiLangString, or a LangString.
+/// Adds a text with its language: the value of a MultiLangString, or a LangString.
 void add_text(pugi::xml_node node, const char* element, const std::string& text) {
     auto added = node.append_child(element);
     set(added, "lang", "en");
     set(added, "content", text);
 }
 
-/// Adds an element that has its text as content: a note, a description or a tagged value.
+/// Adds an element whose content is a text: a note, a description or a tagged value.
 pugi::xml_node add_utility(pugi::xml_node node, const char* element, const std::string& text) {
     auto added = node.append_child(element);
     add_text(added.append_child("content"), "value", text);
@@ -136,7 +136,8 @@ class CaseWriter {
         add_text(added.append_child("content"), "value", claim.text);
     }
 
-    /// Adds what supports a claim: its own claims together, and each piece of evidence by itself.
+    /// Adds the support of a claim: one inference from all claims below it, and one relation for each piece of
+    /// evidence.
     void add_support(pugi::xml_node package, const Claim& claim) const {
         std::vector<std::string> below;
         for (const auto& other : argument_.claims) {
@@ -162,7 +163,7 @@ class CaseWriter {
     const Argument& argument_;
     const Exhibits& exhibits_;
     std::string version_;
-    std::set<std::string> keys_;  ///< of all evidence that a claim names
+    std::set<std::string> keys_;  ///< keys of all evidence that a claim names
     pugi::xml_document document_;
 };
 

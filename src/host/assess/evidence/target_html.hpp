@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Returns a section of the report with the results of src/target/footprint and run_suites in `build`. When they did
-/// not run, the section states this.
+/// Returns a section of the report with the results that src/target/footprint and run_suites wrote to `build`. Without
+/// results, the section says that they did not run.
 std::string write_target_html(const std::filesystem::path& build);
 
 }  // namespace canproof::host

@@ -28,7 +28,7 @@ std::map<std::string, std::string> sums_in(const std::string& manifest, const fs
     }
 }
 
-/// Returns the files that the manifest has to list.
+/// Returns the files that the manifest must list.
 std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& one : fs::recursive_directory_iterator{folder}) {
@@ -66,7 +66,8 @@ std::vector<std::string> faults_of_pack(const fs::path& folder, const fs::path& 
             faults.push_back(
                 fmt::format("there is no {}; `canproof evidence --sign KEY` writes it", manifest_signature));
         } else if (!is_signed(manifest, read_file(signature), public_key)) {
-            faults.push_back(fmt::format("{} is not by the key in {}", manifest_signature, public_key.string()));
+            faults.push_back(fmt::format("{} was not made with the private key that belongs to {}", manifest_signature,
+                                         public_key.string()));
         }
     }
     return faults;

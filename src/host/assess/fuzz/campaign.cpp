@@ -65,7 +65,8 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
     }
 }
 
-/// Returns the number of slices of each target's time: about a minute each, at most `most_rounds`.
+/// Returns the number of slices into which the time of each target is divided: slices of about a minute, at most
+/// `most_rounds`.
 unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     const double share = options.minutes * options.jobs / static_cast<double>(targets);
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
@@ -105,7 +106,7 @@ bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targ
                       [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
 }
 
-/// Returns the state of the unfinished campaign of the same command, or of a new campaign.
+/// Returns the state of the unfinished campaign if the same command started it; otherwise the state of a new campaign.
 CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                              const CampaignFiles& files, CampaignDisplay& display) {
     const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
@@ -114,7 +115,7 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         try {
             state = kept.get<CampaignState>();
         } catch (const nlohmann::json::exception& error) {
-            throw InputError{fmt::format("{} is not of this version ({}); --restart starts a new campaign",
+            throw InputError{fmt::format("another version of canproof wrote {} ({}); --restart starts a new campaign",
                                          files.state().string(), error.what())};
         }
         const bool same =
@@ -126,7 +127,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
                             files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
-        state.remarks.push_back(fmt::format("stopped during “{}” and continued at {}", state.phase, utc_now()));
+        state.remarks.push_back(
+            fmt::format("the campaign was stopped during “{}” and continued at {}", state.phase, utc_now()));
         display.say(fmt::format("continuing the campaign of {}: {}", state.started, state.phase));
         return state;
     }
@@ -165,7 +167,7 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard, and keeps their findings for `--merge`.
+/// Fuzzes the targets of one shard and saves their findings for `--merge`.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);
@@ -174,7 +176,7 @@ int run_shard(const CampaignContext& context) {
         context.state.phase = done ? phase_after_fuzzing : phases[0].name;
         context.save();
         if (!done) {
-            context.display.say("interrupted; the same command goes on");
+            context.display.say("interrupted; the same command continues the campaign");
             return was_interrupted;
         }
     }
@@ -183,7 +185,7 @@ int run_shard(const CampaignContext& context) {
     return is_broken(context.state) ? was_broken : 0;
 }
 
-/// Runs the campaign from the phase in its state on. Returns false when interrupted.
+/// Runs the campaign from the phase that its state names. Returns false when interrupted.
 bool run_phases(const CampaignContext& context) {
     const auto first = std::find_if(phases.begin(), phases.end(),
                                     [&](const Phase& phase) { return context.state.phase == phase.name; });
@@ -221,7 +223,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         return found_something;
     }
     if (!finished) {
-        display.say("interrupted; the same command continues");
+        display.say("interrupted; the same command continues the campaign");
         return was_interrupted;
     }
     const bool broken = is_broken(state);
@@ -239,7 +241,7 @@ int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
     if (options.shard) {
         if (options.seed == 0) {
-            throw InputError{"a shard needs --seed, the same for each; write --seed 1"};
+            throw InputError{"all shards need the same --seed; write --seed 1 for each"};
         }
         CampaignState state = begin_or_go_on(options, targets, files, display);
         return run_shard({options, targets, files, state, display, interrupted});

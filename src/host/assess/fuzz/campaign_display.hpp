@@ -16,9 +16,9 @@ class CampaignDisplay {
 
     /// Prints a line that is not overwritten.
     void say(const std::string& text);
-    /// Prints the progress of one target; `inputs` is the number of inputs that have ended a run.
+    /// Prints the progress of one target; `inputs` is the number of its inputs that have ended a run.
     void news(const TargetRecord& target, std::size_t inputs);
-    /// Redraws the table at a limited rate.
+    /// Redraws the table, at most twice a second.
     void draw(const CampaignState& state);
     /// Draws the table for the last time.
     void leave(const CampaignState& state);

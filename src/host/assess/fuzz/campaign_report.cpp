@@ -17,7 +17,7 @@ double rate(const TargetRecord& target) {
     return target.seconds > 0.0 ? static_cast<double>(target.executions) / target.seconds : 0.0;
 }
 
-/// Returns `+12`, `-3` or `+0`, or a dash when there is no value to compare with.
+/// Returns the difference as `+12`, `-3` or `+0`; a dash when `before` has no value.
 std::string change(std::uint64_t now, const std::optional<std::uint64_t>& before) {
     return before ? fmt::format("{:+}", static_cast<std::int64_t>(now) - static_cast<std::int64_t>(*before)) : "–";
 }
@@ -29,7 +29,7 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
     return last->edges.at(target);
 }
 
-/// Returns whether both campaigns had the same targets; only then their line counts are comparable.
+/// Returns whether both campaigns had the same targets. Only then are their line counts comparable.
 bool same_targets(const CampaignState& state, const Night& last) {
     return last.edges.size() == state.targets.size() &&
            std::all_of(state.targets.begin(), state.targets.end(),
@@ -55,8 +55,9 @@ std::string head(const CampaignState& state, const std::optional<Night>& last) {
                  : " There is no earlier campaign to compare with.";
     text += "</p>";
     if (state.phase != "done") {
-        text += fmt::format("<p class=open>Not finished: stopped during “{}”. The same command continues.</p>",
-                            state.phase);
+        text += fmt::format(
+            "<p class=open>Not finished: the campaign was stopped during “{}”. The same command continues it.</p>",
+            state.phase);
     }
     for (const auto& remark : state.remarks) {
         text += fmt::format("<p>{}</p>", escaped(remark));
@@ -193,7 +194,7 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
         }
     }
     if (!finished) {
-        open.push_back(fmt::format("not finished: stopped during “{}”", state.phase));
+        open.push_back(fmt::format("not finished: the campaign was stopped during “{}”", state.phase));
     }
     std::size_t looked_at_again = 0;
     for (const auto& target : state.targets) {

@@ -14,7 +14,7 @@ std::string write_campaign_html(const CampaignState& state, const std::optional<
 nlohmann::json write_campaign_json(const CampaignState& state, const std::optional<Night>& last);
 /// Returns the description for the evidence pack (src/host/assess/evidence/exhibit.hpp).
 nlohmann::json write_campaign_exhibit(const CampaignState& state);
-/// Returns the figures with which the next campaign compares.
+/// Returns the figures that the next campaign uses for its comparison.
 Night night_of(const CampaignState& state);
 
 }  // namespace canproof::host

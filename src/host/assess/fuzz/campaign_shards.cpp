@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The corpus folder of one machine, and the state of its campaign.
+/// The corpus folder of one machine and the state of the campaign that ran there.
 struct ReadShard {
     CampaignFiles files;
     std::string name;
@@ -65,7 +65,7 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
     require_all_shards(all);
 }
 
-/// Copies the files of a folder with their times, which show when in the campaign an input was found.
+/// Copies the files of a folder and keeps their times: they show when the campaign found each input.
 void copy_files(const fs::path& from, const fs::path& to) {
     fs::create_directories(to);
     for (const fs::path& file : files_in(from)) {
@@ -75,7 +75,7 @@ void copy_files(const fs::path& from, const fs::path& to) {
     }
 }
 
-/// The merged campaign began when its first shard began.
+/// Sets the beginning of the merged campaign to that of the shard that began first.
 void copy_beginning(const std::vector<ReadShard>& all, const CampaignFiles& files) {
     const auto began = [](const ReadShard& one) { return fs::last_write_time(one.files.work() / "began"); };
     const auto& first = *std::min_element(all.begin(), all.end(),

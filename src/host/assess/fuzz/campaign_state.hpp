@@ -20,20 +20,20 @@ struct Sample {
 
 struct TargetRecord {
     std::string name;
-    unsigned slices{0};  ///< finished slices
+    unsigned slices{0};  ///< number of finished slices
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
     std::size_t inputs_before{0};  ///< number of inputs in the corpus folder, without the seeds
     std::size_t inputs_found{0};
     std::size_t inputs_kept{0};         ///< number of inputs after minimisation
-    unsigned broken_slices{0};          ///< slices that ended before their time without a finding
-    std::size_t inputs_second_pass{0};  ///< inputs that the second pass ran
+    unsigned broken_slices{0};          ///< number of slices that ended before their time without a finding
+    std::size_t inputs_second_pass{0};  ///< number of inputs that the second pass ran
 
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }
-    /// Returns the fuzzing time of this target, in seconds, at which it last reached a new edge.
+    /// Returns the time in seconds, counted in this target's fuzzing time, at which it last reached a new edge.
     double last_gain() const;
-    /// Returns whether the second half of its time brought no new edge.
+    /// Returns whether the second half of the target's time brought no new edge.
     bool plateaued() const { return seconds > 0.0 && last_gain() < seconds / 2.0; }
 };
 
@@ -41,26 +41,26 @@ struct Finding {
     std::string target;
     std::string title;
     std::string signature;
-    std::string first_seen;  ///< UTC
-    std::string folder;      ///< contains input, output.txt and, for a target with frames, frames.log and replay
-    std::string regression;  ///< the input in the committed corpus; empty: none
-    std::string pass;        ///< the pass that found it: libFuzzer with sanitizers, or valgrind
+    std::string first_seen;  ///< UTC time
+    std::string folder;      ///< folder with input, output.txt and, for a target with frames, frames.log and replay
+    std::string regression;  ///< path of the input in the committed corpus; empty: it is not there
+    std::string pass;        ///< the pass that found the bug: libFuzzer with sanitizers, or valgrind
     std::size_t bytes{0};
-    std::size_t times{0};  ///< number of inputs that led to it
+    std::size_t times{0};  ///< number of inputs that showed the bug
     bool reproduces{true};
 };
 
 struct LinePoint {
-    double share{0.0};  ///< share of the campaign's time, 0 to 1
+    double share{0.0};  ///< elapsed share of the campaign's time, 0 to 1
     std::uint64_t hit{0};
 };
 
 /// Lines of one source that the targets together reach.
 struct FileLines {
-    std::string path;  ///< as firmware_path() returns it
+    std::string path;  ///< path of the source, as firmware_path() returns it
     std::uint64_t lines{0};
     std::uint64_t hit{0};
-    std::string unreached;               ///< `12-15, 30`
+    std::string unreached;               ///< line numbers such as `12-15, 30`
     std::vector<std::string> functions;  ///< functions that no target calls
 };
 
@@ -74,7 +74,7 @@ struct LineCoverage {
 };
 
 struct CampaignState {
-    std::string started;  ///< UTC
+    std::string started;  ///< UTC time
     double minutes{0.0};
     std::uint64_t seed{0};
     unsigned jobs{1};
@@ -113,8 +113,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, 
                                    coverage, remarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hit, edges, per_second, findings)
 
-/// Returns the JSON of the file; `null` when the file does not exist. Throws InputError, with the remedy, for invalid
-/// content.
+/// Returns the JSON of the file; `null` when the file does not exist. Throws InputError for invalid content; the
+/// message says how to continue.
 nlohmann::json read_json(const std::filesystem::path& file);
 /// Replaces the file atomically: after an interruption it has the old or the new content. Throws InputError when it
 /// cannot be written.

@@ -10,16 +10,16 @@ namespace canproof::host {
 struct FoundInput {
     const FuzzTarget* target{nullptr};
     std::filesystem::path input;
-    std::filesystem::path output;  ///< output of the run that the input ended
+    std::filesystem::path output;  ///< output of the run in which the input failed
     Failure failure;
     bool reproduces{true};
     std::string pass;
     std::size_t times{1};
 };
 
-/// Keeps input and output. For a target that sends frames to a device, also keeps the candump log and the command that
-/// replays it. Adds the input as a regression test when it reproduces. A bug that this campaign has already found is
-/// only counted.
+/// Saves the input and the output in the folder of the finding. For a target that sends frames to a device, also saves
+/// the candump log and the command that replays it. Adds the input as a regression test if it reproduces the failure.
+/// If this campaign has already found the bug, only counts it.
 void store_finding(const CampaignContext& context, const FoundInput& found);
 
 }  // namespace canproof::host

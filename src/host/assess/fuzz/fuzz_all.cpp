@@ -16,14 +16,14 @@ namespace canproof::host {
 
 namespace {
 
-constexpr double seconds_to_end = 60.0;  // libFuzzer first lets its last job end and then merges the corpora
+constexpr double seconds_to_end = 60.0;  // libFuzzer waits for its last job and then merges the corpora
 
 /// Returns the number of cores for one target.
 unsigned forks(const CampaignContext& context) {
     return std::max(1U, context.options.jobs / static_cast<unsigned>(context.targets.size()));
 }
 
-/// Returns the seconds of the next slice: the rest of the target's time, divided equally.
+/// Returns the seconds of the next slice: the target's remaining time divided by the number of its remaining slices.
 double slice_seconds(const CampaignContext& context, const TargetRecord& record) {
     const double width = std::min<double>(context.options.jobs, static_cast<double>(context.targets.size()));
     const double share = context.state.minutes * 60.0 * width / static_cast<double>(context.targets.size());
@@ -56,7 +56,7 @@ class Slice {
         record_.seconds = seconds_ + end.seconds;
         record_.inputs_found = files_in(context_.files.inputs(record_.name)).size();
         if (!end.interrupted) {
-            ++record_.slices;  // an interrupted slice runs again for the remaining time
+            ++record_.slices;  // an interrupted slice is not counted: it runs again for the remaining time
         }
         if (!end.interrupted && end.status != 0 && crashes() == 0) {
             ++record_.broken_slices;

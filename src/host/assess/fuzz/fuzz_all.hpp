@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Fuzzes all targets in turn until their time is over. Returns false when interrupted; a repeated call continues.
+/// Fuzzes all targets in turn until their time is over. Returns false when interrupted; another call continues.
 bool fuzz_all(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -27,7 +27,8 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
         if (std::regex_match(line, found, setting)) {
             options.push_back(fmt::format("-{}={}", found[1].str(), found[2].str()));
         } else if (!std::regex_match(line, other)) {
-            throw InputError{fmt::format("{}:{}: write `option = value` below [libfuzzer]", file.string(), number)};
+            throw InputError{fmt::format("{}:{}: the line is no option; write `option = value` below [libfuzzer]",
+                                         file.string(), number)};
         }
     }
     check_read(in, file.string());
@@ -36,7 +37,7 @@ std::vector<std::string> read_options(const std::filesystem::path& file) {
 
 const char* const how_to_build = "`cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_targets`";
 
-/// The three fields of a line of the list.
+/// The three fields of a line in the list of targets.
 struct Line {
     std::string name;
     std::filesystem::path folder;
@@ -47,12 +48,15 @@ Line read_line(const std::string& text, const std::string& place) {
     static const std::regex three_words{"([^\t]+)\t([^\t]+)\t([^\t]+)"};
     std::smatch found;
     if (!std::regex_match(text, found, three_words)) {
-        throw InputError{fmt::format("{}: write a target's name, folder and corpus with tabs between them", place)};
+        throw InputError{fmt::format(
+            "{}: the line does not have three fields; write a target's name, folder and corpus with tabs between them",
+            place)};
     }
     return {found[1].str(), found[2].str(), found[3].str()};
 }
 
-/// Returns the lines of the build's list by target name. Throws InputError for a line without three words.
+/// Returns the lines of the build's list by target name. Throws InputError for a line without three fields, and for an
+/// empty list.
 std::map<std::string, Line> lines_of(const std::filesystem::path& build) {
     const auto list = build / "fuzz_targets.txt";
     std::ifstream in{list};

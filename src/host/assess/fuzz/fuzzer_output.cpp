@@ -23,7 +23,7 @@ std::optional<std::uint64_t> number_behind(const std::string& line, const std::s
     return in >> number ? std::optional{number} : std::nullopt;
 }
 
-/// Returns the path relative to the project, wherever the project was built.
+/// Returns the path relative to the project's folder, wherever that folder is.
 std::string project_path(const std::string& path) {
     for (const char* folder : {"/src/", "/fuzz/", "/properties/", "/tests/"}) {
         if (const auto at = path.rfind(folder); at != std::string::npos) {
@@ -33,8 +33,8 @@ std::string project_path(const std::string& path) {
     return path;
 }
 
-/// Returns whether a function belongs to the code under test; frames of the fuzzer, sanitizers and libraries do not
-/// help to distinguish bugs.
+/// Returns whether a function belongs to the code under test. Functions of the fuzzer, the sanitizers and the libraries
+/// do not distinguish bugs.
 bool is_ours(const std::string& function) {
     for (const char* other : {"__", "fuzzer::", "abort", "raise", "gsignal", "pthread_", "_start", "main", "LLVMFuzzer",
                               "canproof::fuzz::require", "std::", "operator ", "mem", "killpg"}) {
@@ -102,7 +102,7 @@ std::string Failure::title() const {
 }
 
 std::string Failure::signature() const {
-    std::uint32_t hash = 2166136261U;  // FNV-1a
+    std::uint32_t hash = 2166136261U;  // start value of the FNV-1a hash
     for (const char c : title()) {
         hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
     }
@@ -124,7 +124,8 @@ Failure parse_failure(const std::string& output) {
     for (std::string line; std::getline(lines, line);) {
         const bool matches = std::regex_match(line, found, frame);
         if (open && !matches) {
-            break;  // the first stack is that of the failure; later ones show where memory came from
+            // the first stack is that of the failure; later ones show other places, such as that of an allocation
+            break;
         }
         if (matches && is_ours(found[1])) {
             failure.frames.push_back(without_arguments(found[1]));

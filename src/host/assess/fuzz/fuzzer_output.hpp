@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// One line of libFuzzer's progress, with or without fork mode.
+/// One line of libFuzzer's progress output, with or without fork mode.
 struct FuzzerProgress {
     std::uint64_t executions{0};
     std::uint64_t edges{0};
@@ -25,8 +25,8 @@ struct Failure {
     std::string place;                ///< `fuzz/pdo_fuzz.cpp:167`; empty when the output names no place
     std::vector<std::string> frames;  ///< functions of the code under test, innermost first, without arguments
 
-    /// Returns a title that is equal for equal bugs: the kind with the requirement's place, or with the three innermost
-    /// functions.
+    /// Returns a title that is equal for equal bugs. It consists of the kind and the place of the violated requirement,
+    /// or of the kind and the three innermost functions.
     std::string title() const;
     /// Returns a hash of the title as eight hexadecimal digits.
     std::string signature() const;

@@ -19,7 +19,7 @@ namespace {
 
 /// Returns the name of a C++ function without arguments.
 std::string demangled(const std::string& name) {
-    // A function in an anonymous namespace has its file as prefix: `file.cpp:_ZN…`.
+    // llvm-cov puts the file before a function in an anonymous namespace: `file.cpp:_ZN…`.
     const auto colon = name.rfind(':');
     const std::string symbol = colon == std::string::npos ? name : name.substr(colon + 1);
     int status = 0;
@@ -42,7 +42,7 @@ std::string ranges_of(const std::set<unsigned>& lines) {
     return text;
 }
 
-/// The records of one file.
+/// The lcov records of one source file.
 struct Source {
     std::map<unsigned, bool> lines;
     std::map<std::string, bool> functions;

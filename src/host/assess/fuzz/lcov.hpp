@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses llvm-cov's lcov export: the lines and functions of the firmware that a coverage run reached.
+// Parses the lcov export of llvm-cov: the lines and functions of the firmware that the runs reached.
 #pragma once
 
 #include <string>

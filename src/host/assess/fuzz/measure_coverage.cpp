@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures which lines of the firmware the corpora reach, and when the campaign first reached them. The modification
-// time of an input shows when it was found.
+// Measures which lines of the firmware the corpora reach, and in which part of the campaign it first reached them. The
+// modification time of an input shows when the campaign found it.
 #include "host/assess/fuzz/measure_coverage.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t steps = 4;  ///< parts of the campaign's time; step 0 is its start
+constexpr std::size_t steps = 4;  ///< number of equal parts of the campaign's time; step 0 is the state before it
 constexpr std::size_t most_arguments = 1000;
 constexpr double run_limit = 900.0;
 
 using Inputs = std::vector<std::filesystem::path>;
 
-/// One process of the coverage build.
+/// One process of the coverage build, and the step of its inputs.
 struct Run {
     const FuzzTarget* target{nullptr};
     std::size_t step{0};
@@ -34,8 +34,8 @@ std::filesystem::path program(const CampaignContext& context, const FuzzTarget& 
     return std::filesystem::absolute(std::filesystem::path{context.options.coverage_build} / (target.name + "_fuzz"));
 }
 
-/// Returns 0 for an input from before this campaign, otherwise the part of its time, 1 to `steps`, in which it was
-/// found.
+/// Returns the step in which the campaign found the input: 1 to `steps`. Returns 0 for an input from before the
+/// campaign.
 std::size_t step_of(const std::filesystem::path& input, std::filesystem::file_time_type begin,
                     std::filesystem::file_time_type end) {
     const auto time = std::filesystem::last_write_time(input);
@@ -99,7 +99,7 @@ bool run_all(const CampaignContext& context, const std::vector<Run>& runs) {
                      [&] { context.display.draw(context.state); });
 }
 
-/// Runs one LLVM tool. Returns its output; an empty text when it failed or was interrupted.
+/// Runs one LLVM tool. Returns its output; returns an empty text when the tool fails or is interrupted.
 std::string output_of(const CampaignContext& context, std::vector<std::string> command, const std::string& name) {
     Task task;
     task.command = std::move(command);
@@ -113,7 +113,7 @@ std::string output_of(const CampaignContext& context, std::vector<std::string> c
     return done ? read_text(task.log) : "";
 }
 
-/// Returns the lines that all runs up to a step reached.
+/// Returns the lines that the runs of all steps up to `step` reached.
 std::vector<FileLines> lines_until(const CampaignContext& context, const std::vector<Run>& runs, std::size_t step) {
     const auto merged = context.files.scratch() / fmt::format("{}.profdata", step);
     std::vector<std::string> merge{"llvm-profdata-19", "merge", "-sparse", "-o", merged.string()};

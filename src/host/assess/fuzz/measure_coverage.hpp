@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Runs the corpora with the coverage build. Returns false when interrupted; the call may be repeated.
+/// Runs the corpora with the coverage build. Returns false when interrupted; it may be called again.
 bool measure_coverage(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -11,8 +11,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Replaces a folder by renaming. After an interruption at any point, the old or the new set exists under one of the
-/// names.
+/// Replaces a folder by renaming. After an interruption at any point, the old or the new set of inputs exists under one
+/// of the names.
 class Replacement {
   public:
     explicit Replacement(const std::filesystem::path& folder)

@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Keeps the inputs of each corpus that reach code which the others do not. Returns false when interrupted; the call
-/// may be repeated.
+/// Keeps only those inputs of each corpus that together reach the same code as all inputs. Returns false when
+/// interrupted; it may be called again.
 bool minimise_corpora(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the corpus again under valgrind's memcheck and without sanitizers. It detects uninitialised bytes, which ASan
-// and UBSan do not. (MSan needs an instrumented C++ library, which Debian does not have.)
+// Runs the corpus again under valgrind's memcheck, with programs that have no sanitizers. It detects uninitialised
+// bytes, which ASan and UBSan do not detect. (MSan needs an instrumented C++ library, which Debian does not have.)
 #include "host/assess/fuzz/second_pass.hpp"
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< in seconds; after this time a program that hangs is ended
-constexpr std::size_t most_findings = 5;  ///< per target; each finding needs a separate run
+constexpr double chunk_limit = 600.0;     ///< in seconds; a program that runs longer hangs and is ended
+constexpr std::size_t most_findings = 5;  ///< for each target; each finding needs a separate run
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 
 using Inputs = std::vector<std::filesystem::path>;
 
-/// Inputs of one target that one valgrind process runs.
+/// The inputs of one target that one valgrind process runs.
 struct Chunk {
     const FuzzTarget* target{nullptr};
     Inputs inputs;
@@ -50,8 +50,8 @@ Task under_valgrind(const CampaignContext& context, Chunk& chunk, const std::fil
     return task;
 }
 
-/// Returns the corpora in chunks. The first chunk of every target comes before any second one, because the time can end
-/// before the corpus.
+/// Returns the corpora in chunks. The first chunk of every target comes before any second chunk, because the time can
+/// end before all chunks have run.
 std::vector<Chunk> chunks_of(const CampaignContext& context) {
     std::vector<Chunk> chunks;
     bool more = true;
@@ -70,8 +70,8 @@ std::vector<Chunk> chunks_of(const CampaignContext& context) {
     return chunks;
 }
 
-/// Runs each input of a chunk with errors alone, until `most_findings` inputs have reproduced an error. Returns false
-/// when interrupted.
+/// Runs each input alone, for a chunk in which valgrind found errors. Stops when `most_findings` inputs have reproduced
+/// an error. Returns false when interrupted.
 bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     std::size_t found = 0;
     for (const auto& input : chunk.inputs) {
@@ -91,7 +91,7 @@ bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     return true;
 }
 
-/// Runs the chunks `from` to `to` until `ends` returns true.
+/// Runs the chunks with the numbers from `from` to `to` - 1 until `ends` returns true.
 void look_at(const CampaignContext& context, std::vector<Chunk>& chunks, std::size_t from, std::size_t to,
              const std::function<bool()>& ends) {
     std::vector<Task> tasks;
@@ -111,7 +111,7 @@ bool look_again_with_valgrind(const CampaignContext& context) {
         record.inputs_second_pass = 0;
     }
     std::vector<Chunk> chunks = chunks_of(context);
-    // The first chunk of every target runs without a time limit; the others run while time is left.
+    // The first chunk of every target runs without a time limit; the others start only while time is left.
     const auto first_of = [&](const Chunk& chunk) { return chunk.target == chunks.front().target; };
     const auto second_round = chunks.empty() ? chunks.end() : std::find_if(chunks.begin() + 1, chunks.end(), first_of);
     const auto sure = static_cast<std::size_t>(second_round - chunks.begin());

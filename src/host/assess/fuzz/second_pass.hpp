@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Runs the kept inputs under valgrind. Returns false when interrupted; the call may be repeated.
+/// Runs the kept inputs under valgrind. Returns false when interrupted; it may be called again.
 bool look_again_with_valgrind(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -15,12 +15,12 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t most_inputs = 40;  ///< per target; a bug that is easy to reach leaves thousands of inputs
+constexpr std::size_t most_inputs = 40;  ///< for each target; a bug that is easy to reach leaves thousands of inputs
 constexpr double reproduction_limit = 30.0;
 constexpr double least_shrinking = 2.0;  ///< seconds
 constexpr double most_shrinking = 15.0;
 
-/// An input that ended a run, and the result of a repeated run.
+/// An input that ended a run, and the result when it ran again.
 struct Crash {
     const FuzzTarget* target{nullptr};
     std::filesystem::path input;
@@ -59,7 +59,7 @@ std::vector<Crash> collect(const CampaignContext& context) {
     return crashes;
 }
 
-/// Returns the task that runs one input once with the sanitizers.
+/// Returns the task that runs one crashing input once with the sanitizers.
 Task reproduction(const CampaignContext& context, Crash& crash, const std::filesystem::path& log) {
     Task task;
     task.command = {crash.target->program.string(), "-timeout=10", "-rss_limit_mb=2048", crash.input.string()};
@@ -93,7 +93,7 @@ bool reproduce(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
-/// Returns a tenth of the campaign's time in seconds, within bounds.
+/// Returns a tenth of the campaign's time in seconds, limited to a range.
 double shrinking_seconds(const CampaignContext& context) {
     return std::clamp(context.state.minutes * 6.0, least_shrinking, most_shrinking);
 }
@@ -121,7 +121,7 @@ bool shrink(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
-/// Replaces each crashing input by its smaller version when that shows the same bug. Returns false when interrupted.
+/// Replaces each crashing input by its smaller version if that shows the same bug. Returns false when interrupted.
 bool take_smaller(const CampaignContext& context, std::vector<Crash>& crashes) {
     std::vector<Crash> smaller = crashes;
     for (Crash& crash : smaller) {
@@ -139,7 +139,8 @@ bool take_smaller(const CampaignContext& context, std::vector<Crash>& crashes) {
     return true;
 }
 
-/// Returns the first crash of each bug, which has the smallest input. `times` receives the number of crashes per bug.
+/// Returns the first crash of each bug; when `crashes` is sorted by size, it has the smallest input. Sets `times` to
+/// the number of crashes of each bug.
 std::vector<Crash> distinct(const std::vector<Crash>& crashes, std::map<std::string, std::size_t>& times) {
     std::vector<Crash> first;
     for (const Crash& crash : crashes) {

@@ -29,7 +29,7 @@ double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A program in its own process group. This program receives the terminal's interrupt and passes it on.
+/// A program in its own process group. The terminal's interrupt reaches canproof alone, which sends it to the program.
 class Child {
   public:
     explicit Child(Task task) : task_{std::move(task)}, start_{Clock::now()} {
@@ -49,7 +49,7 @@ class Child {
         if (gone) {
             end_.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
             end_.seconds = since(start_);
-            kill(-pid_, SIGKILL);  // ends processes that the program has left behind
+            kill(-pid_, SIGKILL);  // ends processes that the program has started and left running
             if (task_.ended) {
                 task_.ended(end_);
             }

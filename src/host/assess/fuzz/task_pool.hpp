@@ -10,10 +10,10 @@
 
 namespace canproof::host {
 
-/// How a program ended.
+/// The end of a program.
 struct TaskEnd {
     int status{0};          ///< exit status, or 128 plus the number of the signal
-    bool timed_out{false};  ///< ended because of its time limit
+    bool timed_out{false};  ///< whether the program was ended at its time limit
     bool interrupted{false};
     double seconds{0.0};
 };
@@ -28,12 +28,12 @@ struct Task {
     std::function<void(const TaskEnd&)> ended{};
 };
 
-/// The runner calls it repeatedly; when it returns true, all programs end.
+/// A function that the runner calls repeatedly; when it returns true, all programs are ended.
 using Interrupted = std::function<bool()>;
 
-/// Runs all tasks in their order, up to `width` in parallel. Calls `tick` several times a second. After an interrupt,
-/// each running program gets SIGINT and, some seconds later, SIGKILL; no other task starts. Returns whether all ran.
-/// Throws InputError when a program cannot be started.
+/// Starts all tasks in their order and runs up to `width` in parallel. Calls `tick` several times a second. After an
+/// interrupt, each running program gets SIGINT and, some seconds later, SIGKILL; no other task starts. Returns whether
+/// all tasks ran. Throws InputError when a program cannot be started.
 bool run_tasks(std::vector<Task> tasks, unsigned width, const Interrupted& interrupted,
                const std::function<void()>& tick);
 

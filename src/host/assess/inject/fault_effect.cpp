@@ -60,7 +60,8 @@ bool differ(const DeviceRun& a, const DeviceRun& b, Chosen chosen) {
     return chosen_frames(a, chosen) != chosen_frames(b, chosen);
 }
 
-/// Whether `faulty` sends an EMCY message, identifier and data, more often than `faultless`.
+/// Returns whether `faulty` sends an EMCY message more often than `faultless`. Messages are the same if identifier and
+/// data are.
 bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
     std::multiset<std::vector<std::uint8_t>> expected;
     for (const LoggedFrame& one : faultless.frames) {
@@ -80,16 +81,17 @@ bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
     return false;
 }
 
-using Values = std::map<std::uint64_t, std::vector<std::uint8_t>>;  ///< by the time at which a PDO was sent
+using Values = std::map<std::uint64_t, std::vector<std::uint8_t>>;  ///< data by the time at which a PDO was sent, in µs
 
-/// Whether a value was sent last before `time`, at it, or next after it.
+/// Returns whether `value` was the last value sent before `time`, was sent at `time`, or was the next value sent after
+/// it.
 bool was_sent_around(const Values& values, std::uint64_t time, const std::vector<std::uint8_t>& value) {
     const auto after = values.upper_bound(time);
     return (after != values.end() && after->second == value) ||
            (after != values.begin() && std::prev(after)->second == value);
 }
 
-/// Whether a PDO has data that the run without the fault did not send about this time.
+/// Returns whether `faulty` sends a PDO with data that `faultless` did not send about this time.
 bool sends_a_wrong_value(const DeviceRun& faultless, const DeviceRun& faulty) {
     std::map<std::uint32_t, Values> expected;
     for (const LoggedFrame& one : faultless.frames) {
@@ -111,14 +113,16 @@ Signals first_values(const DeviceRun& run) {
     return first;
 }
 
-/// Applies the changes from `next` on that happen at `time`, and moves `next` behind them.
+/// Applies the changes that happen at `time`, beginning with number `next`. Sets `next` to the number of the following
+/// change.
 void apply_changes(const std::vector<OutputChange>& changes, double time, std::size_t& next, Signals& signals) {
     for (; next < changes.size() && std::stod(changes[next].time) <= time; ++next) {
         signals[changes[next].signal] = changes[next].value;
     }
 }
 
-/// Whether each output has the value of the run without the fault or its value after power-on, at all times.
+/// Returns whether, at all times, each output has either its value in the run without the fault or its value after
+/// power-on.
 bool is_right_or_off(const DeviceRun& faultless, const DeviceRun& faulty) {
     const Signals off = first_values(faultless);
     Signals expected = off;
@@ -151,12 +155,12 @@ DeviceRun read_run(const std::string& frames, const std::string& outputs) {
     run.frames = read_candump_log(frame_lines, "frames of the run");
     std::istringstream output_lines{outputs};
     std::string line;
-    std::getline(output_lines, line);  // the heading
+    std::getline(output_lines, line);  // skips the heading
     while (std::getline(output_lines, line)) {
         const auto first = line.find(',');
         const auto last = line.rfind(',');
         if (first == std::string::npos || first == last) {
-            throw InputError{"no change of an output: " + line};
+            throw InputError{"a line is no change of an output: " + line};
         }
         run.outputs.push_back({line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)});
     }

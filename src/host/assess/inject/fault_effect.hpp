@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effect of an injected fault: what a run with the fault did differently from the run without it.
+// The effect of an injected fault: how the run with the fault differs from the run without it.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,19 @@
 
 namespace canproof::host {
 
-/// Effects in descending order of precedence: a run with several differences has the first that applies.
+/// The effects in descending order of precedence. A run with several differences gets the first effect that applies.
 enum class FaultEffect : std::uint8_t {
     processor_fault,  ///< detected: an invalid access or instruction stopped the program
-    watchdog,         ///< detected: a call did not end, or the deadline did not move
-    emergency,        ///< detected: an EMCY message that the run without the fault does not send
-    network,          ///< detected: boot-up or a changed state, which the heartbeat consumer sees
-    safe_state,       ///< outputs differ, and only by being at their value after power-on
-    wrong_output,     ///< silent: an output has another value
-    wrong_pdo,        ///< silent: a PDO has other data
-    missing_pdo,      ///< a PDO comes at another time, once more or not at all; a consumer's event timer can see this
-    wrong_answer,     ///< an SDO or LSS answer, SYNC or another frame differs
-    masked,           ///< no difference
+    watchdog,         ///< detected: a call of the device did not end, or its deadline did not advance
+    emergency,        ///< detected: the device sends an EMCY message that the run without the fault does not contain
+    network,          ///< detected: a boot-up message or a changed NMT state, which a heartbeat consumer sees
+    safe_state,       ///< outputs differ, but only because they have their value after power-on
+    wrong_output,     ///< silent: an output has a wrong value
+    wrong_pdo,        ///< silent: a PDO contains wrong data
+    /// a PDO comes at another time, once too often or not at all; a consumer's event timer can detect this
+    missing_pdo,
+    wrong_answer,  ///< an SDO or LSS answer, a SYNC or another frame differs
+    masked,        ///< there is no difference
 };
 constexpr std::size_t fault_effects = 10;
 
@@ -41,17 +42,17 @@ struct DeviceRun {
     std::vector<OutputChange> outputs;  ///< the first changes of each signal are its values after power-on
 };
 
-/// Reads what replay() wrote. Throws InputError.
+/// Parses the output of replay(): `frames` and `outputs`. Throws InputError when they are not in its form.
 DeviceRun read_run(const std::string& frames, const std::string& outputs);
 
-/// Compares a run that came to its end with the run without a fault. Indicators (LEDs) are outputs as well.
+/// Compares a run that was completed with the run without a fault. Indicators (LEDs) count as outputs.
 FaultEffect effect_of(const DeviceRun& faultless, const DeviceRun& faulty);
 
 /// Returns the effect's name for tables: `wrong output`.
 const char* name_of(FaultEffect effect);
-/// Whether the device or the network detects the fault.
+/// Returns whether the device or the network detects a fault with this effect.
 bool is_detected(FaultEffect effect);
-/// Whether a wrong value leaves the device without a sign of the fault.
+/// Returns whether a wrong value leaves the device without any sign of the fault.
 bool is_silent(FaultEffect effect);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faults of an injection campaign: which bit turns, and before which call of the device.
+// The faults of an injection campaign: for each, which bit is inverted, and before which call of the device.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ struct RegionSize {
 };
 
 struct InjectedFault {
-    std::size_t call{0};    ///< the bit turns before this call, counted from 0
-    std::size_t region{0};  ///< place in the list of regions
-    std::size_t byte{0};    ///< within the region
-    unsigned bit{0};        ///< 0…7
+    std::size_t call{0};    ///< the bit is inverted before this call; calls count from 0
+    std::size_t region{0};  ///< number of the region in the list of regions
+    std::size_t byte{0};    ///< number of the byte in the region
+    unsigned bit{0};        ///< number of the bit, 0 to 7
 };
 
-/// Draws `count` faults: each call, and each bit of all regions, has the same probability. The same seed gives the same
-/// faults on every machine. Sorted by call. Without a call or a byte there are none.
+/// Draws `count` faults, sorted by call. Each call and each bit of all regions has the same probability. The same seed
+/// gives the same faults on every machine. Returns no faults when there is no call or no byte.
 std::vector<InjectedFault> plan_faults(std::uint64_t seed, std::size_t count, std::size_t calls,
                                        const std::vector<RegionSize>& regions);
 

@@ -26,7 +26,7 @@ std::size_t memory_size(const InjectionCampaign& campaign) {
                            [](std::size_t sum, const RegionSize& region) { return sum + region.bytes; });
 }
 
-/// Returns a row of the table: a name, and a number per region and for all.
+/// Returns a row of the table: a name, one number for each region, and the number for all regions.
 std::string row(const std::string& name, const std::vector<std::size_t>& numbers) {
     std::string text = fmt::format("{:<22}", name);
     for (const std::size_t number : numbers) {
@@ -59,7 +59,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
                 {"regions", json_of(campaign.regions)}};
 }
 
-/// One file of a shard, as read.
+/// The content of one shard's file.
 struct ShardFile {
     Shard shard;
     std::string name;
@@ -79,14 +79,14 @@ ShardFile read_shard(const std::filesystem::path& path) {
         for (const Json& one : all.at("runs")) {
             const auto numbers = one.get<std::array<std::size_t, 5>>();
             if (numbers[4] >= fault_effects || numbers[1] >= file.campaign.regions.size()) {
-                throw InputError{fmt::format("{}: a run with an unknown effect or region", path.string())};
+                throw InputError{fmt::format("{}: a run has an unknown effect or region", path.string())};
             }
             file.campaign.runs.push_back({{numbers[0], numbers[1], numbers[2], static_cast<unsigned>(numbers[3])},
                                           static_cast<FaultEffect>(numbers[4])});
         }
         return file;
     } catch (const Json::exception& error) {
-        throw InputError{fmt::format("{}: not a file of `canproof inject --shard`: {}", path.string(), error.what())};
+        throw InputError{fmt::format("{} is no file of `canproof inject --shard`: {}", path.string(), error.what())};
     }
 }
 
@@ -224,7 +224,7 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
     for (const ShardFile& file : files) {
         if (file.head != files.front().head) {
             throw InputError{
-                fmt::format("{} is of another campaign than {}: device, seed, faults and workload must agree",
+                fmt::format("{} belongs to another campaign than {}: device, seed, faults and workload must agree",
                             file.name, files.front().name)};
         }
         count += file.campaign.runs.size();

@@ -16,31 +16,31 @@ struct EffectCounts {
     std::array<std::size_t, fault_effects> of{};
 
     std::size_t all() const;
-    /// Runs with any difference.
+    /// Returns the number of runs with any difference.
     std::size_t effective() const;
     std::size_t detected() const;
     std::size_t silent() const;
 };
 
-/// Counts the runs of one region, or of all.
+/// Counts the effects of all runs, or of the runs of one region.
 EffectCounts count_effects(const InjectionCampaign& campaign);
 EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region);
 
-/// Returns the effects by region as text, with the shares of the effective faults.
+/// Returns a table of the effects by region as text. Shares refer to the faults with an effect.
 std::string injection_table(const std::string& device, const InjectionOptions& options,
                             const InjectionCampaign& campaign);
-/// Returns the counts, and every fault with a silent effect.
+/// Returns JSON with the counts and with every fault that has a silent effect.
 std::string injection_json(const std::string& device, const InjectionOptions& options,
                            const InjectionCampaign& campaign);
 
-/// `inject-cbx-ao412-2-of-3.json`
+/// Returns the name of a shard's file, such as `inject-cbx-ao412-2-of-3.json`.
 std::string injection_shard_name(const std::string& device, const Shard& shard);
-/// Returns the file of a shard: all its runs.
+/// Returns the content of a shard's file: all runs of the shard.
 std::string write_injection_shard(const std::string& device, const InjectionOptions& options,
                                   const InjectionCampaign& campaign);
-/// Returns the campaign of all shards of `device` in a folder, equal to that of one machine; sets the seed and the
-/// number of faults of `options`. Throws InputError when a shard is missing, stands there twice, or is of another
-/// campaign.
+/// Merges all shards of `device` in a folder. Returns the campaign as one machine would have run it, and sets the seed
+/// and the number of faults in `options`. Throws InputError when a shard is missing, is present twice, or belongs to
+/// another campaign.
 InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, const std::string& device,
                                          InjectionOptions& options);
 

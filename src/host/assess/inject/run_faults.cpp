@@ -20,7 +20,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of the process that runs a fault: an effect below `fault_effects`, or this.
+// Exit status of the process that runs a fault when it could not judge the effect. A smaller status is the number of
+// the effect.
 constexpr int not_judged = 100;
 
 struct Texts {
@@ -35,7 +36,7 @@ Texts play(SimulatedDevice& device, const ReplayInput& input) {
     return {frames.str(), outputs.str()};
 }
 
-/// Discards what the libraries print when a damaged object ends the process.
+/// Discards the messages of the libraries when a damaged object ends the process.
 void be_quiet() {
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0) {
@@ -43,7 +44,7 @@ void be_quiet() {
     }
 }
 
-/// Limits the processor time of this process; the kernel then ends it with SIGXCPU.
+/// Limits the processor time of this process. At the limit, the kernel ends the process with SIGXCPU.
 void limit_time(double seconds) {
     const auto whole = static_cast<rlim_t>(seconds + 1.0);
     const rlimit limit{whole, whole + 1};
@@ -56,7 +57,7 @@ void limit_time(double seconds) {
     }
 }
 
-/// Returns the effect that the end of the process shows.
+/// Returns the effect that corresponds to the exit status of a fault's process.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));
@@ -72,7 +73,7 @@ FaultEffect effect_of_status(int status) {
         "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
 }
 
-/// Plays the workload once; starts the process of a fault before its call.
+/// Plays the workload once. Before the call of each fault, starts the process that runs this fault.
 class Injector {
   public:
     Injector(SimulatedDevice& device, const std::vector<InjectedFault>& faults, const DeviceRun& faultless,
@@ -102,7 +103,7 @@ class Injector {
             if (!is_child_) {
                 throw;
             }
-            end(FaultEffect::processor_fault);  // a standard function of the simulation refused a damaged value
+            end(FaultEffect::processor_fault);  // a standard function in the simulation refused a damaged value
         }
         while (!running_.empty()) {
             wait_for_one();
@@ -114,8 +115,8 @@ class Injector {
     std::size_t most_calls() const { return 4 * calls_ + 10'000; }
     [[noreturn]] static void end(FaultEffect effect) { _exit(static_cast<int>(effect)); }
 
-    /// Starts the processes of the faults of this call. In such a process, counts the calls: a device that wakes far
-    /// too often feeds its watchdog too often as well.
+    /// Starts the process of each fault whose call is next. In that process, limits the number of calls: too many calls
+    /// mean that the device wakes and triggers its watchdog far too often.
     void inject() {
         if (is_child_) {
             if (++call_ > most_calls()) {
@@ -155,7 +156,7 @@ class Injector {
             if (errno == EINTR) {
                 return;
             }
-            throw InputError{fmt::format("the end of a run cannot be waited for: {}", std::strerror(errno))};
+            throw InputError{fmt::format("cannot wait for the end of a run: {}", std::strerror(errno))};
         }
         const auto found = running_.find(process);
         if (found != running_.end()) {
@@ -168,12 +169,12 @@ class Injector {
     SimulatedDevice& device_;
     const std::vector<InjectedFault>& faults_;
     const DeviceRun& faultless_;
-    std::size_t calls_;  ///< of the run without a fault
+    std::size_t calls_;  ///< number of calls in the run without a fault
     const InjectionOptions& options_;
     const std::function<void(std::size_t)>& progress_;
     std::vector<FaultEffect> effects_;
-    std::map<pid_t, std::size_t> running_;  ///< process and place of its fault
-    std::size_t next_{0};                   ///< fault
+    std::map<pid_t, std::size_t> running_;  ///< place of the fault in the plan, by process
+    std::size_t next_{0};                   ///< place of the next fault in the plan
     std::size_t call_{0};
     std::size_t ended_{0};
     bool is_child_{false};

@@ -23,24 +23,25 @@ struct InjectedRun {
 
 struct InjectionCampaign {
     std::vector<RegionSize> regions;
-    std::size_t calls{0};  ///< of the device in the run without a fault
+    std::size_t calls{0};  ///< number of calls of the device in the run without a fault
     std::vector<InjectedRun> runs;
 };
 
 struct InjectionOptions {
     std::uint64_t seed{1};
     std::size_t faults{1000};
-    unsigned jobs{1};          ///< processes at once
-    double most_seconds{1.0};  ///< processor time after which the watchdog has ended a run
-    Shard shard{};             ///< only the faults of this part
+    unsigned jobs{1};          ///< number of processes at the same time
+    double most_seconds{1.0};  ///< processor time in seconds after which the watchdog would have ended a run
+    Shard shard{};             ///< runs only the faults of this part
 };
 
 /// Makes the device in the state before power-on. Each call returns an equal device.
 using MakeDevice = std::function<std::unique_ptr<SimulatedDevice>()>;
 
-/// Plays `input` (its `frames`, not its `source`) without a fault, then once per fault. The run without a fault stops
-/// before the call of each fault; a copy of the process turns the bit and goes on to the end. `progress` gets the
-/// number of ended runs. Throws InputError for a device without known memory, and when a process cannot be started.
+/// Plays `input` (its `frames`, not its `source`) without a fault, then once for each fault. The run without a fault
+/// stops before the call of each fault. There a copy of the process inverts the bit and continues to the end.
+/// `progress` receives the number of completed runs. Throws InputError for a device without a description of its
+/// memory, and when a process cannot be started.
 InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
                              const std::function<void(std::size_t)>& progress);
 

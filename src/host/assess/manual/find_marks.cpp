@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::map<Mark, std::vector<std::size_t>>;
 
-/// The marks of one length by the number that their hash represents.
+/// The marks of one passage length, by the number that their hash represents.
 using ByHash = std::map<std::uint64_t, Mark>;
 
 std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
@@ -27,8 +27,8 @@ std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
 
 enum class Ends { at_words, anywhere };
 
-/// Hashes a passage of each length at each start of a word. A full hash is computed each time, because SHA-256 cannot
-/// be moved along the text.
+/// Computes the hash of a passage of each length at each start of a word. Each hash is computed in full, because
+/// SHA-256 has no rolling form.
 void search(const ManualText& text, const std::set<Mark>& marks, const Ends ends, Places& places) {
     const auto lengths = by_length(marks);
     const std::string_view whole{text.letters()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the passages of a manual that marks identify.
+// Finds the passages of a manual that marks identify. A mark is a short hash of a passage.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,9 @@
 
 namespace canproof::host {
 
-/// Returns the positions in `text.letters()` at which the passage of each mark begins; marks that are not found are
-/// left out. A passage begins with a word. If a mark has places that end with a word, its other places are left out.
+/// Returns, for each mark, the positions in `text.letters()` at which its passage begins. Leaves out marks that are not
+/// found. A passage begins at the start of a word. If some places of a mark end at the end of a word, its other places
+/// are left out.
 std::map<Mark, std::vector<std::size_t>> find_marks(const ManualText& text, const std::set<Mark>& marks);
 
 }  // namespace canproof::host

@@ -15,12 +15,13 @@ class ManualText {
     const std::vector<std::string>& lines() const { return lines_; }
     /// Returns the letters and digits of all lines in lower case.
     const std::string& letters() const { return letters_; }
-    /// Returns the positions at which words begin, ascending. A word follows the start of the text or a character that
-    /// is neither a letter nor a digit.
+    /// Returns the positions at which words begin, ascending. A word begins at the start of the text or after a
+    /// character that is neither a letter nor a digit.
     const std::vector<std::size_t>& word_begins() const { return word_begins_; }
     /// Returns whether a word ends before this position.
     bool is_word_end(std::size_t at) const { return word_end_[at]; }
-    /// Return the positions of the letters and digits of a line, [first, last). Lines count from 0.
+    /// Returns the position of the line's first letter or digit. end_of() returns the position after its last one.
+    /// Lines count from 0.
     std::size_t begin_of(std::size_t line) const { return line_begins_[line]; }
     std::size_t end_of(std::size_t line) const { return line_begins_[line + 1]; }
 

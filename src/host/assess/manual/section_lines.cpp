@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns {7, 10, 2} for "7.10.2"; empty for a text that is no such number.
+/// Returns the numbers of a section: {7, 10, 2} for "7.10.2". Returns an empty list for any other text.
 std::vector<unsigned> number_of(const std::string& ref) {
     std::vector<unsigned> number;
     std::istringstream in{ref};
@@ -26,7 +26,7 @@ std::vector<unsigned> number_of(const std::string& ref) {
     return number;
 }
 
-/// Returns the words of letters and digits in lower case.
+/// Returns the words of the text in lower case. A word consists of letters and digits.
 std::vector<std::string> words_of(const std::string& text) {
     std::vector<std::string> words;
     bool within = false;
@@ -43,7 +43,8 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// Returns the number at the start of a line: `7.10.2` for "7.10.2. Write Analog Output"; empty when there is none.
+/// Returns the section number at the start of a line: `7.10.2` for "7.10.2. Write Analog Output". Returns an empty text
+/// when there is none.
 std::string leading_number(const std::string& line) {
     std::string number = line.substr(0, line.find_first_not_of("0123456789."));
     while (!number.empty() && number.back() == '.') {
@@ -52,8 +53,8 @@ std::string leading_number(const std::string& line) {
     return number;
 }
 
-/// Returns whether a line, from which the section's number was removed, is the heading of the section. A number of
-/// three parts suffices: only a heading begins with 7.10.2, and the register may paraphrase its title.
+/// Returns whether the line is the heading of the section. The caller has removed the section's number from the line. A
+/// number of three parts suffices: only a heading begins with 7.10.2, and the register may paraphrase its title.
 bool is_heading(const std::string& line, const Section& section) {
     const std::vector<std::string> wanted = words_of(section.title);
     const std::vector<std::string> words = words_of(line);

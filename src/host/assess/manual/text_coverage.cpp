@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns which letters and digits of the text belong to a passage with a mark.
+/// Returns, for each letter and digit of the text, whether it belongs to a passage with a mark.
 std::vector<bool> covered_characters(const Manual& manual, const ManualText& text, TextCoverage& coverage) {
     std::set<Mark> marks;
     for (const Statement& statement : manual.statements) {
@@ -42,7 +42,7 @@ bool is_title(const std::string& line) {
     return line.rfind('#', 0) == 0 || words.rfind("Table ", 0) == 0 || words.rfind("Figure ", 0) == 0;
 }
 
-/// Returns the first words of a line from its first letter or digit that is not covered.
+/// Returns the words of a line from its first letter or digit that is not covered. Cuts them to about 70 characters.
 std::string words_from(const ManualText& text, const std::size_t line, const std::vector<bool>& covered) {
     const auto begin = covered.begin() + static_cast<std::ptrdiff_t>(text.begin_of(line));
     const auto end = covered.begin() + static_cast<std::ptrdiff_t>(text.end_of(line));

@@ -21,16 +21,17 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest processor time of the tests for one mutant, in seconds. The times are those of the tests without a mutant.
+/// Longest processor time of the tests for one mutant, in seconds. The sum uses the times that the tests take without a
+/// mutant.
 constexpr double most_seconds = 1.5;
 /// Longest processor time of the tests that run first, in seconds. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
 /// Name of the entry for the time before the first test.
 const char* const startup = "startup";
-/// Least time in seconds that starting a test takes.
+/// Shortest time in seconds that the start of a test takes.
 constexpr double least_seconds = 0.001;
 
-/// Tests to run, and the processor time after which the mutant counts as noticed.
+/// Tests to run, and the processor time in seconds after which the mutant counts as noticed.
 struct Stage {
     std::string filter;
     unsigned seconds{0U};
@@ -46,7 +47,8 @@ Stage stage(const std::string& filter, const std::map<std::string, double>& seco
     return {filter, 1U + static_cast<unsigned>(5.0 * all)};
 }
 
-/// Returns the test that notices the mutant, from the first stage with a failing test; empty when the mutant survives.
+/// Returns the name of a test that notices the mutant. Runs the stages in order and stops at the first with a failing
+/// test. Returns an empty text when the mutant survives.
 std::string killer(TestServer& server, std::size_t mutant, const std::vector<Stage>& stages) {
     std::string test;
     for (auto one = stages.begin(); one != stages.end() && test.empty(); ++one) {
@@ -68,7 +70,7 @@ std::filesystem::path told_by(const std::filesystem::path& program, const std::f
     }
     fs::create_directories(folder);
     if (!run_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; fix that first", program.string())};
+        throw InputError{fmt::format("{} fails without any mutant; fix this test first", program.string())};
     }
     fs::rename(running, told);
     return told;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation of the firmware's code. The program built by tests/mutation/code contains all mutants. It reports which
-// mutants would change a computation in which test.
+// Mutation of the firmware's code. The program that tests/mutation/code builds contains all mutants. It reports, for
+// each test, the mutants that would change a computation.
 #pragma once
 
 #include <cstdint>
@@ -22,34 +22,35 @@ struct ToldTest {
     std::string file{};  ///< source of the test
 };
 
-/// Runs the program without a mutant. Returns the file in `folder` that its tests write for read_told(). A file that is
-/// newer than the program is used again. Throws InputError when a test fails.
+/// Runs the program without a mutant. Returns the file in `folder` that its tests write for read_told(). Does not run
+/// the program when this file exists and is newer than the program. Throws InputError when a test fails.
 std::filesystem::path told_by(const std::filesystem::path& program, const std::filesystem::path& folder);
 
-/// Reads lines `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when there is no such file.
+/// Reads lines of the form `name TAB file TAB seconds TAB mutant TAB mutant …`. Throws InputError when the file does
+/// not exist.
 std::vector<ToldTest> read_told(const std::filesystem::path& file);
 
-/// Removes the entry for the time before the first test from the list. Returns for each of `count` mutants whether it
-/// would change a computation at program start. Such a mutant shows only in a program that starts with it.
+/// Removes the entry for the time before the first test from `tests`. Returns for each of `count` mutants whether it
+/// would change a computation at program start. Only a program that starts with such a mutant shows its effect.
 std::vector<bool> told_at_startup(std::vector<ToldTest>& tests, std::size_t count);
 
-/// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first: as many
-/// as take `budget` seconds, and at least one; empty when no test can notice it. A test counts as at least a
-/// millisecond.
+/// Returns for each of `count` mutants the tests that can notice it, as positions in `tests`, quickest first. Keeps as
+/// many of them as run within `budget` seconds, but at least one; a test counts as at least a millisecond. The list is
+/// empty when no test can notice the mutant.
 std::vector<std::vector<std::uint32_t>> tests_by_mutant(const std::vector<ToldTest>& tests, std::size_t count,
                                                         double budget);
 
-/// Returns these tests as a GoogleTest filter.
+/// Returns a GoogleTest filter that selects the tests at the positions `places`.
 std::string filter_of(const std::vector<ToldTest>& tests, const std::vector<std::uint32_t>& places);
 
 struct CodeMutationSetup {
     std::filesystem::path program;
-    std::filesystem::path folder;  ///< folder for the files that the program writes without a mutant
+    std::filesystem::path folder;  ///< folder for the files that the program writes when it runs without a mutant
     unsigned jobs{2};
 };
 
-/// Runs the program without a mutant, then with each of the mutants. `progress` receives the number of judged mutants.
-/// Throws InputError when a test fails without a mutant.
+/// Runs the program without a mutant, then with each mutant. `progress` receives the number of judged mutants. Throws
+/// InputError when a test fails without a mutant.
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress);
 

@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The place of a mutant in a source, and the name of its function without the class.
+/// The place of a mutant in a source, and the name of its function without its class.
 struct FunctionPlace {
     std::size_t line{0};
     std::size_t number{0};
@@ -31,7 +31,7 @@ FunctionPlace place_of(const AlteredCell& mutant) {
             colons == std::string::npos ? function : function.substr(colons + 2)};
 }
 
-/// Adds the names that stand before an opening parenthesis.
+/// Adds each name that stands directly before an opening parenthesis.
 void add_calls(const std::string& code, Words& words) {
     for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
         std::size_t first = at;
@@ -52,7 +52,8 @@ class Sources {
         }
     }
 
-    /// Adds the mutants of the function below a link, and of the functions that it calls.
+    /// Adds the mutants of the function below a link, of the functions that it calls, and of the functions that these
+    /// call in their own file.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
         const auto [first, last] = function_below(lines(file), link);
         Words called;
@@ -70,7 +71,8 @@ class Sources {
     }
 
   private:
-    /// Returns the lines of a file without comments and contents of literals; none when the file does not exist.
+    /// Returns the lines of a file without comments and contents of literals. Returns no lines when the file does not
+    /// exist.
     const std::vector<std::string>& lines(const std::string& file) {
         auto& all = lines_[file];
         if (all.empty() && std::filesystem::is_regular_file(root_ / file)) {
@@ -79,7 +81,7 @@ class Sources {
         return all;
     }
 
-    /// Adds the mutants of functions with these names. Returns the names that the mutated lines call.
+    /// Adds the mutants of the functions with these names in a file. Returns the names that the mutated lines call.
     Words add_named(const std::string& file, const Words& names, std::set<std::size_t>& numbers) {
         Words called;
         const auto found = places_.find(file);
@@ -95,7 +97,7 @@ class Sources {
         return called;
     }
 
-    /// Returns the file itself, the headers that it includes, and their sources.
+    /// Returns the file itself, the headers that it includes, and the source files of these headers.
     std::set<std::string> units_of(const std::string& file) {
         static const std::string include = "#include \"";
         std::set<std::string> files{file};

@@ -14,10 +14,10 @@
 
 namespace canproof::host {
 
-/// Returns the sorted numbers of the mutants by item. They lie in the function below a link and in the functions that
-/// it calls, in its own file or in files that this file includes. Functions called by those, in their own file, count
-/// as well. An item that a shared requirement implements for a device has the mutants of that requirement. `root` is
-/// the project's folder.
+/// Returns the sorted numbers of the mutants of each item. These are the mutants in the function below a link of the
+/// item, and in functions that it calls. A called function counts in the same file, in an included header, or in that
+/// header's source file. So does a function that a called function calls in its own file. An item of a device that a
+/// shared requirement implements has the mutants of that requirement. `root` is the project's folder.
 std::map<std::string, std::vector<std::size_t>> implementing_mutants(const std::filesystem::path& root,
                                                                      const Register& content, const Evidence& evidence,
                                                                      const std::vector<AlteredCell>& mutants);

@@ -22,20 +22,20 @@ namespace canproof::host {
 
 namespace {
 
-/// Number of mutants of one item that a test gets first, evenly spread over all its mutants.
+/// Number of mutants of one item that a test runs with first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
-/// Processor time in seconds for one test and one item.
+/// Longest processor time in seconds for one test and one item.
 constexpr double most_seconds = 3.0;
 
 using Numbers = std::vector<std::size_t>;
 
-/// Numbers of the mutants by item.
+/// Numbers of the mutants of each item, by kind: altered cells and mutants of code.
 struct Mutants {
     std::map<std::string, Numbers> cells;
-    std::map<std::string, Numbers> code;  ///< sorted
+    std::map<std::string, Numbers> code;  ///< sorted in ascending order
 };
 
-/// A test that has to be judged.
+/// A test to judge.
 struct Task {
     std::string test;
     std::string body;
@@ -43,7 +43,7 @@ struct Task {
     std::set<std::string> claims;
 };
 
-/// Returns all numbers, beginning with some that are evenly spread.
+/// Returns all numbers in another order: first about `first_tries` numbers that are evenly spread, then the others.
 Numbers spread(const Numbers& all) {
     Numbers ordered;
     const std::size_t step = 1 + all.size() / first_tries;
@@ -63,7 +63,7 @@ std::vector<Task> tasks_of(const std::filesystem::path& root, const Evidence& ev
     }
     for (const auto& [id, verdicts] : evidence.verdicts) {
         if (id.find('-') == std::string::npos) {
-            continue;  // a rule that is not an item of the requirements register
+            continue;  // the id of a rule that is no item of the requirements register
         }
         for (const Verdict& verdict : verdicts) {
             Task& task = tasks[verdict.test];
@@ -179,13 +179,13 @@ class Judge {
     std::map<std::size_t, bool> noticed_;  ///< for each mutant of code, whether the current test notices it
 };
 
-/// Runs the programs with unaltered cells. Returns the evidence from their results.
+/// Runs the programs with unaltered cells. Returns the evidence from the results.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);
     for (const char* name : {"canproof_tests", "canproof_properties"}) {
         if (!run_unaltered(setup.programs / name, verdicts / fmt::format("{}.xml", name))) {
-            throw InputError{fmt::format("{} fails without any alteration; fix that first", name)};
+            throw InputError{fmt::format("{} fails without any alteration; fix this test first", name)};
         }
     }
     return collect_evidence(setup.root, verdicts, content);

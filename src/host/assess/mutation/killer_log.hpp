@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records which test noticed each mutant. The next run starts with this test and so avoids most others. No verdict
+// Records which test noticed each mutant. The next run starts with this test and so rarely needs the others. No verdict
 // depends on the record.
 #pragma once
 
@@ -16,14 +16,14 @@ namespace canproof::host {
 
 class KillerLog {
   public:
-    /// Reads the results of earlier runs from the file and appends to it. Lines are `file TAB place TAB change TAB
-    /// test`.
+    /// Reads the results of earlier runs from the file and opens it for appending. Each line is `file TAB place TAB
+    /// change TAB test`.
     explicit KillerLog(const std::filesystem::path& file);
 
-    /// Returns the tests that noticed this mutant, or a mutant with the same change in its function, as a GoogleTest
-    /// filter; empty when none is known.
+    /// Returns, as a GoogleTest filter, the tests that noticed this mutant, or a mutant with the same change in the
+    /// same function. Returns an empty text when the record contains none.
     std::string filter(const AlteredCell& mutant) const;
-    /// Appends an outcome. Thread-safe.
+    /// Appends an outcome to the file. Several threads may call it at the same time.
     void note(const MutationOutcome& outcome);
 
   private:

@@ -19,7 +19,7 @@ namespace canproof::host {
 
 namespace {
 
-/// A test program with the filter of its tests for each item.
+/// The path of a test program, and for each item a filter that selects its tests.
 struct Program {
     std::filesystem::path path;
     std::map<std::string, std::string> filters;
@@ -34,7 +34,7 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
     const auto folder = verdicts / path.filename();
     std::filesystem::create_directories(folder);
     if (!run_unaltered(path, folder / "verdicts.xml")) {
-        throw InputError{fmt::format("{} fails without any alteration; fix that first", path.string())};
+        throw InputError{fmt::format("{} fails without any alteration; fix its tests first", path.string())};
     }
     return {path, filters_by_item(read_verdict_files(folder))};
 }
@@ -47,8 +47,8 @@ MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& progr
             outcome.killed_by = servers[i]->run(cell.number, *filter);
         }
     }
-    // A value that a program computes from the cell at its start changes only when the program starts with the altered
-    // cell.
+    // A program can compute a value from the cell when it starts. Such a value changes only if the program starts with
+    // the altered cell.
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
         const std::string* filter = programs[i].filter(cell.item);
         if (filter != nullptr && fails_when_started_altered(programs[i].path, cell.number, *filter)) {
@@ -79,7 +79,8 @@ std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::s
     std::vector<AlteredCell> rest = cells;
     std::mt19937_64 random{seed};
     for (std::size_t i = 0; i < std::min(count, rest.size()); ++i) {
-        // The slight bias of the modulo is harmless here; std::uniform_int_distribution differs between libraries.
+        // The remainder favours small numbers slightly, which does no harm here. std::uniform_int_distribution is not
+        // used because it differs between libraries.
         std::swap(rest[i], rest[i + static_cast<std::size_t>(random() % (rest.size() - i))]);
     }
     rest.resize(std::min(count, rest.size()));

@@ -16,16 +16,17 @@
 
 namespace canproof::host {
 
-/// Returns the tests of one program by the item they claim, quickest first, as a GoogleTest filter.
+/// Returns, for each item that a test of the program claims, a GoogleTest filter with these tests, quickest first.
 std::map<std::string, std::string> filters_by_item(const Evidence& evidence);
 
-/// Returns `count` random cells in their original order; the same seed gives the same cells.
+/// Returns `count` random cells in their original order, or all cells if there are fewer. The same seed gives the same
+/// cells.
 std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::size_t count, std::uint64_t seed);
 
 struct MutationSetup {
-    std::filesystem::path tests;       ///< path of the program
-    std::filesystem::path properties;  ///< path of the program; empty: none
-    std::filesystem::path verdicts;    ///< folder for the verdicts of both programs with unaltered cells
+    std::filesystem::path tests;       ///< path of the program with the tests
+    std::filesystem::path properties;  ///< path of the program with the properties; empty: there is none
+    std::filesystem::path verdicts;    ///< folder for the verdicts of both programs, run with unaltered cells
     unsigned jobs{2};
 };
 
@@ -36,7 +37,7 @@ std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std:
 
 using Servers = std::vector<std::unique_ptr<TestServer>>;
 
-/// Lets `judge` assess each cell, with `jobs` threads. Each thread has its own servers, one per program. `progress`
+/// Calls `judge` for each cell on `jobs` threads. Each thread has its own servers, one for each program. `progress`
 /// receives the number of judged cells. Throws InputError when a server ends unexpectedly.
 std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
                                        const std::vector<std::filesystem::path>& programs, unsigned jobs,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts by item how many alterations the tests notice.
+// Counts for each item how many alterations the tests notice.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Number of alterations, of noticed alterations, and of survivors with a reason.
+/// Numbers of alterations: of all, of noticed ones, and of survivors with a reason.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};
@@ -25,7 +25,7 @@ struct MutationCount {
 using CountsByItem = std::map<std::string, MutationCount>;
 CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes);
 MutationCount total(const CountsByItem& counts);
-/// Returns the sum over the mutants of code in the host's buses and replay, or over the others.
+/// Returns the sum of the counts for the mutants of the host's buses and replay (`host`), or for all others.
 MutationCount total_of(const CountsByItem& counts, bool host);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of `canproof mutate` as JSON, for the audit and the pack.
+// Reads and writes the results of `canproof mutate` as JSON, for the audit and the pack.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 namespace canproof::host {
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
-/// Returns the same with the faults of the records, one line each, for `canproof mutate --json`.
+/// Returns the same JSON and the faults of the records, one line each, for `canproof mutate --json`.
 std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
                                     const std::vector<std::string>& faults);
-/// Reads the counts; returns none when the file does not exist. Throws InputError for other content.
+/// Reads the counts. Returns no counts when the file does not exist. Throws InputError for content of another form.
 CountsByItem read_mutation_json(const std::filesystem::path& file);
 
 }  // namespace canproof::host

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// A record of reports/mutation.toml: the reason why alterations may survive. `item` and `cell` may contain the
+/// A record of reports/mutation.toml: the reason why some alterations may survive. `item` and `cell` may contain the
 /// wildcards * and ?.
 struct SurvivorRecord {
     std::string item;
@@ -20,10 +20,10 @@ struct SurvivorRecord {
 
 struct MutationOutcome {
     AlteredCell cell;
-    std::string killed_by;                  ///< the failing test, or how the process ended; empty: survived
-    bool claimed{false};                    ///< at least one test claims the item
-    const SurvivorRecord* record{nullptr};  ///< record that explains the survival
-    std::string killer_file{};              ///< source of the test in `killed_by`; empty: unknown
+    std::string killed_by;  ///< the failing test, or how the process ended; empty: the alteration survived
+    bool claimed{false};    ///< whether at least one test claims the item
+    const SurvivorRecord* record{nullptr};  ///< the record that explains why the alteration survives; nullptr: none
+    std::string killer_file{};              ///< source file of the test in `killed_by`; empty: unknown
     bool open() const { return killed_by.empty() && record == nullptr; }
 };
 

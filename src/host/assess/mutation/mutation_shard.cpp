@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The content of the file of one shard.
+/// The content of one shard's file.
 struct ReadShard {
     Shard shard;
     std::string name;

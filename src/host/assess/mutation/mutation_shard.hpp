@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation on several machines: each judges a shard of the alterations, and one of them merges the outcomes. The merged
-// run leaves the same files, byte for byte, as a run on one machine that took the same tests in the same order.
+// Mutation on several machines. Each machine judges a shard of the alterations, and one of them merges the outcomes.
+// The merged run writes the same files, byte for byte, as a run on one machine, provided that the tests ran in the same
+// order.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +14,13 @@
 
 namespace canproof::host {
 
-/// Name of a shard's file: `code_mutation-2-of-3.json`.
+/// Returns the name of a shard's file: `code_mutation-2-of-3.json`.
 std::string mutation_shard_name(bool code, const Shard& shard);
 
 std::string write_mutation_shard(const Shard& shard, const std::vector<MutationOutcome>& outcomes);
 
 /// Returns the outcomes of `cells` from the shards in `folder`, in the order of `cells`. Throws InputError when a shard
-/// is missing, is there twice, or judged other alterations.
+/// is missing, is present twice, or judged other alterations.
 std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,
                                                    const std::vector<AlteredCell>& cells);
 

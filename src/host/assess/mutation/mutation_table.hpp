@@ -24,20 +24,20 @@ std::string layer_of(const std::string& file);
 /// Returns whether the file belongs to the host's buses and replay instead of the firmware.
 bool is_host(const std::string& file);
 
-/// Returns `conformance`, `units` or `properties`, from the source of the test that noticed the mutant; `otherwise` for
-/// an empty path.
+/// Returns the harness that contains the file of a test: `conformance`, `units` or `properties`. Returns `otherwise`
+/// for an empty path.
 std::string harness_of(const std::string& test_file);
 
 /// One line of the table.
 struct OperatorCount {
     std::size_t mutants{0};
-    std::map<std::string, std::size_t> noticed;  ///< by harness
+    std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by the harness whose test noticed them
     std::size_t justified{0};
     std::size_t open{0};
 };
 
-/// Returns the counts by layer and operator. The operator `all` contains the sums over the operators. The layer `all`
-/// contains the sums over the firmware, the layer `host` those over the host's buses and replay.
+/// Returns the counts by layer and operator. The operator `all` contains the sums over all operators. The layer `all`
+/// contains the sums over the firmware; the layer `host` contains the sums over the host's buses and replay.
 std::map<std::pair<std::string, std::string>, OperatorCount> count_by_operator(
     const std::vector<MutationOutcome>& outcomes);
 

@@ -15,11 +15,11 @@ std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& f
 /// Returns whether the text matches the pattern: `*` matches any characters, `?` one character.
 bool matches(const std::string& pattern, const std::string& text);
 
-/// Assigns the records to the survivors. Returns the records that no survivor needs.
+/// Assigns to each survivor the record that explains it. Returns the records that explain no survivor.
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
                                            const std::vector<SurvivorRecord>& records);
 
-/// Returns the records that match none of these alterations, because the code or table has changed.
+/// Returns the records that match none of these alterations, because the code or the table has changed since.
 std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
                                                       const std::vector<AlteredCell>& cells);
 

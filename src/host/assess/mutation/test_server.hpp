@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A running test program with changeable cells. It alters a cell in a copy of its process and runs tests there. See
-// tests/mutation/main.cpp.
+// A running test program whose cells can be altered. For each request, it alters a cell in a copy of its process and
+// runs tests there. See tests/mutation/main.cpp.
 #pragma once
 
 #include <sys/types.h>
@@ -32,8 +32,9 @@ class TestServer {
     TestServer& operator=(const TestServer&) = delete;
     ~TestServer();
 
-    /// Runs the tests of the filter with the cell altered, for at most `seconds` of processor time. Returns the failed
-    /// test, or how the process ended; empty when all passed. Throws InputError when the server has ended.
+    /// Runs the tests that the filter selects with the cell altered, for at most `seconds` of processor time. Returns
+    /// the failed test, or how the process ended. Returns an empty text when all tests passed. Throws InputError when
+    /// the server has ended.
     std::string run(std::size_t number, const std::string& filter, unsigned seconds = 10U);
 
   private:
@@ -42,12 +43,12 @@ class TestServer {
     std::FILE* from_{nullptr};
 };
 
-/// Starts the program with the cell altered before the program computes anything from it. Returns whether a test
-/// failed.
+/// Starts the program with the cell already altered, before the program computes anything from it. Returns whether a
+/// test failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
-/// Runs all tests unaltered and writes their verdicts. Returns whether all passed. An element of `more_environment` is
-/// `NAME=value`.
+/// Runs all tests with unaltered cells and writes their verdicts. Returns whether all passed. Each element of
+/// `more_environment` is `NAME=value`.
 bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
                    const std::vector<std::string>& more_environment = {});
 

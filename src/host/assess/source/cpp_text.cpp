@@ -8,7 +8,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the end of the literal that begins at `at`.
+/// Returns the position after the literal that begins at `at`.
 std::size_t literal_end(const std::string& text, std::size_t at) {
     if (at > 0 && text[at] == '"' && text[at - 1] == 'R') {
         const std::string end = ")" + text.substr(at + 1, text.find('(', at) - at - 1) + "\"";
@@ -22,7 +22,7 @@ std::size_t literal_end(const std::string& text, std::size_t at) {
     return std::min(end + 1, text.size());
 }
 
-/// Returns the end of the comment that begins at `at`; `at` when no comment begins there.
+/// Returns the position after the comment that begins at `at`; returns `at` when no comment begins there.
 std::size_t comment_end(const std::string& text, std::size_t at) {
     if (text.compare(at, 2, "//") == 0) {
         return std::min(text.find('\n', at), text.size());
@@ -34,7 +34,7 @@ std::size_t comment_end(const std::string& text, std::size_t at) {
     return at;
 }
 
-/// Returns whether a literal begins at `at`; an apostrophe in a number does not begin one.
+/// Returns whether a literal begins at `at`. An apostrophe between the digits of a number begins none.
 bool begins_literal(const std::string& text, std::size_t at) {
     return text[at] == '"' || (text[at] == '\'' && (at == 0 || !is_word(text[at - 1])));
 }
@@ -78,7 +78,7 @@ std::string without_layout(const std::string& source) {
             text += source.substr(at, last - at);
             at = last;
         } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
-            // Between two words one space stays.
+            // One space stays between two words.
             const auto next = std::min(source.find_first_not_of(" \t\r\n", at), source.size());
             if (!text.empty() && is_word(text.back()) && next < source.size() && is_word(source[next])) {
                 text += ' ';

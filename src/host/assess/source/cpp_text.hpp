@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++ sources as text: comments, literals, words, blocks in braces.
+// Treats C++ sources as text: comments, literals, words, and blocks in braces.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,15 @@ namespace canproof::host {
 /// Returns whether `c` can be part of a name or a number.
 bool is_word(char c);
 
-/// Returns the source with spaces in place of comments and contents of literals; each line keeps its place and length.
+/// Returns the source with spaces in place of comments and contents of literals. All other characters keep their line
+/// and column.
 std::string code_only(const std::string& source);
 
-/// Returns the source without comments and without spaces outside literals; one space stays between two words.
+/// Returns the source without comments, and without spaces outside literals except one space between two words.
 std::string without_layout(const std::string& source);
 
-/// Returns the position after the closing brace of the first block in braces at or after `at`; the end of the text when
-/// there is none. Braces in literals do not count. `text` has no comments.
+/// Returns the position after the closing brace of the first block in braces at or after `at`. Returns the end of the
+/// text when there is no such block. Braces in literals do not count. `text` must have no comments.
 std::size_t block_end(const std::string& text, std::size_t at);
 
 }  // namespace canproof::host

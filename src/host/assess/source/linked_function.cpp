@@ -7,13 +7,14 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the number of opening braces minus that of closing braces.
+/// Returns the number of opening braces minus the number of closing braces.
 int depth_of(const std::string& line) {
     return static_cast<int>(std::count(line.begin(), line.end(), '{')) -
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// Returns the line after a static_assert that begins at `at`; `at` when none begins there.
+/// Returns the number of the line after the static_assert that begins at line `at`; returns `at` when none begins
+/// there.
 std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
     if (lines[at].find("static_assert(") == std::string::npos) {
         return at;
@@ -28,7 +29,7 @@ std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
 
 std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link) {
     std::size_t first = link == 0 ? lines.size() : link - 1;
-    // The link itself can be a later line of its statement.
+    // The line of the link can be a later line of its statement, so this loop goes to the statement's end.
     while (first < lines.size() && lines[first].find(';') == std::string::npos) {
         ++first;
     }

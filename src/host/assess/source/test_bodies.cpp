@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t hash_digits = 16;
 
-/// Returns `Suite,Name` for Suite.Name and for One/Suite.Name/3, an instance of a parameterized test.
+/// Returns the arguments of the macro that defines a test: `Suite,Name` for Suite.Name, and for One/Suite.Name/3, an
+/// instance of a parameterized test.
 std::string defined_as(const std::string& test) {
     const auto dot = test.find('.');
     const std::string suite = test.substr(0, dot);
@@ -39,7 +40,7 @@ std::string TestBodies::hash_of(const std::string& file, const std::string& defi
         found = sources_.emplace(file, is_there ? without_layout(read_file(path)) : "").first;
     }
     const std::string& text = found->second;
-    for (const char* end : {")", ","}) {  // RC_GTEST_PROP(Suite, Name, (parameters))
+    for (const char* end : {")", ","}) {  // a comma ends the name in RC_GTEST_PROP(Suite, Name, (parameters))
         const auto at = text.find("(" + definition + end);
         if (at != std::string::npos) {
             return sha256(text.substr(at, block_end(text, at) - at)).substr(0, hash_digits);

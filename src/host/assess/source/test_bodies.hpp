@@ -8,20 +8,21 @@
 
 namespace canproof::host {
 
-/// Reads each source once.
+/// Computes the hashes. Each source is read once.
 class TestBodies {
   public:
     explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}
 
-    /// Returns sixteen digits that change with the words of the test's body, but not with comments, spaces and line
-    /// breaks. Empty when the source does not define the test. `file` is relative to the project's folder.
+    /// Returns a hash of sixteen digits that changes with the test's body, but not with its comments, spaces and line
+    /// breaks. Returns an empty text when the source does not define the test. `file` is relative to the project's
+    /// folder.
     const std::string& hash(const std::string& file, const std::string& test);
 
   private:
     std::string hash_of(const std::string& file, const std::string& definition);
 
     std::filesystem::path root_;
-    std::map<std::string, std::string> sources_;  ///< text of each file without comments and spaces
+    std::map<std::string, std::string> sources_;  ///< text of each file without comments and spaces, by path
     std::map<std::string, std::string> hashes_;   ///< hashes by file and definition
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The story of one item, section, statement, file or test: everything that the audit links to it.
+// The story of one item, section, statement, file or test: everything that the audit links with it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< true when an item in it is failed, open or suspect
+    bool open{false};  ///< whether an item of the story is failed, open or suspect
 };
 
 class StoryTeller {
@@ -33,7 +33,7 @@ class StoryTeller {
     Story statement(const AuditedStatement& audited) const;
     std::optional<Story> file(const std::string& subject) const;
     std::optional<Story> test(const std::string& subject) const;
-    /// Returns `  ID  status  text`, one line per id.
+    /// Returns the heading and one line for each id: `  ID  status  text`.
     Story list(const std::string& head, const std::vector<std::string>& ids) const;
     std::string sections_of(const AuditedItem& audited) const;
     std::string verdicts_of(const std::string& id) const;
@@ -46,7 +46,7 @@ class StoryTeller {
     std::map<std::string, const Part*> parts_;
     std::map<std::string, const Decision*> decisions_;
     std::map<std::string, const AuditedStatement*> statements_;
-    std::map<std::string, const PartAudit*> audits_;  ///< audits by the key of the manual
+    std::map<std::string, const PartAudit*> audits_;  ///< audits by the key of their manual
 };
 
 /// Returns the line of an item in a list.

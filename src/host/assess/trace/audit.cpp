@@ -16,7 +16,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the kinds of passed runs that claim an id, and whether one of them failed.
+/// Returns the kinds of passed runs that claim an id, and whether a run that claims it has failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;
@@ -46,8 +46,8 @@ DecisionsByItem decisions_by_item(const Register& content) {
     return all;
 }
 
-/// Returns whether an item needs hand-written code. An object or a signal does not: an object is a row of the
-/// dictionary, and a signal is a member of the device's inputs or outputs.
+/// Returns whether an item needs hand-written code. An object needs none because it is a row of the generated
+/// dictionary. A signal needs none because it is a member of the device's inputs or outputs.
 bool needs_code(const AuditedItem& audited) {
     if (audited.word == "object" || audited.word == "signal") {
         return false;
@@ -104,7 +104,8 @@ class PartAuditor {
         audit_.items.push_back(audited);
     }
 
-    /// Returns the item that the code must name: the shared item where the requirements register demands it.
+    /// Returns the id that the code must name: the id of a shared item if the requirement delegates to it (`by`),
+    /// otherwise the item's own id.
     const std::string& done_by(const Item& item) const {
         const auto requirement = requirements_.find(item.id);
         const bool delegated = requirement != requirements_.end() && !requirement->second->by.empty();
@@ -114,9 +115,10 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims it has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a failed test claims it", id));
         } else if (!audited.missing.empty()) {
-            audit_.gaps.push_back(fmt::format("{}: no passed {}", id, fmt::join(audited.missing, ", no passed ")));
+            audit_.gaps.push_back(
+                fmt::format("{}: it has no passed {}", id, fmt::join(audited.missing, ", no passed ")));
         }
         if (audited.without_code) {
             const std::string& by = done_by(*audited.item);
@@ -135,8 +137,9 @@ class PartAuditor {
             const auto items = index.items_of(manual.key, section);
             audit_.sections.push_back({&section, items, !items.empty()});
             if (items.empty() && manual.statements.empty()) {
-                audit_.gaps.push_back(fmt::format("{}:{} ({}): normative, but no item has it as its source", manual.key,
-                                                  section.ref, section.title));
+                audit_.gaps.push_back(
+                    fmt::format("{}:{} ({}): the section is normative, but no item has it as its source", manual.key,
+                                section.ref, section.title));
             }
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit. It follows each manual section and statement to requirement, decision, table or object, code, test and
-// verdict, and reports missing links.
+// The audit. It follows each manual section and statement to its requirement, decision, table or object, and from there
+// to code, test and verdict. It reports missing links.
 #pragma once
 
 #include <map>
@@ -13,36 +13,38 @@
 
 namespace canproof::host {
 
-/// One item of the register with its evidence.
+/// One item of the requirements register with its evidence.
 struct AuditedItem {
     const Item* item{nullptr};
-    std::string word;                    ///< requirement, object, table …
-    std::string kind;                    ///< kind of a requirement: functional, range …
-    std::vector<std::string> demanded;   ///< kinds of verification that the register requires
-    std::vector<std::string> missing;    ///< demanded kinds without a passed run
-    bool failed{false};                  ///< a test that claims the item has failed
-    bool without_code{false};            ///< no code in src/ implements it or names the code generated from it
-    std::vector<std::string> decisions;  ///< ids of decisions that affect it
-    std::string suspect;  ///< reason why its code and tests may no longer match it; empty when its review is up to date
+    std::string word;                   ///< kind of the item: requirement, object, table …
+    std::string kind;                   ///< kind of a requirement: functional, range …; empty for other items
+    std::vector<std::string> demanded;  ///< kinds of verification that the requirements register demands
+    std::vector<std::string> missing;   ///< demanded kinds of verification without a passed run
+    bool failed{false};                 ///< whether a test that claims the item has failed
+    bool without_code{false};  ///< whether no code in src/ implements the item or names the code generated from it
+    std::vector<std::string> decisions;  ///< ids of the decisions that affect the item
+    /// reason why its code or tests may no longer match the item; empty when its review is up to date
+    std::string suspect;
 
     bool open() const { return failed || without_code || !missing.empty(); }
-    /// Returns failed, open, suspect or shown.
+    /// Returns the first that applies of `failed`, `open`, `suspect` and `shown`.
     std::string status() const;
 };
 
 struct AuditedSection {
     const Section* section{nullptr};
-    std::vector<std::string> covered_by;  ///< ids of items that have it as their source
-    bool covered{false};                  ///< it has a statement; in a manual without statements, an item has it as its
-                                          ///< source
+    std::vector<std::string> covered_by;  ///< ids of items that name the section as their source
+    /// whether the section has a statement; in a manual without statements, whether an item names it as its source
+    bool covered{false};
 };
 
 /// A statement of the manual with its evidence.
 struct AuditedStatement {
     const Statement* statement{nullptr};
-    std::string id;      ///< AX130751:1.3/2
-    std::string status;  ///< worst status of its items: failed, open, suspect or shown; without items: open, or
-                         ///< explained with a reason
+    std::string id;  ///< key, section and number: AX130751:1.3/2
+    /// worst status of its items: failed, open, suspect or shown; without items: explained if it has a reason,
+    /// otherwise open
+    std::string status;
 
     bool open() const { return status != "shown" && status != "explained"; }
 };
@@ -51,23 +53,23 @@ struct PartAudit {
     const Part* part{nullptr};
     std::vector<AuditedItem> items;
     std::vector<AuditedSection> sections;      ///< normative sections
-    std::vector<AuditedStatement> statements;  ///< statements of the manual in the register's order
+    std::vector<AuditedStatement> statements;  ///< statements of the manual in the order of the register
     std::vector<std::string> gaps;             ///< one sentence each
     std::vector<std::string> suspects;         ///< one sentence each
 };
 
-/// Audits one part: a device with its manual, or the shared part, which has no manual of its own. `part` belongs to
-/// `content` and is not a shared part that comes with an installed canproof.
+/// Audits one part: a device with its manual, or the shared part, which has no manual of its own. `part` must belong to
+/// `content` and must not be a shared part that comes with an installed canproof.
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
-/// Audits all parts of the project in the register's order. Shared rules that come with an installed canproof are left
-/// out, because canproof itself proves them.
+/// Audits all parts of the project in the order of the register. Leaves out shared rules that come with an installed
+/// canproof, because canproof's own audit covers them.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);
 
-/// Returns the firmware's code and tests without a requirement, and badly placed links, one sentence each. Tests of the
-/// tools around the firmware need no requirement.
+/// Returns one sentence for each source or test of the firmware without a requirement, and for each badly placed link.
+/// Tests of the tools around the firmware need no requirement.
 std::vector<std::string> orphans(const Evidence& evidence);
 
-/// Returns the places at which code implements an item or names the code generated from it.
+/// Returns the places where code implements an item or names the code generated from it.
 std::vector<std::string> code_of(const std::string& id, const Evidence& evidence);
 
 }  // namespace canproof::host

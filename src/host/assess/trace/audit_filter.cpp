@@ -14,13 +14,13 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns whether the manual has that section or one below it.
+/// Returns whether the manual has the section `ref` or a section below it.
 bool has_section(const Manual& manual, const std::string& ref) {
     return std::any_of(manual.sections.begin(), manual.sections.end(),
                        [&](const Section& section) { return is_within(section.ref, ref); });
 }
 
-/// Returns `AX130751:1.3` for `1.3`.
+/// Returns the section with the key of its manual: `AX130751:1.3` for `1.3`.
 std::string with_key(const std::string& ref, const Register& content, const std::vector<PartAudit>& audits) {
     std::vector<std::string> found;
     for (const auto& audit : audits) {
@@ -87,7 +87,7 @@ bool passes(const AuditedItem& item, const AuditFilter& filter) {
     const auto from_section = [&](const std::string& source) {
         const std::string& wanted = filter.section;
         const auto colon = source.find(':');
-        // One source can name several places: "AX130751:1.3 Table 7".
+        // A source can contain several places in one manual: "AX130751:1.3 Table 7".
         for (auto at = colon; at != std::string::npos; at = source.find(' ', at + 1)) {
             const std::string place = source.substr(0, colon + 1) + source.substr(at + 1);
             const char next = place.size() > wanted.size() ? place[wanted.size()] : ' ';

@@ -32,7 +32,8 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// Returns `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
+/// Returns the unit of a file: `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and
+/// ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
 }
@@ -54,7 +55,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The part and item that each generated name represents.
+/// The part and the item of each generated name.
 using Names = std::map<std::string, std::string>;
 
 Names generated_names(const Part& part) {
@@ -78,7 +79,7 @@ Names generated_names(const Part& part) {
     return names;
 }
 
-/// Calls visit(name) for each identifier of a line before its comment.
+/// Calls visit(name) for each identifier of a line. Ignores a comment at the end of the line.
 template <typename Visit>
 void for_each_name(const std::string& line, const Visit& visit) {
     const std::size_t end = std::min(line.find("//"), line.size());
@@ -96,7 +97,7 @@ void for_each_name(const std::string& line, const Visit& visit) {
     }
 }
 
-/// Returns the id of object 2340h for a field `o2340_…`.
+/// Returns the id of an object by its field in the dictionary: `o2340_…` belongs to 2340h.
 std::string object_of(const std::string& name, const Part& part) {
     if (name.size() < 6 || name[0] != 'o' || name[5] != '_') {
         return "";
@@ -113,7 +114,7 @@ std::string object_of(const std::string& name, const Part& part) {
 }  // namespace
 
 std::vector<std::string> untraced_files(const fs::path& source, const Evidence& evidence) {
-    std::map<std::string, std::set<std::string>> included;  // unit → units
+    std::map<std::string, std::set<std::string>> included;  // units that each unit includes
     std::set<std::string> firmware;
     for (const auto& file : sources_below(source)) {
         const std::string name = file.lexically_relative(source).generic_string();
@@ -128,12 +129,14 @@ std::vector<std::string> untraced_files(const fs::path& source, const Evidence& 
     std::deque<std::string> open;
     for (const auto& [id, places] : evidence.implemented) {
         for (const auto& place : places) {
-            open.push_back(unit_of(place.substr(4, place.rfind(':') - 4)));  // without src/
+            // removes `src/` and the line number from the place
+            open.push_back(unit_of(place.substr(4, place.rfind(':') - 4)));
         }
     }
     for (const auto& [unit, others] : included) {
         if (unit.rfind("host/codegen/write_", 0) == 0) {
-            open.insert(open.end(), others.begin(), others.end());  // units that generated code includes also count
+            // follows the units that generated code includes as well
+            open.insert(open.end(), others.begin(), others.end());
         }
     }
     while (!open.empty()) {
@@ -160,12 +163,13 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
     std::map<std::string, std::vector<std::string>> uses;
     for (const auto& file : sources_below(root / "src")) {
         const std::string name = file.lexically_relative(root).generic_string();
-        std::string path_word = name;  // src/devices/cbx-ao412/… is code of the part cbx_ao412
+        // a path such as src/devices/cbx-ao412/… means that the code belongs to the part cbx_ao412
+        std::string path_word = name;
         std::replace(path_word.begin(), path_word.end(), '-', '_');
         const std::string all = read_file(file);
         const std::vector<std::string> lines = split_lines(all);
         for (const auto& part : content.parts) {
-            // Only code that names the part can refer to its names.
+            // Only code that names a part can use the part's generated names.
             if (all.find("generated::" + part.cpp_name()) == std::string::npos &&
                 all.find("generated/" + part.cpp_name()) == std::string::npos &&
                 path_word.find(part.cpp_name()) == std::string::npos) {

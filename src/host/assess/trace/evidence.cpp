@@ -20,7 +20,8 @@ std::string id_of(std::string cpp_name) {
     return cpp_name;
 }
 
-/// Returns `tests/NAME_test.cpp` for the build's path `../../tests/NAME_test.cpp`.
+/// Returns the path of a test's file relative to the project's folder, for a path of the build such as
+/// `../../tests/NAME_test.cpp`.
 std::string from_project(std::string file) {
     for (const char* folder : {"tests/", "properties/", "fuzz/"}) {
         const auto at = file.find(folder);
@@ -63,7 +64,7 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
     }
 }
 
-/// Adds the ids in implements<req::…> of a line, without its comment.
+/// Adds the ids in implements<req::…> of a line. Ignores a comment at the end of the line.
 void scan_line(const std::string& line, const std::string& place, Evidence& evidence) {
     static const std::string link = "implements<req::";
     const auto comment = line.find("//");
@@ -99,8 +100,8 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     return all;
 }
 
-/// Computes the marks of code and tests of each item of the register. An item with `by` has the mark of the shared
-/// item's code.
+/// Computes the marks of code and tests for each item of the register. An item that a shared item implements (`by`) has
+/// the mark of the shared item's code.
 WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence) {
     WorkMarks marks{root};
     std::map<std::string, std::string> by;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evidence that a requirement holds: test verdicts of this build, and the places in code that name it.
+// The evidence that a requirement holds: the verdicts of this build's tests, and the places in code that name the
+// requirement.
 #pragma once
 
 #include <filesystem>
@@ -27,14 +28,14 @@ struct TestRun {
     std::string name;
     std::string file;
     bool passed{false};
-    bool claims{false};  ///< the test claims to show at least one item
+    bool claims{false};  ///< whether the test claims to show at least one item
 };
 
 struct TestCase {
     std::string suite;
     std::string name;
     bool passed{false};
-    std::string failure;  ///< first message of a failed case
+    std::string failure;  ///< first message of the test if it failed
     double seconds{0.0};
     std::string file{};                ///< source relative to the project's folder; empty when the runner does not
                                        ///< report it
@@ -45,26 +46,27 @@ struct Evidence {
     std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< verdicts by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
-    std::map<std::string, std::vector<std::string>> used;  ///< by id: places where code names the result generated from
-                                                           ///< the item
-    WorkByItem work;                                       ///< marks of the code and tests that a review of each item
-                                                           ///< covers
+    /// by id: places where code names what is generated from the item
+    std::map<std::string, std::vector<std::string>> used;
+    WorkByItem work;  ///< marks of the code and tests that a review of each item
+                      ///< covers
     std::vector<TestRun> runs;
-    std::vector<std::string> untraced;   ///< files of the firmware that serve no requirement, directly or by inclusion
+    /// files of the firmware that belong to no requirement, directly or by inclusion
+    std::vector<std::string> untraced;
     std::vector<std::string> misplaced;  ///< badly placed links, one sentence each
     std::size_t tests{0};
     std::size_t failed{0};
 };
 
-/// Returns the folder with the verdicts of the last test run: the newest build/NAME/verdicts of the presets release,
-/// debug and coverage.
+/// Returns the folder with the verdicts of the last test run: the newest among build/release/verdicts,
+/// build/debug/verdicts and build/coverage/verdicts.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
-/// Reads the verdicts in one folder. Throws InputError for a file that is no XML.
+/// Reads the verdicts in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
-/// Reads the XML of the test programs and scans src/ for implements<>. A property of a test case with the name of a
-/// requirement is the case's claim to show it. Throws InputError when there are no verdicts.
+/// Reads the XML of the test programs and scans src/ for implements<>. A test case claims to show a requirement by an
+/// XML property with the name of the requirement. Throws InputError when there are no verdicts.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

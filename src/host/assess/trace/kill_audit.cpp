@@ -109,7 +109,7 @@ class Auditor {
     const KillRecord& record_;
     std::set<std::string> ran_;
     std::map<std::string, Judgement> judgements_;
-    std::map<std::string, std::vector<std::string>> killers_;  ///< by item
+    std::map<std::string, std::vector<std::string>> killers_;  ///< tests by the item of which they notice a mutant
     KillAudit audit_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of reports/kills.csv. A test shows an item only when it notices a mutant of it.
+// The audit of reports/kills.csv. A test shows an item only if it notices a mutant of the item.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 namespace canproof::host {
 
 struct KillAudit {
-    std::size_t shown{0};                ///< items with a passed test that notices a mutant of them
-    std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of them
+    std::size_t shown{0};                ///< number of items with a passed test that notices a mutant of the item
+    std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of the item
     std::vector<std::string> immutable;  ///< items without mutants
-    std::vector<std::string> unjudged;   ///< items that are not shown, but have a test that no mutation run has judged
-                                         ///< in its present form
-    std::vector<std::string> changed;    ///< tests whose body has changed since they were judged
-    std::vector<std::string> never;      ///< tests with claims that were never judged
-    std::vector<std::string> idle;       ///< tests that notice no mutant of any claimed item
-    std::vector<std::string> regressions;  ///< items that are shown according to the record, but not by the present
-                                           ///< tests; one sentence each
+    /// items that are not shown, but have a test whose present form no mutation run has judged
+    std::vector<std::string> unjudged;
+    std::vector<std::string> changed;  ///< tests whose body has changed since they were judged
+    std::vector<std::string> never;    ///< tests with claims that no mutation run has judged
+    std::vector<std::string> idle;     ///< tests that notice no mutant of any item that they claim
+    /// one sentence for each item that the record shows but the present tests do not
+    std::vector<std::string> regressions;
 };
 
-/// Compares the tests of the last run with the record. `ids` are the items to audit; items without a passed test are
-/// left to the audit itself. `root` is the project's folder.
+/// Compares the tests of the last run with the record. `ids` are the items to audit. Ignores items without a passed
+/// test, because the audit reports them. `root` is the project's folder.
 KillAudit audit_kills(const std::vector<std::string>& ids, const Evidence& evidence, const KillRecord& record,
                       const std::filesystem::path& root);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of which tests notice a mutant of the items that they claim: reports/kills.csv, which `canproof mutate
-// --kills` writes.
+// The record of which tests notice a mutant of the items that they claim. It is the file reports/kills.csv, which
+// `canproof mutate --kills` writes.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace canproof::host {
 /// The result of the mutation runs for one test.
 struct KillLine {
     std::string body;                          ///< hash of the test's body when it was judged
-    std::vector<std::string> kills;            ///< claimed items of which the test notices a mutant, sorted
-    std::vector<std::string> without_mutants;  ///< claimed items without mutants, sorted
+    std::vector<std::string> kills;            ///< claimed items of which the test notices a mutant, sorted by id
+    std::vector<std::string> without_mutants;  ///< claimed items that have no mutants, sorted by id
 };
 
-/// Lines by Suite.Name.
+/// The results by the test's name, Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
 /// Reads the record; returns an empty one when the file does not exist. Throws InputError with the line of invalid
 /// content.
 KillRecord read_kill_record(const std::filesystem::path& file);
-/// Returns one line per test, sorted: `test,body,kills,without mutants`; spaces separate the items.
+/// Returns one line for each test, sorted by name: `test,body,kills,without mutants`. Spaces separate the items.
 std::string write_kill_record(const KillRecord& record);
 
 }  // namespace canproof::host

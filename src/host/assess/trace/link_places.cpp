@@ -33,8 +33,8 @@ std::size_t links_of(const std::string& line) {
     return count;
 }
 
-/// Returns whether the line below a link can implement something. An empty line, the begin or end of a block, a section
-/// of a class or an alias cannot.
+/// Returns whether the line below a link can implement something. Empty lines, the start or end of a block, access
+/// specifiers, aliases and the like cannot.
 bool can_do(const std::string& code) {
     static const std::array<std::string, 12> others{{"}", "{", "#", "namespace ", "using ", "friend ", "public:",
                                                      "protected:", "private:", "case ", "default:", "break;"}};
@@ -52,7 +52,7 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
         }
         const std::size_t first = i + 1;
         std::size_t links = 0;
-        bool inside = false;  // the line is inside a statement that has not ended
+        bool inside = false;  // whether the line belongs to a statement that an earlier line has begun
         for (; i < lines.size(); ++i) {
             const std::string code = trimmed(lines[i]);
             if (!inside && !begins(code, link_start) && !begins(code, "//")) {

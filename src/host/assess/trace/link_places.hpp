@@ -12,9 +12,9 @@ namespace canproof::host {
 /// The greatest number of items that one place may name.
 constexpr std::size_t most_links = 3;
 
-/// Returns the badly placed links of one source, one sentence each. A place is bad with more than `most_links` items,
-/// or with nothing directly below that can implement them (a function, a statement, a table, a member). The sentences
-/// contain `name`.
+/// Returns one sentence, which contains `name`, for each badly placed link of one source. A place is bad if it has more
+/// than `most_links` items. It is also bad if no function, statement, table or member that can implement the items
+/// follows directly.
 std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines);
 
 /// Returns the badly placed links of all sources in src/ below `root`. Throws InputError for a file that cannot be

@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fingerprints of the items in force.
+/// Returns the fingerprints of the part's items and decisions that are in force, by id.
 std::map<std::string, std::string> prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {
@@ -29,7 +29,8 @@ ItemWork work_of(const std::string& id, const WorkByItem& work) {
     return found == work.end() ? ItemWork{} : found->second;
 }
 
-/// Returns `ITEM CODE TESTS`, with `-` for a missing mark; only ITEM when both are missing.
+/// Returns the line of a review, `ITEM CODE TESTS`, with `-` for a missing mark. Returns only ITEM when both marks are
+/// missing.
 std::string marks_of(const std::string& item, const std::string& code, const std::string& tests) {
     if (code.empty() && tests.empty()) {
         return item;
@@ -41,7 +42,7 @@ bool is_of_today(const Review& review, const std::string& print, const ItemWork&
     return review.fingerprint == print && review.code == now.code && review.tests == now.tests;
 }
 
-/// Returns the text of reviews.toml with one block per session.
+/// Returns the text of reviews.toml with one block for each review session.
 std::string text_of(const std::map<std::string, Review>& reviews) {
     using Head = std::tuple<std::string, std::string, std::string, std::string>;
     std::map<Head, std::string> blocks;

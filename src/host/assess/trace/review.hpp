@@ -12,54 +12,55 @@
 
 namespace canproof::host {
 
-/// The reviewer, the date, and whether the reviewer made the change.
+/// One review session: the reviewer, the date, and whether the reviewer is the author of the change.
 struct ReviewSession {
     std::string date;  ///< 2026-11-21
     std::string by;
-    std::string role;     ///< author or independent
-    bool wording{false};  ///< only the items were read; the marks of code and tests are the present ones
+    std::string role;  ///< author or independent
+    /// only the text of the items was read; the marks of code and tests are those of the present code
+    bool wording{false};
 };
 
 class ReviewState {
   public:
-    /// `work` must outlive the object.
+    /// Keeps a reference to `work`, which must outlive the object.
     ReviewState(const Register& content, const WorkByItem& work);
 
-    /// Returns the reason why an item is suspect. Empty when the item, its code, its tests and these decisions, which
-    /// affect it, are unchanged since the review.
+    /// Returns the reason why an item is suspect. Returns an empty text when the item, its code, its tests and the
+    /// decisions that affect it are unchanged since the review. `decisions` are the ids of these decisions.
     std::string suspicion(const std::string& id, const std::vector<std::string>& decisions) const;
 
   private:
     std::string change_of(const std::string& id) const;
     std::string change_of_work(const std::string& id) const;
 
-    std::map<std::string, std::string> now_;  ///< fingerprints
+    std::map<std::string, std::string> now_;  ///< present fingerprint of each item and decision by id
     std::map<std::string, Review> reviewed_;
     const WorkByItem& work_;
 };
 
-/// Returns the text of `spec/devices/NAME/reviews.toml`. The items `ids` have the review of this session; the part's
-/// other reviews stay. Reviews of retired or removed items are left out.
+/// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items `ids`, and
+/// the earlier reviews of the part's other items. It leaves out reviews of retired or removed items.
 std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
                           const WorkByItem& work);
 
-/// Returns the text of the same file with the present marks of code and tests, for each review of an item whose text
-/// and decisions are unchanged. `date` is the date of the marks. Reviewer, review date and role stay; the new marks are
-/// no claim that someone has read the code.
+/// Returns the text of reviews.toml with new marks of code and tests for each review of an item whose text and
+/// decisions are unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A new mark does
+/// not mean that someone has read the code.
 std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work);
 
 /// Returns the ids of the part's items and decisions that are in force.
 std::set<std::string> reviewable(const Part& part);
-/// Returns those of them whose item, code and tests in their present form have no review.
+/// Returns the ids among reviewable() without a review of the present item, code and tests.
 std::set<std::string> unreviewed(const Part& part, const WorkByItem& work);
 
-/// Number of items and decisions in force with a current review: by authors of the change, by others, and by reviewers
-/// without a stated role.
+/// Numbers of items and decisions in force with a current review, by reviewer: authors of the change, others, and
+/// reviewers without a recorded role.
 struct ReviewCounts {
     std::size_t author{0};
     std::size_t independent{0};
     std::size_t unsaid{0};
-    std::size_t marked{0};  ///< number of all these whose code and tests were marked but not read
+    std::size_t marked{0};  ///< number among these whose code and tests got new marks without being read
 };
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The items that have a section, table, figure or object of a manual as their source.
+// Finds the items whose source is a section, table, figure or object of a manual.
 #pragma once
 
 #include <map>
@@ -14,7 +14,8 @@ class SectionIndex {
   public:
     explicit SectionIndex(const Register& content);
 
-    /// Returns the ids, in the register's order, of items that name the section or an object that it describes.
+    /// Returns the ids of the items whose source is the section or an object that the section describes, in the order
+    /// of the register.
     std::vector<std::string> items_of(const std::string& manual, const Section& section) const;
 
   private:
@@ -22,7 +23,7 @@ class SectionIndex {
         std::size_t order;
         std::string id;
     };
-    std::map<std::string, std::vector<Hit>> hits_;  ///< "AX130751:1.3" → items
+    std::map<std::string, std::vector<Hit>> hits_;  ///< items by source, such as "AX130751:1.3"
 };
 
 }  // namespace canproof::host

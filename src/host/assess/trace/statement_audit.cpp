@@ -20,8 +20,8 @@ const std::string& worse(const std::string& one, const std::string& other) {
 
 const std::string shown = "shown";
 
-/// Returns the state of each item, and of each decision: the worst state of its affected items. It does not contain
-/// items that are shown in another project, such as its shared rules.
+/// Returns the state of each item and of each decision by id. The state of a decision is the worst state of the items
+/// that it affects. Items whose evidence belongs to another project, such as shared rules of canproof, are left out.
 std::map<std::string, std::string> states_of(const std::vector<PartAudit>& audits) {
     std::map<std::string, std::string> states;
     for (const auto& audit : audits) {
@@ -58,16 +58,16 @@ AuditedStatement audited(const Statement& statement, const std::string& key,
 void add_gaps(const Manual& manual, PartAudit& audit) {
     for (const auto& one : audit.statements) {
         if (one.statement->is_open()) {
-            audit.gaps.push_back(
-                fmt::format("{}: no item covers it, and there is no reason ({})", one.id, brief(one.statement->text)));
+            audit.gaps.push_back(fmt::format("{}: no item covers the statement, and it has no reason ({})", one.id,
+                                             brief(one.statement->text)));
         }
     }
     const auto statements = by_section(manual, audit.statements);
     for (auto& section : audit.sections) {
         section.covered = statements.count(section.section->ref) != 0;
         if (!section.covered) {
-            audit.gaps.push_back(fmt::format("{}:{} ({}): normative, and it has no statement", manual.key,
-                                             section.section->ref, section.section->title));
+            audit.gaps.push_back(fmt::format("{}:{} ({}): the section is normative, but it has no statement",
+                                             manual.key, section.section->ref, section.section->title));
         }
     }
 }

@@ -10,17 +10,17 @@
 
 namespace canproof::host {
 
-/// Returns positions in `statements` by section of the manual, in its order. A statement about an object belongs to the
-/// section that describes the object.
+/// Returns, for each section of the manual in the manual's order, the positions of its statements in `statements`. A
+/// statement about an object belongs to the section that describes the object.
 std::map<std::string, std::vector<std::size_t>> by_section(const Manual& manual,
                                                            const std::vector<AuditedStatement>& statements);
 
-/// Adds the statements of each part's manual to its audit, and their gaps: a statement with neither an item nor a
-/// reason, and a normative section without a statement. A manual without statements stays as it is. `audits` contains
-/// the audited items of all parts of the project.
+/// Adds the statements of each part's manual to the part's audit, and their gaps: statements with neither an item nor a
+/// reason, and normative sections without a statement. Does nothing for a manual without statements. `audits` must
+/// contain the audited items of all parts of the project.
 void audit_statements(const Register& content, std::vector<PartAudit>& audits);
 
-/// Returns how many statements of an audit have each status.
+/// Returns the number of statements of an audit for each status.
 std::map<std::string, std::size_t> count_statements(const PartAudit& audit);
 
 }  // namespace canproof::host

@@ -21,7 +21,7 @@ struct BytePattern {
     unsigned value{0};
 };
 
-/// Reads `40`, `4?` or `??`.
+/// Parses a byte in hexadecimal: `40`, `4?` or `??`. Returns whether the text has this form.
 bool read_nibbles(const std::string& text, BytePattern& pattern) {
     if (text.size() != 2) {
         return false;
@@ -38,7 +38,7 @@ bool read_nibbles(const std::string& text, BytePattern& pattern) {
     return true;
 }
 
-/// Reads `%100xx000`.
+/// Parses a byte in binary: `%100xx000`. Returns whether the text has this form.
 bool read_bits(const std::string& text, BytePattern& pattern) {
     if (text.size() != 9 || text.front() != '%' || text.find_first_not_of("01x", 1) != std::string::npos) {
         return false;
@@ -50,7 +50,7 @@ bool read_bits(const std::string& text, BytePattern& pattern) {
     return true;
 }
 
-/// Reads alternatives separated by `|`; returns none when the text is not a byte.
+/// Parses alternatives separated by `|`. Returns an empty list when one of them is not a byte.
 std::vector<BytePattern> read_byte(const std::string& text) {
     std::vector<BytePattern> all;
     std::size_t start = 0;
@@ -79,7 +79,7 @@ DataPart byte_part(const std::vector<BytePattern>& all) {
     return part;
 }
 
-/// Returns a part of the pattern whose bytes are computed when the step runs.
+/// Returns a part of the pattern whose bytes are computed each time the step runs.
 DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> bytes) {
     DataPart part;
     part.width = width;
@@ -92,7 +92,7 @@ DataPart computed_part(std::size_t width, std::function<Bytes(const Scope&)> byt
     return part;
 }
 
-/// Returns the width in bytes of `u8` … `u64`; 0 for another word.
+/// Returns the width in bytes of `u8`, `u16`, `u24` … `u64`; 0 for any other word.
 std::size_t width_of(const std::string& word) {
     constexpr std::array<std::pair<const char*, std::size_t>, 8> widths{
         {{"u8", 1}, {"u16", 2}, {"u24", 3}, {"u32", 4}, {"u40", 5}, {"u48", 6}, {"u56", 7}, {"u64", 8}}};
@@ -182,7 +182,7 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else if (text.front() == '$' || text.front() == '(') {
             pattern.parts_.push_back(value_part(token));
         } else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0 || text == "->") {
-            break;  // words that end the pattern: `within`, `every`, `-> f`
+            break;  // a word such as `within` or `every`, or the arrow of `-> f`, ends the pattern
         } else {
             line.fail(fmt::format("`{}` is no byte", text), fix);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data bytes of a frame in a step: to send, or to expect and capture.
+// The pattern for the data bytes of a frame in a step. A step sends it, or expects it and captures values.
 #pragma once
 
 #include <functional>
@@ -17,32 +17,32 @@ using Captures = std::map<std::string, Value>;
 
 /// One or more bytes of a pattern.
 struct DataPart {
-    std::size_t width{1};  ///< in bytes; 0: the width of the value
-    /// Returns the bytes to send; empty for a part that only an expectation can have.
+    std::size_t width{1};  ///< width in bytes; 0: as wide as the value
+    /// Returns the bytes to send; empty when the part can only be expected, not sent.
     std::function<Bytes(const Scope&)> bytes;
-    /// Returns whether `data` matches from `at` on; may capture values.
+    /// Returns whether `data` matches this part from position `at` on. May store values in the captures.
     std::function<bool(const Scope&, const Bytes& data, std::size_t at, Captures&)> matches;
 };
 
 class DataPattern {
   public:
-    /// Reads bytes up to the first word that is not a byte. Throws LanguageError.
+    /// Parses bytes up to the first word that is not a byte. Throws LanguageError.
     static DataPattern parse(Scanner& line);
 
     /// Returns a pattern that matches any data.
     static DataPattern any();
 
     bool is_empty() const { return parts_.empty() && !rest_; }
-    /// Lets the pattern match any further bytes.
+    /// Makes the pattern match any further bytes.
     void leave_rest_open() { rest_ = true; }
-    /// Returns the bytes to send; `...` pads with zeros to eight bytes. Throws BrokenCase for `??` and for more than
-    /// eight bytes.
+    /// Returns the bytes to send. A pattern that ends with `...` is padded with zeros to eight bytes. Throws BrokenCase
+    /// for `??` and for more than eight bytes.
     Bytes to_send(const Scope& scope) const;
     bool matches(const Scope& scope, const Bytes& data, Captures& captures) const;
 
   private:
     std::vector<DataPart> parts_;
-    bool rest_{false};  ///< the pattern ends with `...`
+    bool rest_{false};  ///< whether the pattern ends with `...`
 };
 
 /// Returns the data of a frame.

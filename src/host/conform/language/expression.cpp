@@ -22,14 +22,14 @@ std::int64_t signed_of(std::uint64_t number) {
     return static_cast<std::int64_t>(number);
 }
 std::int64_t divisor(std::int64_t number) {
-    if (number == 0 || number == -1) {  // -1: the smallest number has no positive counterpart
-        throw BrokenCase{fmt::format("a division by {}", number)};
+    if (number == 0 || number == -1) {  // -1 is refused because the smallest number has no positive counterpart
+        throw BrokenCase{fmt::format("the expression divides by {}", number)};
     }
     return number;
 }
 std::uint64_t shift(std::int64_t number) {
     if (number < 0 || number > 63) {
-        throw BrokenCase{fmt::format("a shift by {} bits", number)};
+        throw BrokenCase{fmt::format("the expression shifts by {} bits", number)};
     }
     return bits(number);
 }
@@ -40,7 +40,7 @@ struct Operator {
     Operation apply;
 };
 
-// Longer symbols come first, so that `<<` is not read as `<`. The ranks are those of C.
+// Longer symbols stand before shorter ones, so that `<<` is not read as `<`. The ranks have the order of C.
 const std::array<Operator, 18> operators{
     {{"||", 1, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 || b != 0}; }},
      {"&&", 2, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 && b != 0}; }},
@@ -64,7 +64,8 @@ const std::array<Operator, 18> operators{
 constexpr int lowest_rank = 1;
 constexpr int sum_rank = 9;
 
-/// Returns the next operator of at least this rank; `->` and `+-` are not operators.
+/// Reads the next operator if its rank is at least `rank`; otherwise returns nullptr and reads nothing. `->` and `+-`
+/// are no operators.
 const Operator* next_operator(Scanner& line, int rank) {
     if (line.sees("->") || line.sees("+-")) {
         return nullptr;
@@ -188,7 +189,7 @@ Expression parse_indexed(Scanner& line, Radix radix) {
             const std::int64_t at = number_of(index(scope));
             const Bytes& bytes = bytes_of(whole);
             if (at < 0 || at >= static_cast<std::int64_t>(bytes.size())) {
-                throw BrokenCase{fmt::format("byte {} of {} bytes", at, bytes.size())};
+                throw BrokenCase{fmt::format("byte {} does not exist in {} bytes", at, bytes.size())};
             }
             return Value{std::int64_t{bytes[static_cast<std::size_t>(at)]}};
         };
@@ -238,7 +239,7 @@ Expression combine(const Operator& one, Expression left, Expression right) {
             return Value{std::int64_t{same(left(scope), right(scope)) == equal}};
         };
     }
-    if (one.rank <= 2) {  // && and || evaluate the right side only if the left one does not decide
+    if (one.rank <= 2) {  // && and || evaluate the right side only if the left side does not decide the result
         const bool open_when = one.rank == 2;
         return [left, right, open_when](const Scope& scope) {
             const bool first = number_of(left(scope)) != 0;
@@ -311,7 +312,7 @@ Expression parse_indexed_variable(Scanner& line) {
 std::uint64_t microseconds_of(const Expression& expression, const Scope& scope) {
     const std::int64_t number = number_of(expression(scope));
     if (number < 0) {
-        throw BrokenCase{fmt::format("a time of {} us", number)};
+        throw BrokenCase{fmt::format("a time is negative: {} us", number)};
     }
     return static_cast<std::uint64_t>(number);
 }

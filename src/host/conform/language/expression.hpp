@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of the case language: compiled once, evaluated each time the step runs.
+// Expressions of the case language. Each is compiled once and evaluated each time the step runs.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,21 @@ using Expression = std::function<Value(const Scope&)>;
 /// The base of numbers without a prefix or suffix.
 enum class Radix { decimal, hexadecimal };
 
-/// Reads an expression as far as it goes: `$cob | 0x80000000`, `600+N`. Throws LanguageError.
+/// Parses an expression up to the first word that does not belong to it: `$cob | 0x80000000`, `600+N`. Throws
+/// LanguageError.
 Expression parse_expression(Scanner& line, Radix radix);
-/// Reads a time or a sum; stops before a comparison, as in `for 2 s >= 5`.
+/// Parses a time or a sum. Stops before a comparison, as in `for 2 s >= 5`.
 Expression parse_sum(Scanner& line);
-/// Reads one operand with its unit: `5`, `100 ms`, `$x`, `($a + 1)`.
+/// Parses one operand with its unit: `5`, `100 ms`, `$x`, `($a + 1)`.
 Expression parse_operand(Scanner& line, Radix radix);
-/// Reads `$name` or `$name.field`, without operators.
+/// Parses `$name` or `$name.field`, without operators.
 Expression parse_variable(Scanner& line);
-/// Reads the same, or a byte of it: `$a[0]`.
+/// Parses `$name` or `$name.field`, or one byte of it: `$a[0]`.
 Expression parse_indexed_variable(Scanner& line);
-/// Reads a name after `->`, `as` or `let`. Fails when there is none.
+/// Parses the name after `->`, `as` or `let`. Throws LanguageError when there is none.
 std::string parse_name(Scanner& line);
 
-/// Returns a number of microseconds, not negative. Throws BrokenCase.
+/// Returns the value of the expression as a number of microseconds. Throws BrokenCase when it is negative.
 std::uint64_t microseconds_of(const Expression& expression, const Scope& scope);
 
 }  // namespace canproof::host::conform

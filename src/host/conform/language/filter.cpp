@@ -35,7 +35,8 @@ bool has_lower_limit(const SheetEntry& one) {
     return is_integer(*one.entry) && type_size(one.entry->type) <= 4 && lowest && *lowest > type->first;
 }
 
-/// Returns whether a write does more than store a value: a COB-ID, a mapping, or an object of a service.
+/// Returns whether a write to the entry does more than store a value: a COB-ID, a mapping, or an object of a
+/// communication service.
 bool is_special(const SheetEntry& one) {
     const unsigned index = one.object->index;
     static const std::set<unsigned> special{0x1003, 0x1005, 0x1006, 0x1007, 0x1010, 0x1011, 0x1012, 0x1014, 0x1015,
@@ -117,7 +118,7 @@ Test range_test(Scanner& line, bool index) {
     };
 }
 
-/// Reads `not writable` or `not 1003 1010`.
+/// Parses the rest after `not`: a word such as `writable`, or indices such as `1003 1010`.
 Test negated_test(Scanner& line) {
     const std::size_t start = line.position();
     const auto word = word_tests().find(line.rest());
@@ -150,7 +151,7 @@ Test size_test(Scanner& line) {
     };
 }
 
-/// Reads alternatives such as `u8|u16`.
+/// Parses alternatives such as `u8|u16`.
 Test any_of_words(Scanner& line, const std::string& text) {
     std::vector<Test> any;
     std::size_t start = 0;
@@ -161,7 +162,7 @@ Test any_of_words(Scanner& line, const std::string& text) {
         word.erase(word.find_last_not_of(' ') + 1);
         const auto found = word_tests().find(word);
         if (found == word_tests().end()) {
-            line.fail(fmt::format("`{}` tells no entries apart", word), "use " + known_words());
+            line.fail(fmt::format("`{}` is no filter for entries", word), "use " + known_words());
         }
         any.push_back(found->second);
         start = end + 1;
@@ -222,7 +223,7 @@ Filter parse_filter(Scanner& line, const std::string& end) {
 
 namespace {
 
-/// Returns the default value that a read should give, with the node-ID added if the data sheet says so.
+/// Returns the default value of the entry, as a read should return it. Adds the node-ID if the data sheet says so.
 Value default_value(const ConformSheet& sheet, const Entry& entry) {
     if (const auto* text = std::get_if<std::string>(&entry.value)) {
         return Value{Bytes(text->begin(), text->end())};

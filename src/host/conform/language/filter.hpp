@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A filter for entries of the data sheet in a step or a need: `writable, u16, upper limit`.
+// A filter that selects entries of the data sheet for a step or for a need of a case: `writable, u16, upper limit`.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 namespace canproof::host::conform {
 
 struct Filter {
-    std::string words;  ///< as written
+    std::string words;  ///< text of the filter as written in the case
     std::vector<std::function<bool(const SheetEntry&)>> tests;
 
     bool passes(const SheetEntry& one) const;
@@ -21,7 +21,7 @@ struct Filter {
     std::vector<SheetEntry> select(const ConformSheet& sheet) const;
 };
 
-/// Reads a filter up to `end`, or to the end of the line if `end` is empty. Throws LanguageError.
+/// Parses a filter up to `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
 Filter parse_filter(Scanner& line, const std::string& end);
 
 /// Returns an entry as a variable with the fields index, sub, size, bits, type, high, low, default, readable, writable.

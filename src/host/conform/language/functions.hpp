@@ -16,9 +16,9 @@ struct LanguageFunction {
     std::function<Value(const std::vector<Value>&)> call;
 };
 
-/// Returns the function of that name; nullptr when there is none.
+/// Returns the function with this name; nullptr when there is none.
 const LanguageFunction* find_function(const std::string& name);
-/// Returns `crc, join, le …` for messages.
+/// Returns the names of all functions for messages: `crc, join, le …`.
 std::string function_names();
 
 /// Returns the CRC-16 of block transfer (CiA 301, 7.2.4.3.16): polynomial 1021h, start 0.

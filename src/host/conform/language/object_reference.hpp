@@ -22,12 +22,12 @@ struct ObjectPlace {
 
 /// Returns the place as `1017h:00`.
 std::string words_of(const ObjectPlace& place);
-/// Returns index and sub-index as an SDO carries them.
+/// Returns index and sub-index in the three bytes of an SDO frame.
 Bytes multiplexer(const ObjectPlace& place);
 
 using ObjectReference = std::function<ObjectPlace(const Scope&)>;
 
-/// Reads an object reference such as `1017:00`. Throws LanguageError.
+/// Parses an object reference such as `1017:00`. Throws LanguageError.
 ObjectReference parse_object(Scanner& line);
 
 }  // namespace canproof::host::conform

@@ -113,7 +113,7 @@ std::string Scanner::up_to(const std::string& end) {
 
 void Scanner::finish() {
     if (!at_end()) {
-        fail(fmt::format("`{}` is too much", rest()), "leave it out, or write it as a step of its own");
+        fail(fmt::format("`{}` is not expected here", rest()), "leave it out, or write it as a step of its own");
     }
 }
 

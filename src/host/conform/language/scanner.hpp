@@ -21,30 +21,33 @@ class Scanner {
     Scanner(std::string line, Place place) : line_{std::move(line)}, place_{std::move(place)} {}
 
     bool at_end();
-    /// Returns the next character that is not a blank; 0 at the end.
+    /// Skips blanks. Returns the next character without skipping it; 0 at the end of the line.
     char peek();
-    /// Skips `text` if the rest begins with it. Returns whether it did.
+    /// Skips blanks and then `text`, if it follows. Returns whether it followed.
     bool take(const std::string& text);
-    /// Does the same for one character, without skipping blanks before it.
+    /// Skips the character `c` if it follows directly, without blanks before it. Returns whether it followed.
     bool take_close(char c);
-    /// Skips a whole word if the rest begins with it: no letter, digit or `_` follows the word. Returns whether it did.
+    /// Skips the word if it follows as a whole, that is, no letter, digit or `_` comes after it. Returns whether it
+    /// followed.
     bool take_word(const std::string& word);
-    /// Returns whether the rest begins with `text`.
+    /// Returns whether `text` follows after blanks.
     bool sees(const std::string& text);
     bool sees_word(const std::string& word);
-    /// Skips `text`; fails when the rest does not begin with it.
+    /// Skips `text`. Throws LanguageError with `fix` when it does not follow.
     void want(const std::string& text, const std::string& fix);
-    /// Reads the letters, digits and `_` that follow; with `dashes` also `-` inside. Empty when there are none.
+    /// Reads the letters, digits and `_` that follow; with `dashes` also `-` between them. Returns an empty text when
+    /// there are none.
     std::string word(bool dashes = false);
-    /// Reads up to the next blank; empty at the end. peek_token() returns the same without moving on.
+    /// Reads up to the next blank; returns an empty text at the end of the line. peek_token() returns the same text but
+    /// does not skip it.
     std::string token();
     std::string peek_token();
-    /// Reads the text between double quotes. Fails when there is none.
+    /// Reads the text between double quotes. Throws LanguageError when there is none.
     std::string quoted();
-    /// Reads up to `end` and skips it; up to the end of the line if `end` is empty.
+    /// Reads up to `end` and skips `end`. If `end` is empty, reads up to the end of the line.
     std::string up_to(const std::string& end);
     std::string rest() { return up_to(""); }
-    /// Fails unless the line is at its end.
+    /// Throws LanguageError unless the line is at its end.
     void finish();
 
     std::size_t position() const { return at_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value of a variable in a case: a number, bytes, or a structure with fields.
+// The value of a variable in a case: a number or bytes, possibly with fields.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 using Bytes = std::vector<std::uint8_t>;
 
 struct Value;
-/// Returns a field by its name; nothing when there is no such field.
+/// A function that returns a field by its name, or nothing when there is no such field.
 using Fields = std::function<std::optional<Value>(const std::string&)>;
 
 struct Value {
@@ -28,28 +28,30 @@ struct Value {
     explicit Value(Bytes of) : bytes{std::move(of)} {}
 };
 
-/// Thrown when a step cannot be done as it is written: the case is broken, the slave is not judged.
+/// Reports that a step cannot be done as it is written. The case is broken, and the slave is not judged.
 class BrokenCase : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Returns the number, or up to eight bytes as a little-endian unsigned number. Throws BrokenCase.
+/// Returns the number of a value, or its bytes as a little-endian unsigned number. Throws BrokenCase for more than
+/// eight bytes.
 std::int64_t number_of(const Value& value);
-/// Returns the bytes. Throws BrokenCase for a number, because its width is unknown.
+/// Returns the bytes of a value. Throws BrokenCase for a value without bytes, because the width of a number is not
+/// known.
 const Bytes& bytes_of(const Value& value);
 /// Returns the lowest `count` bytes of a number, little-endian.
 Bytes little_endian(std::int64_t number, std::size_t count);
-/// Returns `count` bytes from `start` on as a number: little-endian, unsigned; missing bytes count as 0.
+/// Returns `count` bytes from `start` on as a little-endian unsigned number. Missing bytes count as 0.
 std::int64_t from_little_endian(const Bytes& bytes, std::size_t start, std::size_t count);
 /// Returns the value for messages: `1234 (4D2h)` or `73 61 76 65`.
 std::string words_of(const Value& value);
-/// Returns `73 61 76 65`, cut after 64 bytes.
+/// Returns the bytes in hexadecimal, `73 61 76 65`, cut after 64 bytes.
 std::string hex_words(const Bytes& bytes);
-/// Returns whether both are equal: compared as bytes if both are bytes, otherwise as numbers.
+/// Returns whether two values are equal. Compares bytes if both are bytes, otherwise numbers.
 bool same(const Value& a, const Value& b);
 
-/// The variables of a case, or of one call of a procedure. When a variable is not found here, the read continues in the
+/// The variables of a case, or of one call of a procedure. A variable that is not found here is looked up in the
 /// caller.
 class Scope {
   public:

@@ -63,7 +63,7 @@ void BusTarget::switch_by_hand(int descriptor, std::function<void(const std::str
 }
 
 void BusTarget::power(bool on) {
-    static_cast<void>(tcflush(hand_, TCIFLUSH));  // drops an Enter that was pressed before the question
+    static_cast<void>(tcflush(hand_, TCIFLUSH));  // drops an Enter that the user pressed before the question
     say_(on ? "Switch the slave on, then press Enter." : "Switch the slave off, then press Enter.");
     do {
         std::vector<Watch> watches = bus_->watches();

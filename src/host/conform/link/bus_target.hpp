@@ -23,7 +23,8 @@ class BusTarget final : public Target {
     std::size_t waiting() const override { return tester_.waiting(); }
     void advance(Instant until) override;
     void go_on() override { loop_.forget_interruption(); }
-    /// Makes the user switch the power from now on: `say` prints what to do, and a line on `descriptor` confirms it.
+    /// From now on, makes the user switch the power: `say` prints what to do, and a line on `descriptor` confirms that
+    /// it is done.
     void switch_by_hand(int descriptor, std::function<void(const std::string&)> say);
     PowerSwitch power_switch() const override { return say_ ? PowerSwitch::hand : PowerSwitch::nobody; }
     void power(bool on) override;

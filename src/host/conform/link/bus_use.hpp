@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of the bus the frames of a run take.
+// Computes how much of the bus capacity the frames of a run take.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace canproof::host::conform {
 
-/// Frames and their bits. A frame counts with its stuff bits and the intermission behind it.
+/// Counts frames and their bits. A frame includes its stuff bits and the intermission after it.
 class BusUse {
   public:
-    /// Adds a frame. Frames must come in order of time.
+    /// Adds a frame. Frames must be added in order of time.
     void add(const FrameRecord& record) {
         const std::uint64_t bits = frame_bits(record.frame) + intermission_bits;
         for (; !last_.empty() && last_.front().time + second <= record.time; last_.pop_front()) {
@@ -32,7 +32,7 @@ class BusUse {
     /// Returns the number of frames that the tester sent.
     std::uint64_t own_frames() const { return own_frames_; }
     std::uint64_t bits() const { return bits_; }
-    /// The most bits of frames that ended within one second.
+    /// Returns the largest number of bits of frames that ended within one second.
     std::uint64_t busiest_second() const { return busiest_second_; }
 
   private:
@@ -45,7 +45,7 @@ class BusUse {
     std::uint64_t frames_{0};
     std::uint64_t own_frames_{0};
     std::uint64_t bits_{0};
-    std::deque<Ended> last_;  ///< the frames of the last second
+    std::deque<Ended> last_;  ///< frames that ended within the last second
     std::uint64_t bits_of_second_{0};
     std::uint64_t busiest_second_{0};
 };

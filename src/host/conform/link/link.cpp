@@ -9,11 +9,11 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr double traffic_frame_bits = 125.0;  // assumes frames with eight bytes and about a tenth of stuff bits
+constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight bytes, of which about a tenth are stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // number of frames; beyond it, no more traffic is queued
+constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no traffic is queued
 
-// Identifiers that CiA 301 reserves (7.3.5): no slave uses them.
+// CiA 301 (7.3.5) reserves these identifiers, so no slave uses them.
 constexpr std::uint32_t first_high = 0x101U;
 constexpr std::uint32_t first_low = 0x6E0U;
 constexpr std::uint32_t ids_of_a_kind = 0x20U;
@@ -80,7 +80,8 @@ Instant Link::next_background() const {
     return next;
 }
 
-/// Sends the background frames that are due. When late, it skips frames instead of sending a burst.
+/// Sends the background frames that are due. When it is late, it sends a repeated frame once, and skips traffic frames
+/// while too many frames wait.
 void Link::send_background() {
     for (Produced& one : produced_) {
         if (one.next <= now()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tester's end of the bus: sends frames, keeps received ones until a step takes them, repeats frames in the
+// The tester's end of the bus. It sends frames, keeps received frames until a step takes them, repeats frames in the
 // background, and keeps a log.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace canproof::host::conform {
 
-/// The kind of frames that a step refers to.
+/// Identifies the kind of frames that a step refers to.
 struct FrameKey {
     std::uint32_t id{0};
     bool extended{false};
@@ -26,21 +26,21 @@ struct FrameKey {
     }
 };
 
-/// Frames of some kinds, collected since a point in time.
+/// Frames of some kinds, collected from a point in time on.
 struct Watched {
-    std::vector<FrameKey> keys;                      ///< none: all frames except the tester's own
-    std::function<bool(const FrameRecord&)> counts;  ///< empty: all frames of those kinds
+    std::vector<FrameKey> keys;  ///< kinds of frames to collect; empty: all frames except the tester's own
+    std::function<bool(const FrameRecord&)> counts;  ///< selects frames among those kinds; empty: all of them
     Instant since{};
     std::vector<FrameRecord> frames;
 
     bool fits(const FrameRecord& record) const;
-    /// Returns the microseconds between successive frames.
+    /// Returns the times between successive frames in µs.
     std::vector<std::uint64_t> gaps() const;
 };
 
 class Link {
   public:
-    /// A case with more frames ends.
+    /// Number of frames in the log at which a case is ended as broken.
     static constexpr std::size_t most_logged = 400000;
 
     explicit Link(Target& target);
@@ -54,39 +54,42 @@ class Link {
     void wait(Duration time) { wait_until(now() + time); }
     void wait_until(Instant until);
 
-    /// Takes the oldest frame of that kind that was not taken yet; waits for one until `deadline`.
+    /// Takes the oldest frame of this kind that no step has taken. Waits for one until `deadline`; returns nothing when
+    /// none comes.
     std::optional<FrameRecord> take(const FrameKey& key, Instant deadline);
-    /// Returns the oldest such frame without waiting and without taking it; nullptr when there is none.
+    /// Returns the oldest received frame for which `wanted` returns true. Does not wait and does not take it. Returns
+    /// nullptr when there is none.
     const FrameRecord* peek(const std::function<bool(const FrameRecord&)>& wanted) const;
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
 
-    /// Collects frames until end_watch(). Steps do not get collected frames; if several watches match, the newest one
-    /// gets the frame.
+    /// Collects frames until end_watch(). Steps do not receive a collected frame. If several watches match a frame,
+    /// only the newest collects it.
     std::shared_ptr<const Watched> watch(Watched wanted);
     void end_watch(const std::shared_ptr<const Watched>& watched);
-    /// Waits until `done` returns true or until `deadline`. Returns whether `done` returned true.
+    /// Waits until `done` returns true, but at most until `deadline`. Returns the last result of `done`.
     bool wait_for(const std::function<bool()>& done, Instant deadline);
 
     void produce(const Frame& frame, Duration period);
     void stop_producing();
     void stop_producing(std::uint32_t id);
-    /// Sends foreign frames that use `percent` of the bus; 0: none. `high`: they have priority over the slave's.
+    /// Sends foreign frames that use `percent` of the bus capacity; 0 sends none. With `high`, their identifiers have
+    /// priority over those of the slave.
     void set_traffic(double percent, bool high);
     /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }
 
-    /// Ends background frames and watches, drops received frames, and starts an empty log.
+    /// Ends repeated frames and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
-    /// Returns all frames since the link was made.
+    /// Returns the bus use of all frames since the link was made.
     const BusUse& bus_use() const { return use_; }
     /// Calls `listener` with each frame that the tester sends.
     void on_send(std::function<void(const Frame&)> listener) { on_send_ = std::move(listener); }
-    /// Returns when the last frame of a step was sent.
+    /// Returns the time at which the last frame of a step was sent.
     Instant last_sent() const { return last_sent_; }
-    /// Returns the greatest delay of the tester itself since the case began, which a busy machine causes. It is zero in
-    /// virtual time.
+    /// Returns the greatest delay that the tester itself had since the case began, for example because the machine was
+    /// busy. It is zero in virtual time.
     Duration worst_delay() const { return worst_delay_; }
 
   private:

@@ -17,13 +17,13 @@ enum class NmtCommand : std::uint8_t {
     reset_communication = 0x82
 };
 
-/// Longest time of a slave's boot.
+/// Longest time that a slave may take to boot.
 constexpr Duration boot_limit = milliseconds(5000);
 
-/// Sends a command to `node`; 0: to all nodes.
+/// Sends an NMT command to `node`; 0 means all nodes.
 void send_nmt(Link& link, NmtCommand command, std::uint8_t node);
-/// Takes the boot-up message and drops heartbeats before it. Returns when the message was on the bus; nothing when none
-/// comes within `limit`.
+/// Takes the boot-up message and drops heartbeats that come before it. Returns the time at which the message was on the
+/// bus; nothing when none comes within `limit`.
 std::optional<Instant> take_boot_up(Link& link, std::uint8_t node, Duration limit = boot_limit);
 
 }  // namespace canproof::host::conform

@@ -30,7 +30,8 @@ struct Block {
     std::uint32_t abort{0};
 };
 
-/// Receives the segments of one block.
+/// Receives the segments of one block: at most `size`, and at most `most`. Ends early after the last segment of the
+/// transfer or an abort. Throws SlaveFailed for a wrong segment number.
 Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
     Block block;
     while (!block.last && block.segments < std::min<std::size_t>(size, most)) {
@@ -41,7 +42,8 @@ Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
         }
         const unsigned number = segment.front() & 0x7FU;
         if (number != block.segments + 1U) {
-            throw SlaveFailed{fmt::format("segment {} of a block where {} must come", number, block.segments + 1U)};
+            throw SlaveFailed{
+                fmt::format("segment {} of a block came where {} must come", number, block.segments + 1U)};
         }
         ++block.segments;
         block.last = (segment.front() & last_segment) != 0U;
@@ -52,7 +54,7 @@ Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
 
 void check_end(const Bytes& end, SdoOutcome& outcome, bool with_crc) {
     if ((end.front() & 0xE3U) != 0xC1U) {
-        throw SlaveFailed{fmt::format("{} where the end of a block upload must come", hex_words(end))};
+        throw SlaveFailed{fmt::format("{} came where the end of a block upload must come", hex_words(end))};
     }
     const std::size_t unused = (end.front() >> 2U) & 7U;
     const auto left_over = static_cast<std::ptrdiff_t>(std::min(unused, outcome.data.size()));
@@ -60,7 +62,8 @@ void check_end(const Bytes& end, SdoOutcome& outcome, bool with_crc) {
     const std::int64_t crc = from_little_endian(end, 1, 2);
     const std::uint16_t wanted = block_crc(outcome.data);
     if (with_crc && crc != wanted) {
-        throw SlaveFailed{fmt::format("CRC {:04X}h where the {} bytes have {:04X}h", crc, outcome.data.size(), wanted)};
+        throw SlaveFailed{
+            fmt::format("the CRC is {:04X}h, but that of the {} bytes is {:04X}h", crc, outcome.data.size(), wanted)};
     }
 }
 
@@ -104,7 +107,7 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         ++outcome.blocks;
         send({0xA2U, taken, how.block_sizes[std::min<std::size_t>(outcome.blocks, how.block_sizes.size() - 1)]});
         if (outcome.data.size() > longest_value || outcome.blocks > longest_value / segment_size) {
-            throw SlaveFailed{"a block upload that does not end"};
+            throw SlaveFailed{"the block upload does not end"};
         }
     }
     const Bytes end = answer();
@@ -115,8 +118,8 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
     check_end(end, outcome, how.crc && (begun.front() & 0x04U) != 0U);
     if ((begun.front() & 0x02U) != 0U &&
         from_little_endian(begun, 4, 4) != static_cast<std::int64_t>(outcome.data.size())) {
-        throw SlaveFailed{
-            fmt::format("{} bytes announced, {} sent", from_little_endian(begun, 4, 4), outcome.data.size())};
+        throw SlaveFailed{fmt::format("{} bytes were announced, but {} were sent", from_little_endian(begun, 4, 4),
+                                      outcome.data.size())};
     }
     send({0xA1U});
     return outcome;
@@ -124,15 +127,15 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
 
 namespace {
 
-/// Sends the blocks of a download, with the faults that a case requests.
+/// Sends the blocks of a download, with the errors that a case requests.
 class BlockSender {
   public:
     BlockSender(Link& link, std::uint32_t id, const Bytes& data, const BlockWrite& how)
         : link_{link}, id_{id}, data_{data}, how_{how} {}
 
     std::size_t segments() const { return std::max<std::size_t>(1, (data_.size() + segment_size - 1) / segment_size); }
-    /// Sends the segments from `from` on, with the numbers 1 to `size`. Returns false when the transfer was ended
-    /// early.
+    /// Sends up to `size` segments from number `from` on. In the block they are numbered from 1. Returns false when the
+    /// transfer ends early.
     bool send_block(std::size_t from, std::uint8_t size, bool first) {
         const std::size_t count = std::min<std::size_t>(size, segments() - from);
         for (std::size_t i = 1; i <= count; ++i) {
@@ -169,7 +172,7 @@ class BlockSender {
 
 }  // namespace
 
-/// Ends a transfer whose segment was lost. The server still waits for that segment.
+/// Ends a transfer of which a segment was lost on purpose. The server still waits for that segment.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);
@@ -201,7 +204,7 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool begins = wanted == 0xA0U;
         const std::uint8_t block_size = begins ? got[4] : got[2];
         if ((got.front() & (begins ? 0xFBU : 0xFFU)) != wanted || block_size == 0 || block_size > highest_block_size) {
-            throw SlaveFailed{fmt::format("{} in a block download", hex_words(got))};
+            throw SlaveFailed{fmt::format("{} came during a block download", hex_words(got))};
         }
         if (begins) {
             want_object(got, place, "the answer");
@@ -218,7 +221,7 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool lossy = outcome.blocks == 0 && how.lose && *how.lose <= count;
         const std::size_t all = lossy ? *how.lose - 1U : count;
         if (!abort_code(got) && got[1] != all) {
-            throw SlaveFailed{fmt::format("{} segments acknowledged of {}", got[1], all)};
+            throw SlaveFailed{fmt::format("{} segments were acknowledged of {}", got[1], all)};
         }
         done += all;
         ++outcome.blocks;
@@ -235,7 +238,7 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
     }
     outcome.abort = abort_code(got).value_or(0);
     if (outcome.abort == 0 && got.front() != 0xA1U) {
-        throw SlaveFailed{fmt::format("{} where the end of a block download must be confirmed", hex_words(got))};
+        throw SlaveFailed{fmt::format("{} came where the end of a block download must be confirmed", hex_words(got))};
     }
     return outcome;
 }

@@ -62,12 +62,12 @@ void SdoClient::send(const Bytes& bytes) {
 Bytes SdoClient::answer(Duration within) {
     const auto record = link_.take(answer_key(), link_.now() + within);
     if (!record) {
-        throw NoAnswer{fmt::format("no answer of the SDO server within {} ms", within.us / 1000U)};
+        throw NoAnswer{fmt::format("no answer of the SDO server came within {} ms", within.us / 1000U)};
     }
     ++journal_.judged;
     journal_.times["SDO answer"].add(elapsed(link_.last_sent(), record->time).us, within.us);
     if (record->frame.length != max_frame_length) {
-        throw SlaveFailed{fmt::format("an SDO answer of {} bytes instead of 8", record->frame.length)};
+        throw SlaveFailed{fmt::format("an SDO answer has {} bytes instead of 8", record->frame.length)};
     }
     return Bytes(record->frame.data.begin(), record->frame.data.end());
 }
@@ -77,7 +77,7 @@ SdoOutcome SdoClient::read(const ObjectPlace& place) {
     return take_upload(place, answer());
 }
 
-/// Completes an upload from its first answer: abort, expedited, or segmented.
+/// Completes an upload from its first answer: an abort, an expedited value, or the start of segments.
 SdoOutcome SdoClient::take_upload(const ObjectPlace& place, const Bytes& first) {
     SdoOutcome outcome;
     if (const auto code = abort_code(first)) {
@@ -112,16 +112,16 @@ SdoOutcome SdoClient::read_segments(const Bytes& first) {
         }
         if ((segment.front() & 0xF0U) != turn) {
             throw SlaveFailed{
-                fmt::format("segment {} where the toggle bit must be {}", hex_words(segment), turn >> 4U)};
+                fmt::format("segment {} came where the toggle bit must be {}", hex_words(segment), turn >> 4U)};
         }
         append(outcome.data, segment, 1, segment_size - ((segment.front() >> 1U) & 7U));
         last = (segment.front() & 0x01U) != 0U;
         if (outcome.data.size() > longest_value) {
-            throw SlaveFailed{"an upload that does not end"};
+            throw SlaveFailed{"the upload does not end"};
         }
     }
     if (says_size && size != static_cast<std::int64_t>(outcome.data.size())) {
-        throw SlaveFailed{fmt::format("{} bytes announced, {} sent", size, outcome.data.size())};
+        throw SlaveFailed{fmt::format("{} bytes were announced, but {} were sent", size, outcome.data.size())};
     }
     return outcome;
 }
@@ -160,7 +160,7 @@ SdoOutcome SdoClient::write_segments(const ObjectPlace& place, const Bytes& data
     bool last = false;
     for (std::uint8_t wanted = 0x60U; abort_code(got).value_or(0) == 0; got = answer()) {
         if (got.front() != wanted) {
-            throw SlaveFailed{fmt::format("{} where {:02X} must come", hex_words(got), wanted)};
+            throw SlaveFailed{fmt::format("{} came where {:02X} must come", hex_words(got), wanted)};
         }
         if (last) {
             return outcome;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The client of the default SDO server: performs whole transfers and checks each frame of the server.
+// The client of the default SDO server. It performs complete transfers and checks each frame of the server.
 #pragma once
 
 #include <cstdint>
@@ -13,52 +13,56 @@
 namespace canproof::host::conform {
 
 struct SdoOutcome {
-    std::uint32_t abort{0};  ///< 0: done
-    Bytes data;              ///< of a read
-    bool switched{false};    ///< the server switched a block upload to a normal one
+    std::uint32_t abort{0};  ///< abort code; 0: the transfer was completed
+    Bytes data;              ///< bytes that a read has received
+    bool switched{false};    ///< whether the server switched a block upload to a normal upload
     std::uint32_t blocks{0};
 };
 
 enum class Transfer { automatic, expedited, segments, block };
 
 struct BlockRead {
-    std::vector<std::uint8_t> block_sizes{127};  ///< block sizes in their order; the last one is repeated
+    /// requested size of each block in order; the last size applies to all further blocks
+    std::vector<std::uint8_t> block_sizes{127};
     bool crc{false};
-    std::uint8_t switch_size{0};               ///< pst
-    std::optional<std::uint8_t> short_ack{};   ///< only this many segments of the first block are acknowledged
-    std::optional<std::size_t> break_after{};  ///< segments
+    std::uint8_t switch_size{0};  ///< protocol switch threshold (pst) of the request, in bytes
+    /// number of segments of the first block that are acknowledged; none: all
+    std::optional<std::uint8_t> short_ack{};
+    /// number of segments after which the client stops; none: it completes the transfer
+    std::optional<std::size_t> break_after{};
 };
 
 struct BlockWrite {
     bool crc{false};
     bool wrong_crc{false};
     bool without_size{false};
-    std::optional<std::uint32_t> size{};  ///< a size that differs from the data
-    std::optional<unsigned> lose{};       ///< loses the last segment of the first block
-    bool lose_last{false};                ///< loses the last segment of the first block
-    std::optional<unsigned> repeat{};     ///< segment of the first block that is sent twice
+    std::optional<std::uint32_t> size{};  ///< announced size, if it differs from the size of the data
+    std::optional<unsigned> lose{};       ///< number of the segment of the first block that is lost; none: no segment
+    bool lose_last{false};                ///< whether the last segment of the first block is lost
+    std::optional<unsigned> repeat{};     ///< number of the segment of the first block that is sent twice
     std::uint8_t padding{0};
     std::optional<std::size_t> break_after{};
 };
 
 class SdoClient {
   public:
-    /// The abort code of an outcome without an abort frame: the client broke off, or the slave did not answer.
+    /// The abort code of an outcome without an abort frame: the client stopped on purpose, or the slave did not answer.
     static constexpr std::uint32_t timed_out = 0x05040000U;
 
-    /// `timeout`: time-out of each answer.
+    /// `timeout` is the time-out for each answer.
     SdoClient(Link& link, Journal& journal, std::uint8_t node_id, Duration timeout)
         : link_{link}, journal_{journal}, node_id_{node_id}, timeout_{timeout} {}
 
     FrameKey answer_key() const { return {0x580U + node_id_, false, false}; }
     Duration timeout() const { return timeout_; }
-    /// Permits unsolicited frames: they no longer fail a step.
+    /// Sets whether unsolicited frames of the server are allowed. If not, they fail a step.
     void allow_unasked(bool allowed) { allows_unasked_ = allowed; }
 
-    /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when the server sent an unsolicited frame
-    /// before.
+    /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when an unsolicited frame of the server waits
+    /// and is not allowed.
     void send(const Bytes& bytes);
-    /// Returns the server's next frame: eight bytes. Throws NoAnswer and SlaveFailed.
+    /// Returns the server's next frame, which has eight bytes. Throws NoAnswer when none comes in time, and SlaveFailed
+    /// when it has another length.
     Bytes answer(Duration within);
     Bytes answer() { return answer(timeout_); }
 
@@ -80,11 +84,11 @@ class SdoClient {
     bool allows_unasked_{false};
 };
 
-/// Returns the code of an abort frame; nothing for another frame.
+/// Returns the abort code if the frame is an abort; otherwise returns nothing.
 std::optional<std::uint32_t> abort_code(const Bytes& answer);
-/// Returns `abort 06090011h (sub-index does not exist)`.
+/// Returns an abort code in words: `abort 06090011h (sub-index does not exist)`.
 std::string abort_words(std::uint32_t code);
-/// Throws SlaveFailed when the frame names another object.
+/// Throws SlaveFailed when the frame contains another object than `place`. `what` names the frame in the message.
 void want_object(const Bytes& answer, const ObjectPlace& place, const char* what);
 
 }  // namespace canproof::host::conform

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The connection to the slave under test: a bus in virtual time, or a real one.
+// The connection to the slave under test: a bus in virtual time, or a real bus.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace canproof::host::conform {
 
-/// A frame on the bus, with its time on the bus.
+/// A frame, and the time at which it was on the bus.
 struct FrameRecord {
     Instant time{};
     Frame frame{};
-    bool own{false};  ///< sent by the tester
+    bool own{false};  ///< whether the tester sent the frame
 };
 
 /// Thrown when the user presses Ctrl-C.
@@ -29,8 +29,8 @@ class Interrupted : public std::runtime_error {
 /// The means by which the slave is switched off and on.
 enum class PowerSwitch {
     nobody,
-    hand,    ///< the user, on request; takes seconds
-    program  ///< at once
+    hand,    ///< the user, when the program asks; takes seconds
+    program  ///< the program, without delay
 };
 
 class Target {
@@ -41,29 +41,30 @@ class Target {
     virtual void send(const Frame& frame) = 0;
     /// Returns the number of frames that wait to be sent.
     virtual std::size_t waiting() const = 0;
-    /// Lets time pass up to `until`; returns earlier when a frame was on the bus. Throws Interrupted.
+    /// Lets time pass until `until`; returns earlier when a frame was on the bus. Throws Interrupted when the user
+    /// presses Ctrl-C.
     virtual void advance(Instant until) = 0;
-    /// Clears an interruption, so that the next Ctrl-C is noticed.
+    /// Clears an interruption, so that the target notices the next Ctrl-C.
     virtual void go_on() {}
 
     virtual PowerSwitch power_switch() const { return PowerSwitch::nobody; }
-    /// Switches the slave off or on and returns when that is done; frames come meanwhile. Throws Interrupted.
+    /// Switches the slave off or on and returns when that is done. Frames are received meanwhile. Throws Interrupted.
     virtual void power(bool) {}
-    /// Returns whether the bus follows the slave's bit rate.
+    /// Returns whether the bus changes its bit rate when the slave does.
     virtual bool follows_bit_rate() const { return false; }
     /// Returns whether the bus carries remote frames.
     bool has_remote_frames() const { return remote_frames_; }
-    /// From now on cases with remote frames are skipped.
+    /// Makes all further cases with remote frames be skipped.
     void leave_out_remote_frames() { remote_frames_ = false; }
     /// Returns the bit rate in bit/s; 0: unknown.
     virtual std::uint32_t bit_rate() const = 0;
-    /// Returns the name for the report: `virtual time`, `socketcan:can0`.
+    /// Returns the name of the target for the report: `virtual time`, `socketcan:can0`.
     virtual const std::string& name() const = 0;
-    /// Returns whether a run always gives the same frames and times, so that repeating a failed case is useless.
+    /// Returns whether every run gives the same frames at the same times. Then it is useless to repeat a failed case.
     virtual bool is_repeatable() const { return false; }
     virtual BusReport report() const = 0;
 
-    /// Sets a listener for every frame, including the tester's own, in order of time.
+    /// Sets the listener for every frame on the bus in order of time, including the tester's own frames.
     void listen(std::function<void(const FrameRecord&)> listener) { listener_ = std::move(listener); }
 
   protected:

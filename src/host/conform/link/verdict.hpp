@@ -12,19 +12,19 @@
 
 namespace canproof::host::conform {
 
-/// The slave does not do what the case demands.
+/// Reports that the slave does not do what the case demands.
 class SlaveFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The slave does not answer at all.
+/// Reports that the slave does not answer at all.
 class NoAnswer : public SlaveFailed {
   public:
     using SlaveFailed::SlaveFailed;
 };
 
-/// The case does not apply; the text is the reason.
+/// Reports that the case does not apply; the text is the reason.
 class CaseSkipped : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -32,7 +32,7 @@ class CaseSkipped : public std::runtime_error {
 
 /// The measurements and notes of a case.
 struct Journal {
-    std::map<std::string, Measured> times;  ///< times by what was measured
+    std::map<std::string, Measured> times;  ///< measured times by their meaning, such as `SDO answer`
     std::vector<std::string> notes;
     std::uint64_t judged{0};  ///< number of checks that the slave could have failed
 };

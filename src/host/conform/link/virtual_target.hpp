@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated slave on its own bus in virtual time: the same steps give the same frames at the same times.
+// A simulated slave on its own bus in virtual time. The same steps always give the same frames at the same times.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@ class VirtualTarget final : public Target {
   public:
     static constexpr std::uint32_t usual_bit_rate = 125000U;
 
-    /// `device`: any slave; it is switched on at time 0. `bit_rate`, in bit/s, applies while the slave reports no
-    /// other. `name` is for the report.
+    /// `device` is the slave, which is switched on at time 0. `bit_rate`, in bit/s, applies while the slave reports no
+    /// bit rate. `name` appears in the report.
     VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id,
                   std::uint32_t bit_rate = usual_bit_rate, std::string name = "virtual time");
 
     Instant now() const override { return now_; }
     void send(const Frame& frame) override;
     std::size_t waiting() const override { return tester_.waiting(); }
-    /// Throws StuckDevice for a slave that does not process its deadlines.
+    /// Lets time pass as Target::advance() does. Throws StuckDevice for a slave that does not process its deadlines.
     void advance(Instant until) override;
     PowerSwitch power_switch() const override { return PowerSwitch::program; }
     void power(bool on) override;
@@ -38,7 +38,7 @@ class VirtualTarget final : public Target {
     SimulatedDevice& device() { return slave_.device(); }
 
   private:
-    /// The slave with a power switch: while off, it neither receives nor sends.
+    /// The slave with its power switch. While it is off, it neither receives nor sends.
     class Slave final : public BusNode {
       public:
         explicit Slave(std::unique_ptr<SimulatedDevice> device) : node_{"slave", std::move(device)} {}
@@ -54,7 +54,7 @@ class VirtualTarget final : public Target {
         void receive(const Frame& frame, Instant now) override;
         void set_can_state(CanState state, Instant now) override;
         void set_overrun(bool lost, Instant now) override;
-        /// Every frame of the bus reaches the slave, as on a wire. The cases judge which frames it takes.
+        /// The slave gets every frame of the bus, as on a wire. The cases check which frames it accepts.
         const std::vector<AcceptanceFilter>& filters() const override { return accept_everything(); }
         std::uint32_t bit_rate() const override { return node_.bit_rate(); }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double bar_width = 6.0;
 constexpr double height = 48.0;
-constexpr double lowest_bar = 2.0;  // so that one time among thousands can still be seen
+constexpr double lowest_bar = 2.0;  // least height of a bar: one time among thousands stays visible
 constexpr double width = bar_width * static_cast<double>(Histogram::bins);
 
 std::string ms(double us) {
@@ -27,7 +27,8 @@ std::string ms(std::uint64_t us) {
     return ms(static_cast<double>(us));
 }
 
-/// Returns a text such as `mean 95.000 to 105.000, each at most 1000.000`.
+/// Returns the limits in words: `mean 95.000 to 105.000, each at most 1000.000`. Returns `no limit` when there are
+/// none.
 std::string accepted_words(const Measured& measured) {
     std::string words;
     const auto add = [&words](const char* what, const std::optional<TimeLimits>& limits) {

@@ -9,9 +9,9 @@
 
 namespace canproof::host::conform {
 
-/// Returns `passed     sdo-device-type`, followed by the reason if it did not pass.
+/// Returns the line of a result: `passed     sdo-device-type`, and the reason if the case did not pass.
 std::string result_line(const CaseResult& one);
-/// Returns the last lines of a run: counts and remaining work.
+/// Returns the last lines of a run: the counts, and what is left to do.
 std::string summary_lines(const ConformReport& report);
 
 /// Returns every file by its path: index.html, a page for each service and for each failed case, junit.xml,

@@ -12,11 +12,13 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-constexpr Duration afterthought = milliseconds(20);  // within this time an additional frame of the slave would come
+// time in which an additional frame of the slave would come after the last step
+constexpr Duration afterthought = milliseconds(20);
 constexpr Duration tolerated_delay =
-    milliseconds(20);  // delay of the tester; a greater delay is reported with a failure
+    milliseconds(20);  // own delay of the tester; a failure after a greater delay mentions it
 constexpr Duration power_off_time = milliseconds(200);
-constexpr Duration silent_boot_limit = milliseconds(500);  // for a slave that sent no boot-up message before
+// longest wait for a slave that sent no boot-up message after an earlier reset
+constexpr Duration silent_boot_limit = milliseconds(500);
 constexpr std::uint16_t first_application_index = 0x2000;
 constexpr std::uint16_t identity_index = 0x1018;
 constexpr std::uint16_t store_index = 0x1010;
@@ -49,7 +51,7 @@ CaseRunner::CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& 
     link_.reserve(listened_to(sheet));
 }
 
-/// Records the objects that a download may have changed.
+/// Records the object that a sent download may have changed, and whether another kind of frame was sent.
 void CaseRunner::note_sent(const Frame& frame) {
     const std::uint32_t function = frame.id & 0x780U;
     const unsigned command = frame.data[0] >> 5U;
@@ -94,7 +96,7 @@ bool CaseRunner::reset(NmtCommand command) {
     return booted;
 }
 
-/// Returns whether the SDO server answers at all, whether right or wrong.
+/// Returns whether the SDO server answers at all, whether the answer is right or wrong.
 bool CaseRunner::answers() {
     constexpr ObjectPlace device_type{0x1000, 0};
     link_.forget();
@@ -115,7 +117,7 @@ void CaseRunner::prepare(Preparation how) {
     if (how != Preparation::none && !fresh) {
         if (!reset(node ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
             alive_ = false;
-            throw NoAnswer{fmt::format("no boot-up message within {} s after a reset", boot_limit.us / 1000000U)};
+            throw NoAnswer{fmt::format("no boot-up message came within {} s after a reset", boot_limit.us / 1000000U)};
         }
     }
     link_.begin_case();
@@ -158,8 +160,8 @@ void CaseRunner::begin(ConformReport& report) {
     fresh_ = Fresh::no;
 }
 
-/// Returns the value of an entry. Returns an empty value when the entry has none or when the slave answers wrongly,
-/// which is reported.
+/// Returns the value of an entry. Returns no bytes when the slave answers wrongly or with an abort; adds a wrong answer
+/// to `report.troubles`.
 Bytes CaseRunner::read_at_start(const ObjectPlace& place, ConformReport& report) {
     try {
         return sdo_.read(place).data;
@@ -297,7 +299,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case for a received frame that no step took.
+/// Fails the case if a received frame is left that no step took.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);
     const std::uint32_t node = sheet_.node_id;
@@ -313,7 +315,7 @@ void CaseRunner::check_unasked(const Case& one) {
         const char* const what = found->frame.id == 0x80U + node    ? "EMCY"
                                  : found->frame.id == 0x580U + node ? "SDO frame"
                                                                     : "boot-up message";
-        throw SlaveFailed{fmt::format("an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
+        throw SlaveFailed{fmt::format("the slave sent an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
     }
 }
 
@@ -344,7 +346,7 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     }
     if (!reset(application ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
         alive_ = false;
-        throw NoAnswer{"no boot-up message after the case"};
+        throw NoAnswer{"no boot-up message came after the case"};
     }
     const Fresh fresh = fresh_;
     const std::vector<std::string> left = snapshot_.put_back(sdo_, written);

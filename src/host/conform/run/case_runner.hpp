@@ -18,27 +18,28 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Finds the slave and reads its identity and parameters. Wrong answers are reported as troubles. Throws InputError
-    /// when it does not answer at all.
+    /// Finds the slave and reads its identity and parameters. Adds wrong answers to the report's troubles. Throws
+    /// InputError when the slave does not answer at all.
     void begin(ConformReport& report);
-    /// Runs a case; on a real bus it runs a failed case again. Throws Interrupted.
+    /// Runs a case. On a real bus, runs a failed case again, at most `most_runs` times in total. Throws Interrupted.
     CaseResult run(const Case& one);
-    /// Restores everything that differs from the start; returns what could not be restored.
+    /// Restores every parameter that differs from the start of the run. Returns one sentence for each that could not be
+    /// restored.
     std::vector<std::string> put_everything_back();
-    /// Returns whether the slave still answers.
+    /// Returns whether the slave answered when it was last asked.
     bool is_alive() const { return alive_; }
-    /// Returns every frame since the runner was made.
+    /// Returns the bus use of all frames since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }
 
   private:
-    /// Returns the last reset of the slave since the last write to it.
+    /// The kind of the slave's last reset; `no` as soon as a frame has been sent since.
     enum class Fresh { no, communication, node };
 
     void run_once(const Case& one, CaseResult& result);
     void judge(const Case& one, CaseResult& result);
     void check_unasked(const Case& one);
     void clean_up(const Case& one, CaseResult& result);
-    /// Throws NoAnswer when the slave does not answer.
+    /// Brings the slave into the state that a case requires. Throws NoAnswer when the slave does not answer.
     void prepare(Preparation how);
     bool reset(NmtCommand command);
     bool answers();
@@ -57,12 +58,12 @@ class CaseRunner {
     SdoClient sdo_;
     Snapshot snapshot_;
     std::set<ObjectPlace> written_;
-    bool sent_other_{false};     ///< a frame was sent that may have changed more than parameters
-    bool may_store_{false};      ///< the case's risk is to store
-    bool store_changed_{false};  ///< the stored parameters of the slave may differ from the snapshot
+    bool sent_other_{false};     ///< whether a frame was sent that may have changed more than parameters
+    bool may_store_{false};      ///< whether the case may store parameters (its risk is `store`)
+    bool store_changed_{false};  ///< whether the parameters that the slave has stored may differ from the snapshot
     Fresh fresh_{Fresh::no};
     bool alive_{true};
-    bool boots_silently_{false};  ///< it answered after a reset without a boot-up message
+    bool boots_silently_{false};  ///< whether the slave answered after a reset without having sent a boot-up message
     std::map<std::string, std::int64_t> identity_;
     std::optional<bool> block_upload_;
     std::optional<bool> block_download_;

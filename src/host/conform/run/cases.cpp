@@ -20,7 +20,7 @@ namespace {
 
 using Calls = std::vector<StepSource::Call>;
 
-/// Returns the place of the first line of a text: the line after `'''`.
+/// Returns the place of the first line of a text; for a text between `'''`, this is the line after the opening quotes.
 Place first_line(const TomlItem& item, const std::string& key) {
     const toml::node* const node = item.table().get(key);
     Place place = item.place(key);
@@ -177,7 +177,7 @@ CaseBook parse_cases(const std::map<std::string, std::string>& files, Faults& fa
             whole.finish();
         } catch (const toml::parse_error& error) {
             faults.emplace_back(Place{path, static_cast<unsigned>(error.source().begin.line)},
-                                fmt::format("not TOML: {}", error.description()), "correct the syntax");
+                                fmt::format("the file is not TOML: {}", error.description()), "correct the syntax");
         }
     }
     check_calls(calls, book, faults);

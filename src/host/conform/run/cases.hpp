@@ -12,14 +12,14 @@
 
 namespace canproof::host::conform {
 
-/// The risk of a case for the equipment.
+/// The greatest risk that a case is for the equipment.
 enum class Risk { none, output, store, lss, restart };
 enum class Preparation { none, reset_communication, reset_node };
 
 struct Case {
     std::string id;
     std::string group;
-    std::vector<std::string> numbers;  ///< numbers of the public transcript
+    std::vector<std::string> numbers;  ///< numbers of the case in the public transcript
     std::string shows;
     std::string section;
     std::vector<std::string> tests;
@@ -35,16 +35,16 @@ struct Case {
 };
 
 struct CaseBook {
-    std::vector<Case> cases;  ///< ordered by group, then as in the files
+    std::vector<Case> cases;  ///< sorted by group, within a group in the order of the files
     std::map<std::string, Procedure> procedures;
 };
 
-/// The services in the order of a run.
+/// Returns the services in the order of a run.
 const std::vector<std::string>& case_groups();
 
-/// Parses all files; each part that cannot be parsed is a fault with file, line and fix.
+/// Parses all files. Adds a fault with file, line and fix for each part that cannot be parsed.
 CaseBook parse_cases(const std::map<std::string, std::string>& files, Faults& faults);
-/// Returns the cases embedded in the program. Throws std::logic_error when they are invalid.
+/// Returns the cases that are embedded in the program. Throws std::logic_error when they are not valid.
 const CaseBook& built_in_cases();
 
 }  // namespace canproof::host::conform

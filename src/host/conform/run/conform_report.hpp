@@ -18,13 +18,13 @@ namespace canproof::host::conform {
 enum class Verdict {
     passed,
     failed,     ///< the slave does not do what the case demands
-    unstable,   ///< it failed first and then passed
-    skipped,    ///< it does not apply or is not allowed
+    unstable,   ///< the slave failed the case first and then passed it
+    skipped,    ///< the case does not apply or is not allowed
     no_answer,  ///< the slave stopped answering
     broken,     ///< the case itself is wrong
     not_run     ///< the run ended before this case
 };
-/// Returns `passed`, `no answer` …
+/// Returns the verdict as words: `passed`, `no answer` …
 const char* words_of(Verdict verdict);
 
 struct CaseResult {
@@ -35,12 +35,12 @@ struct CaseResult {
     std::string section;
     std::vector<std::string> tests;
     Verdict verdict{Verdict::not_run};
-    std::string why;   ///< reason of every verdict except passed
-    std::string step;  ///< the step at which it ended, as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
+    std::string why;   ///< reason for any verdict except `passed`
+    std::string step;  ///< the step at which the case ended, such as `spec/conformance/sdo.toml:12: answer 43 00 10 00`
     std::vector<std::string> notes;
-    std::vector<std::string> left;          ///< entries that were not put back
-    std::map<std::string, Measured> times;  ///< times by what was measured
-    std::vector<FrameRecord> frames;        ///< frames of a case that did not pass
+    std::vector<std::string> left;          ///< entries that could not be restored after the case
+    std::map<std::string, Measured> times;  ///< measured times by their meaning
+    std::vector<FrameRecord> frames;        ///< all frames of the case, if it did not pass
     unsigned runs{0};
     Duration time{};
 };
@@ -50,32 +50,35 @@ CaseResult result_of(const Case& one);
 
 struct ConformReport {
     std::vector<CaseResult> results;
-    std::string program;  ///< canproof and its version
+    std::string program;  ///< name and version of canproof
     std::string sheet;
     std::string checksum;  ///< SHA-256 of the data sheet
     std::string sheet_notes;
     std::string target;
     unsigned node{0};
     std::uint32_t bit_rate{0};
-    double traffic{0.0};                          ///< foreign frames during the run, per cent of the bus
-    std::map<std::string, std::string> identity;  ///< vendor, product, revision, serial, name, versions
+    double traffic{0.0};  ///< foreign frames during the run, in per cent of the bus capacity
+    /// vendor, product, revision, serial number, name and versions of the slave
+    std::map<std::string, std::string> identity;
     Duration time{};
     BusUse bus_use;
     std::uint64_t error_frames{0};
-    std::uint64_t lost_frames{0};  ///< came faster than they were read
+    std::uint64_t lost_frames{0};  ///< number of frames that came faster than they were read
     bool interrupted{false};
     std::vector<std::string> troubles;  ///< wrong behaviour of the slave before the first case
-    std::vector<std::string> left;      ///< entries that were not restored at the end
+    std::vector<std::string> left;      ///< entries that could not be restored at the end of the run
 
     std::size_t count(Verdict verdict) const {
         return static_cast<std::size_t>(std::count_if(results.begin(), results.end(),
                                                       [&](const CaseResult& one) { return one.verdict == verdict; }));
     }
-    /// Returns the mean bus load of all frames of the run, in per cent of its bit rate; nothing when that is not known.
+    /// Returns the mean bus load of all frames of the run, in per cent of the bit rate. Returns nothing when the bit
+    /// rate is not known.
     std::optional<double> mean_load() const;
-    /// Returns the bus load of the second with the highest load, in the same unit; of a shorter run its mean load.
+    /// Returns the bus load of the second with the highest load, in per cent. For a run shorter than a second, returns
+    /// the load over its duration.
     std::optional<double> highest_load() const;
-    /// 0: all passed, 1: a case failed, 2: the run could not be finished.
+    /// Returns the exit status: 0 when all cases passed, 1 when a case failed, 2 when the run could not be finished.
     int exit_status() const;
 
   private:

@@ -14,7 +14,7 @@ bool has(const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// Returns whether the list names a case by its id or one of its numbers.
+/// Returns whether the list contains the id of the case or one of its numbers.
 bool names(const std::vector<std::string>& all, const Case& one) {
     return has(all, one.id) || std::any_of(one.numbers.begin(), one.numbers.end(),
                                            [&](const std::string& number) { return has(all, number); });

@@ -15,26 +15,27 @@
 namespace canproof::host::conform {
 
 struct ConformOptions {
-    std::vector<std::string> only;   ///< groups; none: all
-    std::vector<std::string> cases;  ///< ids or numbers; none: all
-    std::vector<std::string> skip;   ///< ids, numbers or groups
+    std::vector<std::string> only;   ///< groups to run; empty: all
+    std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
+    std::vector<std::string> skip;   ///< ids, numbers or groups of the cases to leave out
     bool allow_outputs{true};
     bool allow_store{true};
     bool allow_lss{true};
-    double traffic{0.0};  ///< foreign frames during the whole run, per cent of the bus
+    double traffic{0.0};  ///< foreign frames during the whole run, in per cent of the bus capacity
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
-    /// Called with each result; may be empty.
+    /// Receives each result; may be empty.
     std::function<void(const CaseResult&)> progress;
 };
 
-/// Most runs of one case: on a real bus a failed case runs again.
+/// Largest number of runs of one case: on a real bus a failed case runs again.
 constexpr unsigned most_runs = 4;
 
-/// Runs the chosen cases. Throws InputError when an option names no case, and when the slave does not answer at all.
+/// Runs the cases that the options choose. Throws InputError when an option matches no case, and when the slave does
+/// not answer at all.
 ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-/// Returns the cases that the options choose. Throws InputError for an unknown name.
+/// Returns the cases that the options choose. Throws InputError for an id, number or group that does not exist.
 std::vector<const Case*> chosen_cases(const CaseBook& book, const ConformOptions& options);
 
 }  // namespace canproof::host::conform

@@ -18,7 +18,7 @@ constexpr std::uint16_t sync_overflow = 0x1019;
 constexpr std::uint16_t consumers = 0x1016;
 constexpr std::uint16_t mapping_offset = 0x200;
 
-/// Returns whether a write to the object is a command, or its value is not a parameter.
+/// Returns whether a write to the object is a command, or its value is no parameter.
 bool is_command(std::uint16_t index) {
     return index == 0x1003 || index == 0x1010 || index == 0x1011 || (index >= 0x1F50 && index < 0x1F80);
 }
@@ -32,7 +32,7 @@ std::uint16_t communication_of(std::uint16_t index) {
     return (index & mapping_offset) != 0 ? static_cast<std::uint16_t>(index - mapping_offset) : index;
 }
 
-/// Returns whether the entry is a COB-ID that may change only while its bit 31 is set.
+/// Returns whether the entry is a COB-ID whose other bits may change only while its bit 31 is set.
 bool is_cob_id(const ObjectPlace& place) {
     return place.index == 0x1012 || place.index == 0x1014 ||
            (place.index >= 0x1200 && place.index < 0x1300 && (place.subindex == 1 || place.subindex == 2));
@@ -103,7 +103,8 @@ void Snapshot::write(SdoClient& sdo, const ObjectPlace& place, std::int64_t numb
     }
 }
 
-/// Restores a PDO in the order: COB-ID invalid, count 0, entries, count, other parameters, COB-ID.
+/// Restores a PDO in this order: COB-ID with bit 31 set, number of mapped objects 0, mapping entries, their number,
+/// other parameters, COB-ID.
 void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places& open) {
     const ObjectPlace cob_id{communication, 1};
     const auto mapping = static_cast<std::uint16_t>(communication + mapping_offset);
@@ -129,7 +130,7 @@ void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places&
     }
 }
 
-/// Restores the SYNC objects; the counter overflow may change only while no SYNC is sent.
+/// Restores the SYNC objects. The counter overflow value may change only while the slave sends no SYNC.
 void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
     const std::array<std::uint16_t, 3> order{sync_overflow, sync_period, sync_id};
     const bool wanted = std::any_of(order.begin(), order.end(), [&](std::uint16_t index) {
@@ -150,7 +151,7 @@ void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
 void Snapshot::put_back_others(SdoClient& sdo, const Places& open) {
     for (const ObjectPlace& one : open) {
         if (one.index == consumers) {
-            write(sdo, one, 0);  // two entries must not name the same node
+            write(sdo, one, 0);  // two entries must not contain the same node-ID
         } else if (is_cob_id(one)) {
             write(sdo, one, from_little_endian(*find(one), 0, 4) | cob_id_off);
         }
@@ -177,7 +178,7 @@ std::vector<std::string> Snapshot::put_back(SdoClient& sdo, const std::set<Objec
     put_back_others(sdo, open);
     std::vector<std::string> left;
     for (const ObjectPlace& one : changed(sdo, wanted)) {
-        left.push_back(fmt::format("{} does not take back {}", words_of(one), hex_words(*find(one))));
+        left.push_back(fmt::format("{} does not accept its former value {}", words_of(one), hex_words(*find(one))));
     }
     return left;
 }

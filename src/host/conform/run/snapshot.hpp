@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of the slave at the start of a run, and their restoration.
+// The parameters of the slave at the start of a run, and the means to restore them.
 #pragma once
 
 #include <map>
@@ -14,16 +14,16 @@ namespace canproof::host::conform {
 
 class Snapshot {
   public:
-    /// Longer values (in bytes) are not part of the snapshot.
+    /// Longest value in bytes. Longer values are not part of the snapshot.
     static constexpr std::size_t longest_value = 64;
 
-    /// Reads every readable and writable entry except commands and DOMAINs. Returns a sentence for each entry that the
-    /// slave answers wrongly; these are not part of the snapshot.
+    /// Reads every entry that can be read and written, except commands and DOMAINs. Returns a sentence for each entry
+    /// that the slave answers wrongly. Such entries are not part of the snapshot.
     std::vector<std::string> take(SdoClient& sdo, const ConformSheet& sheet);
     /// Writes back the entries of `places` that have changed, in an order that a slave accepts, and reads them again.
-    /// Returns a sentence for each entry that could not be restored. Throws NoAnswer.
+    /// Returns a sentence for each entry that could not be restored. Throws NoAnswer when the slave stops answering.
     std::vector<std::string> put_back(SdoClient& sdo, const std::set<ObjectPlace>& places);
-    /// Returns whether the last put_back() had to write anything.
+    /// Returns whether the last put_back() wrote at least one entry.
     bool has_written() const { return has_written_; }
     std::size_t size() const { return values_.size(); }
     std::set<ObjectPlace> places() const;

@@ -19,39 +19,39 @@ struct SheetEntry {
 };
 
 struct ConformSheet {
-    std::string name;      ///< name of the file, or of the catalogue device
+    std::string name;      ///< name of the file or of the device in the catalogue
     std::string text;      ///< the contents of the file
     std::string checksum;  ///< SHA-256 of the text
-    Part part;             ///< the result of read_eds()
-    IniFile ini;           ///< the same content by sections and keys; empty for an XDD
-    std::string notes;     ///< the assumptions of read_eds(), one per line
+    Part part;             ///< result of read_eds()
+    IniFile ini;           ///< the same content as sections and keys; empty for an XDD
+    std::string notes;     ///< values that read_eds() assumed, one on each line
     std::uint8_t node_id{1};
 
-    /// Returns an entry; its pointers are nullptr when the data sheet does not contain it.
+    /// Returns an entry with its object; both pointers are nullptr when the data sheet does not contain the entry.
     SheetEntry find(std::uint16_t index, std::uint8_t subindex) const;
     const Object* object(std::uint16_t index) const;
-    /// Returns the numbers of the PDOs of a direction, from the communication parameter objects 1400h… (receive) or
-    /// 1800h… (transmit), ascending.
+    /// Returns the numbers of the transmit or receive PDOs in ascending order. The communication parameter objects in
+    /// the data sheet determine them: 1400h… for receive PDOs, 1800h… for transmit PDOs.
     std::vector<unsigned> pdos(bool transmit) const;
-    /// Returns the text of a key such as `DeviceInfo`, `LSS_Supported`; nothing when it is absent.
+    /// Returns the text of a key in a section, such as `LSS_Supported` in `DeviceInfo`; nothing when it is absent.
     std::optional<std::string> key(const std::string& section, const std::string& key) const;
 };
 
-/// Reads the text of an EDS, DCF or XDD. Throws InputError with all faults when no data sheet results.
+/// Reads the text of an EDS, DCF or XDD. Throws InputError with all faults when the text gives no data sheet.
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id);
-/// Returns the data sheet of a device of a requirements register, by way of its EDS; the node-ID is that of the
-/// register.
+/// Returns the data sheet of a device in a requirements register. Writes the device as an EDS and reads that. The
+/// node-ID is that of the register.
 ConformSheet sheet_of(const Register& content, const Part& part);
-/// The same for a single part without a register.
+/// Returns the data sheet of a part that belongs to no register.
 ConformSheet sheet_of(const Part& part);
 
-/// Returns the bytes of a value of the entry: the size of its type, or the length of its default for a string; 0 when
-/// unknown.
+/// Returns the size in bytes of the entry's type. For a type of variable size, returns the length of the entry or of
+/// its default, whichever is greater; 0 when both are unknown.
 std::size_t entry_size(const Entry& entry);
 bool is_readable(const Entry& entry);
 bool is_writable(const Entry& entry);
-/// Returns the largest number that may be written; nothing for other types than integers, or when another object is the
-/// limit.
+/// Returns the largest number that may be written: the upper limit if it is a number, otherwise the largest number of
+/// an integer type. Returns nothing for any other type without such a limit.
 std::optional<std::int64_t> highest_of(const Entry& entry);
 std::optional<std::int64_t> lowest_of(const Entry& entry);
 /// Returns `1017h sub 00h (Producer heartbeat time)`.

@@ -31,7 +31,7 @@ void AbortList::want(std::uint32_t code) const {
         for (const std::uint32_t one : codes_) {
             wanted += fmt::format("{}{:08X}h", wanted.empty() ? "" : " or ", one);
         }
-        throw SlaveFailed{fmt::format("{} instead of {}", abort_words(code), wanted)};
+        throw SlaveFailed{fmt::format("the transfer ended with {} instead of {}", abort_words(code), wanted)};
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Abort codes that a step accepts: `06010000|06010002`, or `any`.
+// Abort codes that a step accepts: a list such as `06010000|06010002`, or `any`.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class AbortList {
     void want(std::uint32_t code) const;
 
   private:
-    std::vector<std::uint32_t> codes_;  ///< none: any
+    std::vector<std::uint32_t> codes_;  ///< accepted codes; empty: any code
 };
 
 }  // namespace canproof::host::conform

@@ -12,7 +12,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// An optional number that is computed when the step runs.
+/// An optional number, which is computed when the step runs.
 struct Option {
     Expression value;
 
@@ -141,7 +141,7 @@ template <typename Options>
 void parse_options(Scanner& line, Options& options, Ending& ending, const char* known) {
     while (!line.at_end()) {
         if (!options.take(line) && !ending.take(line)) {
-            line.fail(fmt::format("`{}` says nothing of a block transfer", line.rest()), known);
+            line.fail(fmt::format("`{}` is no option of a block transfer", line.rest()), known);
         }
     }
 }

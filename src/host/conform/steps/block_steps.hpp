@@ -6,7 +6,7 @@
 
 namespace canproof::host::conform {
 
-/// Parses the rest of a line after the word `block`. `any`: the line begins with `try`.
+/// Parses the rest of a line after the word `block`. `any` is true when the line begins with `try`.
 Action parse_block(Scanner& line, bool any);
 
 }  // namespace canproof::host::conform

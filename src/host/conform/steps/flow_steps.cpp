@@ -77,7 +77,7 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
                        finding.what, finding.fix, finding.rule.source);
 }
 
-/// Checks the data sheet itself: an error fails the case, a warning is noted.
+/// Checks the data sheet itself. An error in it fails the case; a warning becomes a note.
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
     if (sheet.ini.sections.empty()) {
@@ -94,7 +94,7 @@ void check_data_sheet(Context& context) {
         }
     }
     if (errors > 0) {
-        throw SlaveFailed{fmt::format("{} error(s) in the data sheet; the first: {}", errors, first_error)};
+        throw SlaveFailed{fmt::format("the data sheet has {} error(s); the first is: {}", errors, first_error)};
     }
 }
 
@@ -124,15 +124,16 @@ Action parse_next(Scanner& line, StepSource&) {
     };
 }
 
-/// The iterations of a loop: their names appear in messages. When all of them were skipped, the case is skipped.
+/// Runs the iterations of a loop and adds their names to messages. When all of them were skipped, the case is skipped.
 class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}
 
-    /// Runs one iteration. `words` names it in messages; may be empty.
+    /// Runs one iteration. `words` names the iteration in messages; an empty text adds no name. Throws BrokenCase after
+    /// too many iterations.
     void run(const Steps& steps, const std::string& words) {
         if (++begun_ > most_turns) {
-            throw BrokenCase{"a loop without an end"};
+            throw BrokenCase{"the loop has too many iterations"};
         }
         if (!words.empty()) {
             context_.turns.push_back(words);
@@ -145,7 +146,8 @@ class Turns {
         }
         context_.turns.resize(depth_);
     }
-    /// Throws CaseSkipped when every iteration was skipped.
+    /// Throws CaseSkipped when every iteration was skipped, with the last reason. Uses `nothing` as the reason when
+    /// there was no iteration.
     void finish(const std::string& nothing) const {
         if (done_ == 0) {
             throw CaseSkipped{begun_ == 0 ? nothing : reason_};
@@ -246,7 +248,8 @@ Action parse_choose(Scanner& line, StepSource&) {
     };
 }
 
-/// Returns a PDO as a variable with the fields number, comm, map.
+/// Returns a PDO as a variable with the fields number, comm (index of the communication parameters) and map (index of
+/// the mapping).
 Value pdo_value(unsigned number, bool transmit) {
     Value value{std::int64_t{number}};
     value.fields = [number, transmit](const std::string& field) -> std::optional<Value> {
@@ -283,7 +286,7 @@ Action parse_each(Scanner& line, StepSource& source) {
         }
     }
     if (!line.take_word("entry")) {
-        line.fail(fmt::format("`{}` cannot be gone through", line.rest()),
+        line.fail(fmt::format("`each` has no list `{}`", line.rest()),
                   "write each TPDO as P {, each RPDO as P { or each entry: FILTER as E {");
     }
     line.want(":", "write each entry: writable, u16 as E {");
@@ -302,7 +305,7 @@ Action parse_each(Scanner& line, StepSource& source) {
 
 Value call(const Procedure& procedure, const std::vector<Value>& given, Context& context) {
     if (++context.depth > deepest_call) {
-        throw BrokenCase{"procedures call each other too deep"};
+        throw BrokenCase{"calls of procedures are nested too deeply"};
     }
     Scope* const outer = context.scope;
     Scope own{outer};

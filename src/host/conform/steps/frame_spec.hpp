@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame in a step: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
+// The description of a frame in a step: `rtr 700+N`, `ext 600+N: 40 00`, `580+N: 43 …`.
 #pragma once
 
 #include <string>
@@ -15,23 +15,23 @@ struct FrameSpec {
     Expression id;
     bool extended{false};
     bool remote{false};
-    bool any_data{true};  ///< the step specifies no data, so any data match
+    bool any_data{true};  ///< whether the step describes no data, so that any data match
     DataPattern data{DataPattern::any()};
     Expression remote_length;  ///< length of a remote frame; empty: 0
 
     FrameKey key(const Scope& scope) const;
-    /// Returns the frame to send. Throws BrokenCase.
+    /// Returns the frame to send. Throws BrokenCase when its values cannot form a frame.
     Frame frame(const Scope& scope) const;
 };
 
 FrameSpec parse_frame_spec(Scanner& line);
-/// Parses only the identifier.
+/// Parses only the identifier of a frame.
 FrameSpec parse_frame_id(Scanner& line);
 
-/// Returns `185h`, `600h remote` or `00000605h (29 bits)`.
+/// Returns a kind of frame in words: `185h`, `600h remote` or `00000605h (29 bits)`.
 std::string words_of(const FrameKey& key);
 
-/// Stores captures and, if `name` is not empty, the whole frame in the scope.
+/// Stores the captures in the scope and, if `name` is not empty, also the complete frame under that name.
 void keep(Context& context, const FrameRecord& record, const Captures& captures, const std::string& name);
 
 }  // namespace canproof::host::conform

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t usual_wait_us = 1000000;
 
-/// Parses `within 2 s`; the default is 1 s.
+/// Parses `within 2 s`. Without it, returns 1 s.
 Expression parse_within(Scanner& line) {
     if (line.take_word("within")) {
         return parse_expression(line, Radix::decimal);
@@ -23,7 +23,7 @@ Expression parse_within(Scanner& line) {
     return [](const Scope&) { return Value{std::int64_t{usual_wait_us}}; };
 }
 
-/// Parses `-> name`; returns an empty name without it.
+/// Parses `-> name`. Without it, returns an empty name.
 std::string parse_capture(Scanner& line) {
     return line.take("->") ? parse_name(line) : std::string{};
 }
@@ -86,7 +86,7 @@ Action parse_awaited(Scanner& line, bool passes_over) {
             }
         }
         if (!last.empty()) {
-            throw SlaveFailed{fmt::format("{}; the last one: {}", late(key, us), last)};
+            throw SlaveFailed{fmt::format("{}; the last frame was: {}", late(key, us), last)};
         }
         fail_late(context, key, us);
     };
@@ -176,7 +176,7 @@ Action parse_produce(Scanner& line, StepSource&) {
         want_remote_frames(context, spec.remote);
         const std::uint64_t us = microseconds_of(period, *context.scope);
         if (us == 0) {
-            throw BrokenCase{"a period of 0"};
+            throw BrokenCase{"the period must not be 0"};
         }
         context.link.produce(spec.frame(*context.scope), Duration{us});
     };

@@ -17,7 +17,8 @@ namespace {
 constexpr std::uint32_t request_id = 0x7E5U;
 constexpr std::uint32_t answer_id = 0x7E4U;
 constexpr Duration answer_limit = milliseconds(1000);
-constexpr Duration scan_limit = milliseconds(50);  // after this time no slave answers a step of Fastscan
+// longest wait in a step of Fastscan; without an answer until then, no slave matches
+constexpr Duration scan_limit = milliseconds(50);
 constexpr std::array<const char*, 4> fields{"vendor", "product", "revision", "serial"};
 
 void send_lss(Context& context, std::uint8_t command, const Bytes& data) {
@@ -32,11 +33,11 @@ std::optional<Bytes> take_answer(Context& context, Duration within) {
     return record ? std::optional{data_of(record->frame)} : std::nullopt;
 }
 
-/// Waits for the answer that begins with `command`. Throws SlaveFailed.
+/// Waits for an LSS answer that begins with `command`. Throws SlaveFailed when another answer or no answer comes.
 Bytes want_answer(Context& context, std::uint8_t command) {
     const auto answer = take_answer(context, answer_limit);
     if (!answer) {
-        throw SlaveFailed{fmt::format("no LSS answer within {} ms", answer_limit.us / 1000U)};
+        throw SlaveFailed{fmt::format("no LSS answer came within {} ms", answer_limit.us / 1000U)};
     }
     ++context.journal.judged;
     if (answer->size() != max_frame_length || answer->front() != command) {
@@ -91,7 +92,8 @@ bool scan_answered(Context& context) {
     return answer.has_value();
 }
 
-/// Performs the whole scan bit by bit. Returns nothing when no slave takes part or a number is not confirmed.
+/// Performs the complete scan bit by bit. Returns the four numbers of the LSS address; nothing when no slave answers or
+/// a number is not confirmed.
 std::optional<std::array<std::uint32_t, 4>> scan(Context& context) {
     constexpr std::uint8_t begin = 0x80;
     send_scan(context, 0, begin, 0, 0);

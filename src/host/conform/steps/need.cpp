@@ -44,13 +44,13 @@ std::string ask_block(Context& context, bool upload) {
         } catch (const NoAnswer&) {
             throw;
         } catch (const SlaveFailed&) {
-            answer = true;  // the slave tries block transfer; the case judges the result
+            answer = true;  // the slave starts a block transfer; the case itself checks the result
         }
     }
     return *answer ? "" : fmt::format("the slave has no block {} (05040001h)", upload ? "upload" : "download");
 }
 
-/// Checks bit 0 of a capability word such as 1010h:01.
+/// Reads a capability word such as 1010h:01. Returns an empty text when its bit 0 is set; otherwise the reason why not.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {

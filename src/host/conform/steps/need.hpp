@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A condition that a slave must meet for a case to apply.
+// A condition without which a case does not apply to a slave.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 namespace canproof::host::conform {
 
 struct Need {
-    std::string words;  ///< as written
+    std::string words;  ///< text of the need as written in the case
     /// Returns the reason why the need is not met; empty when it is met. May send requests to the slave.
     std::function<std::string(Context&)> unmet;
 };

@@ -52,11 +52,11 @@ Action parse_nmt(Scanner& line, StepSource&) {
     };
 }
 
-/// Returns when the boot-up message went over the bus.
+/// Waits for the boot-up message. Returns the time at which it was on the bus.
 Instant want_boot_up(Context& context) {
     const std::optional<Instant> time = take_boot_up(context.link, context.node());
     if (!time) {
-        throw NoAnswer{fmt::format("no boot-up message within {} s", boot_limit.us / 1000000U)};
+        throw NoAnswer{fmt::format("no boot-up message came within {} s", boot_limit.us / 1000000U)};
     }
     ++context.journal.judged;
     return *time;
@@ -76,7 +76,7 @@ Action parse_power(Scanner& line, StepSource&) {
     const bool cycle = line.take_word("cycle");
     const bool on = !cycle && line.take_word("on");
     if (!cycle && !on && !line.take_word("off")) {
-        line.fail("what of the power?", "write power cycle, power off or power on");
+        line.fail("a word after `power` is missing", "write power cycle, power off or power on");
     }
     line.finish();
     return [cycle, on](Context& context) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr unsigned deepest_block = 16;
 
-/// Returns a line without its comment, which starts at a `#` outside of quotes.
+/// Returns the line without its comment. A comment starts at a `#` outside quotes.
 std::string without_comment(const std::string& text) {
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -105,7 +105,7 @@ Steps StepSource::block_of(Scanner& line) {
     line.want("{", "end the line with `{`");
     line.finish();
     if (++depth_ > deepest_block) {
-        line.fail("blocks lie too deep in one another", "make a procedure of the inner ones");
+        line.fail("blocks are nested too deeply", "make a procedure of the inner ones");
     }
     closing_ = line;
     Steps steps = block(true);

@@ -11,20 +11,21 @@
 
 namespace canproof::host::conform {
 
-/// The lines that are not parsed yet.
+/// The lines of a case that are not parsed yet.
 class StepSource {
   public:
     /// `first` is the place of the first line of `text`.
     StepSource(const std::string& text, const Place& first);
 
-    /// Parses steps up to the `}` of the block and skips it; up to the end of the text for the outermost block.
+    /// Parses the steps of a block. An inner block ends with `}`, which is skipped; the outermost block ends with the
+    /// text.
     Steps block(bool inner);
-    /// Returns the rest of the line after the `}` of block(); it may contain `else`.
+    /// Returns what follows the `}` that ended the last block() on its line; it may contain `else`.
     Scanner& closing() { return closing_; }
-    /// Requires `{` at the end of the line and parses the block.
+    /// Requires `{` at the end of the line. Parses and returns the block that follows.
     Steps block_of(Scanner& line);
 
-    /// Procedures that the steps call, with the place of the call and the number of arguments.
+    /// A call of a procedure: its name, the place of the call and the number of arguments.
     struct Call {
         std::string name;
         std::size_t arguments;

@@ -45,7 +45,7 @@ bool Ending::take(Scanner& line) {
 void Ending::judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const {
     if (fails) {
         if (outcome.abort == 0) {
-            throw SlaveFailed{fmt::format("{} was taken; it must be refused", words_of(place))};
+            throw SlaveFailed{fmt::format("{} was accepted; it must be refused", words_of(place))};
         }
         fails->want(outcome.abort);
     } else if (outcome.abort != 0 && !any) {

@@ -11,21 +11,21 @@
 
 namespace canproof::host::conform {
 
-/// The expected end of a transfer.
+/// The end that a step expects of a transfer.
 struct Ending {
-    bool any{false};                 ///< `try`
-    std::optional<AbortList> fails;  ///< absent: it must succeed
-    std::string name;                ///< name after `->`
-    Expression value;                ///< value after `=` of a read
+    bool any{false};                 ///< whether the step begins with `try`, so that any end is accepted
+    std::optional<AbortList> fails;  ///< accepted abort codes; absent: the transfer must succeed
+    std::string name;                ///< name after `->`, or empty
+    Expression value;                ///< value after the `=` of a read; empty: any value
 
-    /// Parses `fails …` or `-> name`. Returns false when neither follows.
+    /// Parses `fails …` or `-> name`. Returns false when neither of them follows.
     bool take(Scanner& line);
-    /// Throws SlaveFailed when the transfer ended otherwise; stores its value.
+    /// Throws SlaveFailed when the transfer ended in another way. Stores its value under the name.
     void judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const;
 };
 
-/// Returns the bytes to write: the given bytes, or a number that is `width` bytes wide. With `width` 0 the data sheet
-/// determines the width. Throws BrokenCase.
+/// Returns the bytes to write: the given bytes, or a number in `width` bytes. If `width` is 0, the data sheet
+/// determines the width. Throws BrokenCase when it does not.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context);
 
 }  // namespace canproof::host::conform

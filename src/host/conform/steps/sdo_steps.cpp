@@ -28,7 +28,7 @@ Action parse_read_as(Scanner& line, bool any) {
     };
 }
 
-/// Parses `as u16`, the width of a number to write; returns 0 (the width in the data sheet) without it.
+/// Parses the word after `as`, the width of a number to write. Returns the width in bytes. Fails for any other word.
 std::size_t parse_width(Scanner& line) {
     constexpr std::array<std::pair<const char*, std::size_t>, 5> widths{
         {{"u8", 1}, {"u16", 2}, {"u24", 3}, {"u32", 4}, {"u64", 8}}};
@@ -65,7 +65,7 @@ Action parse_write_as(Scanner& line, bool any) {
         } else if (line.take_word("by")) {
             transfer = parse_transfer(line);
         } else if (!ending.take(line)) {
-            line.fail(fmt::format("`{}` says nothing of a write", line.rest()),
+            line.fail(fmt::format("`{}` is no option of a write", line.rest()),
                       "write as u16, by segments, fails CODE or -> name");
         }
     }

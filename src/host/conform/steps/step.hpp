@@ -21,13 +21,13 @@ struct Context;
 using Action = std::function<void(Context&)>;
 
 struct Step {
-    std::string text;  ///< as written
+    std::string text;  ///< text of the step as written in the case
     unsigned line{0};
     Action run;
 };
 using Steps = std::vector<Step>;
 
-/// Steps that several cases share.
+/// Steps that several cases can call.
 struct Procedure {
     std::string name;
     std::vector<std::string> takes;
@@ -50,9 +50,9 @@ struct Context {
     Journal& journal;
     Scope root{};
     Scope* scope{&root};
-    const Step* at{nullptr};  ///< the running step
+    const Step* at{nullptr};  ///< the step that runs now
     std::map<std::string, std::shared_ptr<const Watched>> watches;
-    std::vector<std::string> turns;  ///< names of the iterations of the loops around it: `P = TPDO 2`
+    std::vector<std::string> turns;  ///< names of the current iterations of all loops around the step: `P = TPDO 2`
     unsigned depth{0};               ///< nesting depth of procedures
     std::optional<bool> block_upload{};
     std::optional<bool> block_download{};
@@ -60,7 +60,7 @@ struct Context {
     std::uint8_t node() const { return sheet.node_id; }
 };
 
-/// Runs the steps in order; when one throws, `context.at` still points to it.
+/// Runs the steps in order. If a step throws an exception, `context.at` still points to it.
 void run_steps(const Steps& steps, Context& context);
 
 /// Thrown by `next unless`: skips this iteration of the loop.

@@ -15,10 +15,10 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // a step waits this many times the expected period
+constexpr std::uint64_t patience = 3;  // number of expected periods for which a step waits
 constexpr Duration grace = milliseconds(1000);
 
-/// Ends a watch when the step ends, also by an exception.
+/// Ends a watch when the step ends, even by an exception.
 class EndingWatch {
   public:
     EndingWatch(Context& context, Watched wanted) : link_{context.link}, watched_{link_.watch(std::move(wanted))} {}
@@ -33,7 +33,7 @@ class EndingWatch {
     std::shared_ptr<const Watched> watched_;
 };
 
-/// The tolerance of a number: `+- 5 %`, `+- 1`.
+/// The tolerance of a number, absolute or in per cent: `+- 5 %`, `+- 1`.
 struct Tolerance {
     Expression amount;
     bool percent{false};
@@ -126,7 +126,7 @@ Action parse_count(Scanner& line, StepSource&) {
         const bool too_few = !at_most && count < wanted - off;
         const bool too_many = !at_least && count > wanted + off;
         if (too_few || too_many) {
-            throw SlaveFailed{fmt::format("{} frames of {} where the case wants {}{}{}", seen->frames.size(),
+            throw SlaveFailed{fmt::format("{} frames of {} came where the case wants {}{}{}", seen->frames.size(),
                                           words_of(spec.key(*context.scope)),
                                           at_least  ? "at least "
                                           : at_most ? "at most "
@@ -150,7 +150,7 @@ std::string ms(double us) {
     return fmt::format("{:.3f} ms", us / 1000.0);
 }
 
-/// The gaps between the frames, with the limits that the step gives.
+/// Returns the gaps between the frames, with the limits that the step sets for them.
 Measured measured_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
     Measured measured{gaps, {}, {}};
     TimeLimits each{0.0, std::numeric_limits<double>::infinity()};
@@ -190,10 +190,11 @@ void judge_gaps(const Measured& measured) {
         const auto [low, high] = std::minmax_element(gaps.begin(), gaps.end());
         if (const auto shortest = static_cast<double>(*low); shortest < measured.of_each->least) {
             throw SlaveFailed{
-                fmt::format("a gap of {} where {} is the least", ms(shortest), ms(measured.of_each->least))};
+                fmt::format("a gap is {}, but must be at least {}", ms(shortest), ms(measured.of_each->least))};
         }
         if (const auto longest = static_cast<double>(*high); longest > measured.of_each->most) {
-            throw SlaveFailed{fmt::format("a gap of {} where {} is the most", ms(longest), ms(measured.of_each->most))};
+            throw SlaveFailed{
+                fmt::format("a gap is {}, but must be at most {}", ms(longest), ms(measured.of_each->most))};
         }
     }
 }
@@ -203,7 +204,7 @@ void run_period(const PeriodSpec& spec, Context& context) {
     const EndingWatch seen{context, watched_of(spec.frame, context)};
     const std::int64_t gaps = number_of(spec.gaps(*context.scope));
     if (gaps < 1) {
-        throw BrokenCase{"a period over no gaps"};
+        throw BrokenCase{"a period needs at least one gap"};
     }
     const Expression& longest = spec.mean ? spec.mean : spec.longest ? spec.longest : spec.shortest;
     const std::uint64_t expected = microseconds_of(longest, *context.scope) * static_cast<std::uint64_t>(gaps + 1);
@@ -238,7 +239,7 @@ Action parse_period(Scanner& line, StepSource&) {
         } else if (line.take_word("jitter")) {
             spec.jitter = parse_tolerance(line);
         } else {
-            line.fail(fmt::format("`{}` says nothing of a period", line.rest()),
+            line.fail(fmt::format("`{}` is no option of a period", line.rest()),
                       "write period 700+N = 100 ms +- 5 % over 20 jitter 10 %");
         }
     }

@@ -15,9 +15,10 @@ namespace canproof::host {
 /// sections.
 std::vector<EdsRule> eds_rules();
 
-/// Returns the findings of all rules, ascending by line, at most Faults::most. `name` is the file's name without
-/// folder; when it is empty, checks that depend on it are left out. The text is a device configuration file, which has
-/// keys of its own, if the name ends in .dcf, or if it contains [DeviceComissioning] and the name does not end in .eds.
+/// Returns the findings of all rules, ascending by line, at most Faults::most. `name` is the name of the file without
+/// its folder. If it is empty, checks that depend on it are left out.
+/// A text is a device configuration file if its name ends in .dcf. It is also one if it contains [DeviceComissioning]
+/// and the name does not end in .eds. Such a file may have additional keys.
 /// Throws InputError for a text that is no EDS: XML, more than most_strange_lines invalid lines, more than a million
 /// lines, or no section.
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name = {});

@@ -8,11 +8,11 @@
 
 namespace canproof::host {
 
-/// Returns whether bit 31 is set: the service is switched off.
+/// Returns whether bit 31 is set, which switches the service off.
 bool is_off(std::uint64_t cob_id);
-/// Returns whether bit 29 is set: the identifier has 29 bits.
+/// Returns whether bit 29 is set, which means an identifier of 29 bits.
 bool is_extended(std::uint64_t cob_id);
-/// Returns the identifier of 11 bits at this node-ID.
+/// Returns the 11-bit identifier that the entry gives for this node-ID.
 unsigned identifier(const EdsNumber& cob_id, unsigned node_id);
 /// Returns whether CiA 301 reserves the identifier: no PDO, SYNC, TIME or EMCY may use it.
 bool is_reserved(unsigned identifier);

@@ -155,7 +155,8 @@ class DeviceInfoCheck {
         }
     }
 
-    /// CiA 305: vendor-ID, product code, revision number and serial number together form the LSS address.
+    /// Checks that a device with LSS has its whole LSS address (CiA 305): vendor-ID, product code, revision number and
+    /// serial number.
     void check_lss() {
         if (number("LSS_Supported").value_or(0) != 1) {
             return;

@@ -18,30 +18,31 @@ enum class EdsSeverity {
 const char* to_text(EdsSeverity severity);
 
 struct EdsRule {
-    const char* id;        ///< lower-case letters and dashes
-    EdsSeverity severity;  ///< severity of each finding
-    const char* what;      ///< description of the fault in general
+    const char* id;        ///< made of lower-case letters and dashes
+    EdsSeverity severity;  ///< severity of all findings of this rule
+    const char* what;      ///< general description of the fault
     const char* fix;       ///< remedy
     const char* source;    ///< section of CiA 301 or CiA 306 that requires it
 };
 
-/// A change of one line that fixes a finding. The meaning of the sheet stays the same.
+/// A change of one line that belongs to the fix of a finding. It does not change the meaning of the sheet.
 struct EdsEdit {
     enum class Kind { replace, insert_after, erase, crlf } kind{Kind::replace};
-    unsigned line{0};  ///< counts from 1
-    std::string text;  ///< text of a replace or insert_after: without a final line break, may contain several lines
+    unsigned line{0};  ///< line number from 1
+    /// for replace and insert_after: the new text, which may have several lines but no final line break
+    std::string text;
 };
 
-/// The edits of one fix. Several findings can share them, for example those of a list.
+/// The edits of one fix. Several findings can share one fix, for example all findings of a list.
 using EdsEdits = std::shared_ptr<const std::vector<EdsEdit>>;
 
 struct EdsFinding {
     EdsRule rule{};
-    unsigned line{0};      ///< counts from 1
-    std::string what;      ///< description of the fault in this place
+    unsigned line{0};      ///< line number from 1
+    std::string what;      ///< description of this fault
     std::string fix;       ///< remedy
-    EdsEdits edits;        ///< the safe fix; nullptr when a person must decide
-    std::size_t order{0};  ///< position among the findings of a line
+    EdsEdits edits;        ///< the safe fix; nullptr: a person must decide
+    std::size_t order{0};  ///< position among the findings of the same line
 
     bool is_fixable() const { return edits != nullptr; }
 };

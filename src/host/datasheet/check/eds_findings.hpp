@@ -13,14 +13,14 @@ namespace canproof::host {
 
 class EdsFindings {
   public:
-    /// `rules` are the rules by id; they must outlive the findings.
+    /// `rules` contains the rules by id. The findings keep a reference to it.
     explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
 
-    /// Adds a finding of the rule. Throws std::out_of_range for an unknown rule. Findings beyond Faults::most are
-    /// dropped.
+    /// Adds a finding of the rule with this id. Throws std::out_of_range for an unknown rule. Drops findings beyond
+    /// Faults::most.
     void add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits = {});
     void add(const std::string& rule, unsigned line, std::string what, EdsEdits edits);
-    /// Returns the findings, ascending by line.
+    /// Returns the findings in ascending order of their lines, and empties this object.
     std::vector<EdsFinding> take();
 
   private:
@@ -28,7 +28,8 @@ class EdsFindings {
     std::vector<EdsFinding> all_;
 };
 
-/// The following functions return edits of one line.
+/// Returns an edit that replaces the line. The two functions below return edits that insert lines after it, and that
+/// erase it.
 inline std::vector<EdsEdit> replace_line(unsigned line, std::string text) {
     return {{EdsEdit::Kind::replace, line, std::move(text)}};
 }

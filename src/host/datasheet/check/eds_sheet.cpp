@@ -15,7 +15,7 @@ namespace canproof::host {
 namespace {
 
 constexpr unsigned highest_subindex = 0xFE;
-/// Greatest number of entries; a dictionary cannot contain more, so further entries are not expanded.
+/// Greatest number of entries that are expanded. A dictionary cannot contain more.
 constexpr std::size_t most_entries = 0x10000;
 /// Greatest number of lines; a full dictionary needs fewer.
 constexpr std::size_t most_lines = 1000000;
@@ -109,7 +109,7 @@ EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
             fmt::format("{} is XML; only EDS and DCF files are checked", name_.empty() ? "the text" : name_)};
     }
     Faults faults;
-    Faults notes;  // not used here, because the rules report the same in more detail
+    Faults notes;  // not used: the rules report the same faults in more detail
     ini_ = read_ini(std::string{text}, EdsTelling{name_, faults, notes});
     if (!faults.empty() || ini_.sections.empty()) {
         throw InputError{fmt::format("{} is no EDS: {}", name_.empty() ? "the text" : name_,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A data sheet in the form that the checks use: its unchanged lines, its sections, and its objects with their entries.
+// A data sheet as the checks use it: its lines as written, its sections, and its objects with their entries.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@
 namespace canproof::host {
 
 struct EdsLine {
-    /// `empty` includes comments and lines that read_ini() ignores, which contain control characters or are too long.
+    /// `empty` also includes comments, and lines that read_ini() ignores because they contain control characters or are
+    /// too long.
     enum class Kind { empty, section, value, strange };
     Kind kind{Kind::empty};
-    std::string text;    ///< unchanged text without its line break
+    std::string text;    ///< text as written, without its line break
     std::string name;    ///< name of the section, or the key, as written
-    std::string behind;  ///< text after the section, or the value
-    bool crlf{false};    ///< ends with CR LF
+    std::string behind;  ///< text after the section's name, or the value
+    bool crlf{false};    ///< whether the line ends with CR LF
 };
 
 /// A number of the sheet: a value, or the sum of a value and the node-ID.
@@ -35,43 +36,43 @@ struct EdsSheetEntry {
     std::uint16_t index{0};
     std::uint8_t sub{0};
     const IniSection* section{nullptr};  ///< section that describes the entry
-    const IniValue* value{nullptr};      ///< its default; nullptr: none
+    const IniValue* value{nullptr};      ///< default of the entry; nullptr: none
     const EdsDataType* type{nullptr};    ///< nullptr: missing or unknown
-    std::string access;                  ///< access in lower case; empty: missing
-    bool mappable{false};                ///< PDOMapping is not 0
-    bool compact{false};                 ///< described by CompactSubObj
+    std::string access;                  ///< access type in lower case; empty: missing
+    bool mappable{false};                ///< whether PDOMapping is not 0
+    bool compact{false};                 ///< whether CompactSubObj describes the entry
 
-    /// Returns the default of an entry that holds an unsigned number.
+    /// Returns the default of an entry with an unsigned number; nothing for any other default.
     std::optional<EdsNumber> number() const;
-    /// Returns the line of a key; without the key, that of the section.
+    /// Returns the line of a key; without the key, the line of the section.
     unsigned line_of(const char* key) const;
-    /// Returns the line of the default; without one, that of the section.
+    /// Returns the line of the default; without a default, the line of the section.
     unsigned value_line() const { return value == nullptr ? section->line : value->line; }
-    /// Returns `1018h` or `1018h:01`.
+    /// Returns the entry as text: `1018h` or `1018h:01`.
     std::string title() const;
-    bool is_single{false};  ///< the entry is the whole object
+    bool is_single{false};  ///< whether the entry is the whole object (no sub-index)
 };
 
 struct EdsSheetObject {
     std::uint16_t index{0};
-    const IniSection* section{nullptr};              ///< nullptr: only sub-sections describe the object
-    std::optional<std::uint64_t> code{7};            ///< ObjectType; nothing when it is not a number
-    std::uint64_t compact{0};                        ///< CompactSubObj
-    std::map<std::uint8_t, const IniSection*> subs;  ///< [XXXXsubY]
+    const IniSection* section{nullptr};    ///< section of the object; nullptr: only sections of sub-indices describe it
+    std::optional<std::uint64_t> code{7};  ///< ObjectType; nothing when it is not a number
+    std::uint64_t compact{0};              ///< value of CompactSubObj
+    std::map<std::uint8_t, const IniSection*> subs;  ///< sections [XXXXsubY] by sub-index
     std::vector<EdsSheetEntry> entries;              ///< ascending by sub-index
 
     bool is_single() const { return code == std::uint64_t{7} || code == std::uint64_t{2}; }
     bool is_several() const { return code == std::uint64_t{8} || code == std::uint64_t{9}; }
-    /// Returns the line of its section, otherwise that of the first sub-section.
+    /// Returns the line of the object's section; without one, the line of its first sub-section.
     unsigned line() const;
-    /// Returns the entry; nullptr when there is none.
+    /// Returns the entry with this sub-index; nullptr when there is none.
     const EdsSheetEntry* entry(unsigned sub) const;
     std::string title() const;
 };
 
 class EdsSheet {
   public:
-    /// Throws InputError for a text that is no EDS.
+    /// Parses the text. Throws InputError for a text that is no EDS.
     EdsSheet(std::string_view text, std::string_view name);
     EdsSheet(const EdsSheet&) = delete;
     EdsSheet& operator=(const EdsSheet&) = delete;
@@ -102,7 +103,7 @@ class EdsSheet {
     std::size_t entries_{0};
 };
 
-/// The meaning of a section's name: [1018], [1018sub1], [1018Name] or [1018Value].
+/// The meaning of a section's name such as [1018], [1018sub1], [1018Name] or [1018Value].
 struct EdsObjectName {
     enum class Kind { object, sub, name, value } kind{Kind::object};
     std::uint16_t index{0};
@@ -110,7 +111,7 @@ struct EdsObjectName {
 };
 std::optional<EdsObjectName> eds_object_name(const std::string& section);
 
-/// Returns an index such as `1018h`.
+/// Returns an index as text: `1018h`.
 std::string eds_index_text(unsigned index);
 
 }  // namespace canproof::host

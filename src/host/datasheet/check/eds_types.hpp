@@ -10,14 +10,14 @@ namespace canproof::host {
 struct EdsDataType {
     enum class Kind { boolean, integer, natural, real, text, octets, unicode, time, domain, record };
 
-    unsigned number;   ///< index of the type
+    unsigned number;   ///< number of the type in CiA 301
     const char* name;  ///< name in CiA 301
-    unsigned bits;     ///< 0: any length
+    unsigned bits;     ///< length in bits; 0: variable
     Kind kind;
 
     bool is_whole() const { return kind == Kind::integer || kind == Kind::natural; }
     bool is_number() const { return is_whole() || kind == Kind::real; }
-    /// Returns whether a value of the type has a fixed length that fits into a PDO.
+    /// Returns whether the type has a fixed length of at most 64 bits, so that a PDO can contain it.
     bool fits_pdo() const { return bits != 0 && bits <= 64; }
 };
 

@@ -19,7 +19,8 @@ constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, [FileInfo]";
 
-/// Returns the numbers between the separators of `text`; none when it contains anything else.
+/// Returns the numbers between the separators. Returns none when the text contains other characters or a number with
+/// more than `most_digits` digits.
 std::vector<unsigned> numbers_of(std::string_view text, char separator, std::size_t most_digits) {
     std::vector<unsigned> all;
     std::string digits;
@@ -53,7 +54,7 @@ struct Day {
 };
 
 struct Minute {
-    unsigned hour{0};  ///< 0 to 23
+    unsigned hour{0};  ///< from 0 to 23
     unsigned minute{0};
 
     std::string text() const {
@@ -62,7 +63,8 @@ struct Minute {
     }
 };
 
-/// Parses mm-dd-yyyy, and unambiguous variants: without leading zeros, yyyy-mm-dd, dd.mm.yyyy.
+/// Parses mm-dd-yyyy and unambiguous variants: without leading zeros, yyyy-mm-dd, dd.mm.yyyy. Returns nothing for any
+/// other text.
 std::optional<Day> read_day(std::string_view text) {
     const auto dashes = numbers_of(text, '-', 4);
     if (dashes.size() == 3 && dashes[0] > 31) {
@@ -75,7 +77,8 @@ std::optional<Day> read_day(std::string_view text) {
     return dots.size() == 3 && dots[2] > 31 ? std::optional{Day{dots[2], dots[1], dots[0]}} : std::nullopt;
 }
 
-/// Parses hh:mmAM, and unambiguous variants: with a blank, in lower case, and hh:mm in 24 hours.
+/// Parses hh:mmAM and unambiguous variants: with a blank, in lower case, or hh:mm in 24 hours. Returns nothing for any
+/// other text.
 std::optional<Minute> read_minute(std::string_view given) {
     std::string text = lower_case(given);
     const bool morning = text.size() > 2 && text.compare(text.size() - 2, 2, "am") == 0;

@@ -12,16 +12,18 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of rounds. A fix can uncover another finding; more rounds mean that two rules contradict each other.
+/// Greatest number of rounds. A fix can make another finding visible, which needs another round. More rounds mean that
+/// two rules contradict each other.
 constexpr int most_rounds = 20;
 
 /// The edits of one round. All edits of a line belong to the same fix.
 class Round {
   public:
-    /// Adds the edits of a finding. Returns false when another fix already changes one of these lines.
+    /// Adds the edits of a finding, unless they are added already. Returns false when another fix already changes one
+    /// of these lines.
     bool take(const EdsFinding& finding) {
         if (taken_.count(finding.edits) != 0) {
-            return true;  // several findings share this fix, for example those of a list
+            return true;  // several findings share this fix
         }
         const std::vector<EdsEdit>& edits = *finding.edits;
         if (std::any_of(edits.begin(), edits.end(),
@@ -35,7 +37,7 @@ class Round {
         return true;
     }
 
-    /// Returns the text with all edits.
+    /// Returns the text after all edits.
     std::string text(std::string_view old) const {
         const EdsSheet sheet{old, {}};
         const auto& lines = sheet.lines();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes the faults of a data sheet whose fix keeps its meaning.
+// Fixes those faults of a data sheet that have a fix which does not change the sheet's meaning.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< the fixed findings; their lines refer to the text at that moment
+    std::vector<EdsFinding> done;  ///< findings that were fixed; their lines refer to the text before that fix
 };
 
-/// Applies the edits of all findings that have some, and checks again until none is left. If the sheet can be read as a
-/// device, the fixed sheet gives the same device. Throws InputError as check_eds() does.
+/// Applies the edits of all findings that have edits, and checks again until no such finding is left. If a device can
+/// be read from the sheet, the fixed sheet gives the same device. Throws InputError as check_eds() does.
 EdsFixed fix_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

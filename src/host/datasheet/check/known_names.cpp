@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Words in the spelling of CiA 306, by their lower-case form.
+/// Words in the spelling of CiA 306, by the same words in lower case.
 struct Words {
     Words(std::initializer_list<const char*> all) {
         for (const char* word : all) {
@@ -28,7 +28,7 @@ struct Section {
 
 const Words dcf_keys{"ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"};
 
-/// Returns the sections with fixed names. A final # in a word stands for any number.
+/// Returns the sections with fixed names. A # at the end of a name stands for any number.
 const std::map<std::string, Section>& sections() {
     static const std::vector<Section> listed{
         {"FileInfo",
@@ -109,7 +109,7 @@ std::string known_section(const std::string& name) {
         return found->second.name;
     }
     if (lower == "devicecommissioning") {
-        return name;  // a common spelling; CiA 306 has one m
+        return name;  // files often contain the correct spelling; CiA 306 writes it with one m
     }
     if (const auto object = eds_object_name(name)) {
         const std::string digits = name.substr(0, 4);
@@ -134,7 +134,7 @@ std::string known_key(const std::string& section, std::string_view key) {
     }
     const auto object = eds_object_name(section);
     if (!object) {
-        return std::string{key};  // an unknown section is reported separately
+        return std::string{key};  // another rule reports the unknown section
     }
     const bool compact = object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
     return in_words(compact ? compact_keys : object_keys, key);

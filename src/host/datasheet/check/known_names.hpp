@@ -7,11 +7,12 @@
 
 namespace canproof::host {
 
-/// Returns the section in the spelling of CiA 306, also for [1018sub1] and similar names; empty when CiA 306 has none.
+/// Returns the section's name in the spelling of CiA 306, also for names such as [1018sub1]. Returns an empty text when
+/// CiA 306 has no such section.
 std::string known_section(const std::string& name);
 
-/// Returns the key of a section in the spelling of CiA 306; empty when the section has no such key. The case of both
-/// names does not matter.
+/// Returns a key of a section in the spelling of CiA 306; empty when the section has no such key. Upper and lower case
+/// of both names do not matter.
 std::string known_key(const std::string& section, std::string_view key);
 
 /// Returns whether the key of an object exists only in device configuration files.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the three lists of objects.
+// Checks the three lists of objects: mandatory, optional and manufacturer objects.
 #include "host/datasheet/check/list_rules.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr const char* source = "CiA 306, object lists";
 constexpr std::array<const char*, 3> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
 constexpr unsigned first_object = 0x1000;  // lower indices are data types
 
-/// Returns the number of the list that contains an object.
+/// Returns the number of the list that must contain an object: 0 mandatory, 1 optional, 2 manufacturer.
 std::size_t list_of(unsigned index) {
     const bool mandatory = index == 0x1000 || index == 0x1001 || index == 0x1018;
     return mandatory ? 0 : index >= 0x2000 && index <= 0x5FFF ? 2 : 1;
@@ -37,7 +37,7 @@ struct ListEntry {
 struct List {
     const IniSection* section{nullptr};
     std::vector<ListEntry> entries;  ///< ascending by key
-    bool all_known{true};            ///< all lines are valid, so the list can be rewritten
+    bool all_known{true};            ///< whether all lines are valid, so that a fix can write the list again
 };
 
 class ListCheck {
@@ -89,7 +89,8 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// Makes the fix that rewrites all three lists. All findings of the lists share it.
+    /// Makes one fix that writes all three lists again. All findings of the lists share it. Makes none when a list has
+    /// an invalid line.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {
@@ -206,7 +207,7 @@ class ListCheck {
     EdsFindings& findings_;
     std::array<List, 3> lists_;
     std::map<unsigned, Listed> listed_;
-    EdsEdits fix_;  ///< the common fix; nullptr: none
+    EdsEdits fix_;  ///< the common fix; nullptr: there is none
 };
 
 }  // namespace

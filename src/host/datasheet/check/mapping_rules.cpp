@@ -62,7 +62,7 @@ class MappingCheck {
     void check_mapped(const EdsSheetEntry& at) {
         const auto value = at.number();
         if (!value || value->bits > UINT32_MAX) {
-            return;  // the rules for values report it
+            return;  // the rules for values report an invalid default
         }
         const auto index = static_cast<unsigned>(value->bits >> 16U);
         const auto sub = static_cast<unsigned>((value->bits >> 8U) & 0xFFU);
@@ -152,7 +152,7 @@ class MappingCheck {
     EdsFindings& findings_;
     bool is_rpdo_;
     unsigned bits_{0};
-    std::set<unsigned> mapped_;  ///< index and sub-index
+    std::set<unsigned> mapped_;  ///< index and sub-index of the entries that are mapped so far
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr const char* compact_source = "CiA 306, CompactSubObj";
 constexpr const char* types_source = "CiA 306, ObjectType; CiA 301, object codes";
 
 constexpr unsigned first_object = 0x1000;
-constexpr std::size_t longest_name = 241;  // CiA 306, ParameterName
+constexpr std::size_t longest_name = 241;  // longest ParameterName of CiA 306
 
 bool is_mapping(unsigned index) {
     return (index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U;
@@ -117,7 +117,8 @@ class ObjectCheck {
         }
     }
 
-    /// Values in the section of an ARRAY or RECORD have a meaning only with CompactSubObj.
+    /// Reports DataType, AccessType and the like in the section of an ARRAY or RECORD, where they have a meaning only
+    /// with CompactSubObj.
     void check_own_values(const EdsSheetObject& object) {
         if (!object.is_several() || object.compact != 0 || object.subs.empty()) {
             return;
@@ -213,7 +214,7 @@ class ObjectCheck {
         }
     }
 
-    /// Checks names and keys of every section of an object.
+    /// Checks the name and the keys of every section of an object.
     void check_sections() {
         for (const auto& [name, section] : sheet_.ini().sections) {
             const auto object = eds_object_name(name);
@@ -248,7 +249,7 @@ class ObjectCheck {
         }
     }
 
-    /// Checks [1018Name] and [1018Value].
+    /// Checks the sections [1018Name] and [1018Value] of every object.
     void check_compact_lists() {
         for (const auto& [name, section] : sheet_.ini().sections) {
             const auto found = eds_object_name(name);

@@ -78,7 +78,8 @@ class PdoCheck {
                           fmt::format("{} has an identifier of 29 bits", entry->title()));
             return;
         }
-        // An identifier is reserved for all node-IDs or for none: the lowest and the highest are tried.
+        // CiA 301 reserves an identifier at all node-IDs or at none, so only the lowest and the highest node-ID are
+        // tried.
         for (const unsigned node : {1U, 127U}) {
             const unsigned id = identifier(*value, node);
             if (is_reserved(id)) {

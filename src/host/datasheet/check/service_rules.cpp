@@ -62,7 +62,7 @@ class ServiceCheck {
             }
             for (const EdsSheetEntry& one : object->entries) {
                 if (one.sub == 0 && standard.code != 7) {
-                    continue;  // the rules for sub-index 0 check it
+                    continue;  // the rules for sub-index 0 check this entry
                 }
                 if (standard.type != 0 && one.type != nullptr && one.type->number != standard.type) {
                     findings_.add("standard-type", one.line_of("DataType"),

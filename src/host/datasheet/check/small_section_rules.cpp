@@ -21,7 +21,8 @@ constexpr const char* comments_source = "CiA 306, [Comments]";
 constexpr const char* dummy_source = "CiA 306, [DummyUsage]; CiA 301, dummy mapping";
 constexpr const char* dcf_source = "CiA 306, device configuration file";
 
-/// Returns the number after `stem`; nothing when there is none. Both texts are in lower case.
+/// Returns the number of at most four digits that follows `stem` in the key; nothing for any other key. Both texts are
+/// in lower case.
 std::optional<unsigned> number_behind(std::string_view key, std::string_view stem) {
     const bool fits = key.size() > stem.size() && key.size() <= stem.size() + 4 && key.rfind(stem, 0) == 0 &&
                       key.find_first_not_of("0123456789", stem.size()) == std::string::npos;
@@ -119,7 +120,7 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
     }
 }
 
-/// Reports keys of objects that only a device configuration file may have, anywhere in an EDS.
+/// Reports keys of objects in an EDS that only a device configuration file may have.
 void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
     if (sheet.is_dcf()) {
         return;

@@ -10,7 +10,7 @@ struct StandardObject301 {
     enum class Access { any, read, write };
 
     unsigned index;
-    unsigned code;  ///< 7 VAR, 8 ARRAY, 9 RECORD
+    unsigned code;  ///< object code: 7 VAR, 8 ARRAY, 9 RECORD
     unsigned type;  ///< data type of the value, or of each entry from sub-index 1 on; 0: several types
     Access access;  ///< access to the value, or to each entry from sub-index 1 on
 };

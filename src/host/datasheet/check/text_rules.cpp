@@ -17,7 +17,7 @@ namespace {
 constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* format = "CiA 306, format of the file";
-constexpr std::size_t longest_line = 255;  // CiA 306
+constexpr std::size_t longest_line = 255;  // longest line of CiA 306
 
 class TextCheck {
   public:
@@ -50,7 +50,7 @@ class TextCheck {
         const auto& lines = sheet_.lines();
         const auto crlf = static_cast<std::size_t>(
             std::count_if(lines.begin(), lines.end(), [](const EdsLine& line) { return line.crlf; }));
-        // The last line may have no line break.
+        // The last line may lack a line break.
         const std::size_t ended = lines.empty() || lines.back().crlf ? lines.size() : lines.size() - 1;
         if (crlf == 0 || crlf == ended || lines.size() < 2) {
             return;
@@ -102,7 +102,7 @@ class TextCheck {
     void check_section_name(const EdsLine& line) {
         const auto object = eds_object_name(line.name);
         const std::string known = known_section(line.name);
-        // An entry without ParameterName is named after its section.
+        // An entry without ParameterName gets the name of its section.
         const IniSection* section = sheet_.ini().find(line.name);
         const bool named = !object || (section != nullptr && section->filled("ParameterName") != nullptr) ||
                            object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
@@ -147,7 +147,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
-    bool skips_{false};  ///< inside an invalid section
+    bool skips_{false};  ///< whether the present line is in an invalid section
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;

@@ -23,7 +23,7 @@ constexpr const char* number_source = "CiA 306, numbers";
 
 using Kind = EdsDataType::Kind;
 
-/// A number of any type: whole numbers have a sign and a magnitude of 64 bits.
+/// A number of any type. Whole numbers have a sign and a magnitude of 64 bits.
 struct Number {
     bool negative{false};
     std::uint64_t magnitude{0};
@@ -48,7 +48,7 @@ std::string without_blanks(std::string_view given) {
     return text;
 }
 
-/// Parses any whole number; returns nothing for another text.
+/// Parses any whole number. Returns nothing for any other text.
 std::optional<Number> whole(std::string_view given) {
     const std::string text = without_blanks(given);
     const bool negative = !text.empty() && text.front() == '-';
@@ -194,7 +194,7 @@ class ValueCheck {
         }
     }
 
-    /// Returns a limit as a number; reports a limit that is not a number.
+    /// Returns the limit of this key as a number; nothing when it is absent. Reports a limit that is not a number.
     std::optional<Number> limit(const char* key) {
         const IniValue* given = entry_.section->filled(key);
         if (given == nullptr) {
@@ -229,7 +229,7 @@ class ValueCheck {
         return term->has_node_id ? std::nullopt : value;
     }
 
-    /// Returns the default as a number; nothing for a default with the node-ID.
+    /// Returns the default as a number. Returns nothing when it is absent, is not a number, or contains the node-ID.
     std::optional<Number> plain_default() const {
         if (entry_.value == nullptr || entry_.value->text.find('$') != std::string::npos) {
             return std::nullopt;

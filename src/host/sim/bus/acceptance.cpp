@@ -16,14 +16,15 @@ namespace index = generated::canopen::index;
 
 constexpr std::uint32_t nmt_identifier = 0x000U;
 constexpr std::uint32_t sdo_request_base = 0x600U;
-constexpr std::uint32_t extended_bit = 0x20000000U;  // bit 29 of a COB-ID entry: 29-bit identifier
+constexpr std::uint32_t extended_bit = 0x20000000U;  // bit 29 of a COB-ID entry: the identifier has 29 bits
 
 class FilterList {
   public:
     explicit FilterList(const ObjectDictionary& objects) : objects_{objects} {}
 
     void add(std::uint32_t id) { add(AcceptanceFilter{id, 0x7FFU, false}); }
-    /// Adds the identifier of a COB-ID entry, unless `not_in_use` is set in the entry: the message then does not exist.
+    /// Adds a filter for the identifier in a COB-ID entry. If one of the bits `not_in_use` is set in the entry, adds
+    /// none, because the message does not exist.
     void add_entry(std::uint16_t index, std::uint8_t subindex, std::uint32_t not_in_use) {
         if (!objects_.has(index, subindex)) {
             return;
@@ -64,7 +65,7 @@ std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects
     }
     list.add(generated::canopen::guarding_cob_id_base + node_id);
     list.add(sdo_request_base + node_id);
-    list.add_entry(index::sync_cob_id, 0U, 0U);  // bit 30 concerns only the producer: SYNC is always received
+    list.add_entry(index::sync_cob_id, 0U, 0U);  // bit 30 concerns only the producer: a node always receives SYNC
     list.add_entry(index::guarding_identifier, 0U, 0U);
     list.add_entry(index::time_cob_id, 0U, 0U);
     const TableView<ObjectRow>& rows = objects.tables().objects;

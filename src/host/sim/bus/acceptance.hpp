@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Acceptance filters: the identifiers that the kernel filters of a node let through.
+// Acceptance filters: they select the identifiers of the frames that the kernel passes to a node.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace canproof::host {
 
-/// Accepts a frame whose identifier equals `id` in the bits of `mask`. Remote frames are treated as data frames.
+/// Accepts a frame whose identifier is equal to `id` in the bits of `mask`. The filter does not distinguish remote
+/// frames from data frames.
 struct AcceptanceFilter {
     std::uint32_t id{0U};
     std::uint32_t mask{0x7FFU};
@@ -23,11 +24,12 @@ inline bool operator==(const AcceptanceFilter& a, const AcceptanceFilter& b) {
     return a.id == b.id && a.mask == b.mask && a.extended == b.extended;
 }
 
-/// Returns two filters that accept every frame, one for base and one for extended identifiers.
+/// Returns two filters that together accept every frame: one for 11-bit and one for 29-bit identifiers.
 const std::vector<AcceptanceFilter>& accept_everything();
 
-/// Returns the filters for the present COB-IDs in a dictionary: NMT, LSS, SYNC, TIME, SDO servers, PDOs (a transmit PDO
-/// for its RTR), and error control of the node and of the nodes that it monitors. Without a node-ID, only NMT and LSS.
+/// Returns the filters for the present COB-IDs in a dictionary. These are NMT, LSS, SYNC, TIME, SDO servers, PDOs
+/// (transmit PDOs because of their remote frames), and the error control of the node and of the nodes that it monitors.
+/// Without a node-ID, returns only those for NMT and LSS.
 std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects, std::uint8_t node_id);
 
 }  // namespace canproof::host

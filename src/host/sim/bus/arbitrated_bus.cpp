@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t ns_per_us = 1000;
 constexpr std::uint64_t ns_per_s = 1000000000;
-constexpr std::size_t lines_held = 256;  // frames that put() stores while the bus is busy
+constexpr std::size_t lines_held = 256;  // number of frames of put() that can wait while the bus is busy
 
 Instant instant_of(std::uint64_t ns) {
     return Instant{(ns + ns_per_us - 1) / ns_per_us};
@@ -156,7 +156,7 @@ void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
     rates_differ_ = rates_differ_ || (!port.gateway && port.node->bit_rate() != port.rate);
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
-        return;  // the frame on the wire is still the first frame of the node
+        return;  // the frame on the wire is still the first in the queue of the node
     }
     const Frame* const next = port.next();
     if (next != nullptr && !waiting_.has(port.number)) {
@@ -175,7 +175,7 @@ ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
     return nullptr;
 }
 
-/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false without a frame.
+/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when none can start.
 bool ArbitratedBus::start(Nanoseconds now) {
     if (running_) {
         return false;
@@ -203,7 +203,7 @@ bool ArbitratedBus::start(Nanoseconds now) {
     next.start = at;
     next.corrupted = faults_.corrupts();
     const unsigned length = frame_bits(next.frame);
-    // A bit error occurs at a random place in the frame; the error frame follows it.
+    // A bit error is at a random place in the frame. The error frame follows directly after it.
     const unsigned used = next.corrupted ? 1U + static_cast<unsigned>(faults_.pick(length)) + error_frame_bits : length;
     next.end = at + bits(used);
     running_ = next;
@@ -252,7 +252,7 @@ void ArbitratedBus::tell_receivers_error(const Port& sender, Instant now) {
     }
 }
 
-/// Ends the transmission of a sender that has gone: the other nodes see an error, and the frame is lost.
+/// Ends the transmission of a sender that no longer takes part. The other nodes see an error, and the frame is lost.
 void ArbitratedBus::break_off(Nanoseconds at) {
     const Transmission lost = *running_;
     running_.reset();
@@ -293,7 +293,7 @@ void ArbitratedBus::deliver(const Transmission& done) {
     }
 }
 
-/// Updates the error counters of each station after a frame, whether it reads the frame or not.
+/// Updates the error counters of each node after a frame, even of nodes that do not read the frame.
 void ArbitratedBus::count_reception(const Port& sender, const Port* loser, Instant now) {
     if (!troubled_ && loser == nullptr) {
         return;
@@ -357,7 +357,7 @@ void ArbitratedBus::recover(Nanoseconds now) {
     }
 }
 
-/// Returns when the port can send its frame; never when it has none or does not take part in the bus.
+/// Returns the earliest time at which the port can send; `never` without a frame or when it takes no part in the bus.
 Instant ArbitratedBus::may_start(const Port& port) const {
     const bool sends = port.reported_state != CanState::bus_off && port.next() != nullptr && takes_part(port);
     return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;
@@ -380,7 +380,7 @@ Instant ArbitratedBus::next_deadline() const {
     for (const auto& [rank, number] : waiting_.places()) {
         next = earliest(next, may_start(ports_.at(number)));
         if (next <= instant_of(idle_from_)) {
-            return next;  // no other port can start earlier
+            return next;  // no other port can start before this time
         }
     }
     return next;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The in-process bus. It transmits one frame at a time, the lowest identifier first; each frame takes the time of its
-// bits. It is deterministic: the same frames at the same times and the same seed give the same traffic.
+// The in-process bus. It transmits one frame at a time, and the lowest identifier goes first. Each frame takes the time
+// of its bits. The bus is deterministic: the same frames at the same times and the same seed give the same traffic.
 #pragma once
 
 #include <map>
@@ -18,13 +18,15 @@
 
 namespace canproof::host {
 
-/// A bus with up to 127 nodes and any number of gateways. Its bit rate is that of most of its nodes; on a tie it keeps
-/// the present one. A node with another bit rate neither sends nor receives. Every frame is acknowledged, because the
-/// outside counts as a further station. If two nodes send the same identifier at once, the node that was attached first
-/// wins. CANopen forbids this case; on a real bus it would cause bit errors.
+/// A bus with up to 127 nodes and any number of gateways.
 ///
-/// A node gets the frames that its filters accept. The work for a frame depends on its receivers and not on the number
-/// of nodes, because a node that reports its changes is inspected only after a change.
+/// The bus has the bit rate of most of its nodes; on a tie it keeps its present rate. A node with another bit rate
+/// neither sends nor receives. Every frame is acknowledged, because the outside counts as a further station. If two
+/// nodes send the same identifier at the same time, the node that was attached first wins. CANopen forbids this case;
+/// on a real bus it would cause bit errors.
+///
+/// A node gets the frames that its filters accept. The work for a frame depends on the number of its receivers, not on
+/// the number of nodes: a node that reports its changes is inspected only after a change.
 class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
@@ -32,13 +34,14 @@ class ArbitratedBus final : public Bus {
     /// `bit_rate`, in bit/s, applies until a node has another bit rate.
     ArbitratedBus(std::string interface, std::uint32_t bit_rate, const BusFaultRates& faults);
 
-    /// Throws InputError for a 128th node.
+    /// Adds a node. Throws InputError for more than 127 nodes.
     void attach(BusNode& node) override;
-    /// Adds a gateway, at any time. It waits eight bit times after each of its frames, as an error-passive node does.
-    /// Detaching a gateway during its transmission causes an error frame.
+    /// Adds a gateway; allowed at any time. A gateway waits eight bit times after each of its frames, as an
+    /// error-passive node does. If a gateway is detached during its transmission, an error frame follows.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
-    /// Returns whether a frame of that gateway is on the wire or must be repeated. Detaching the gateway would lose it.
+    /// Returns whether a frame of that gateway is on the wire or must be repeated. If the gateway is detached then, the
+    /// frame is lost.
     bool is_sending(const Gateway& gateway) const;
 
     bool put(const Frame& frame, Instant now) override;
@@ -49,25 +52,25 @@ class ArbitratedBus final : public Bus {
     BusReport report(Instant now) const override;
     const std::string& interface() const override { return interface_; }
 
-    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. Its frame on the wire is lost,
-    /// and the other nodes see an error.
+    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. If its frame is on the wire, that
+    /// frame is lost and the other nodes see an error.
     void switch_off(const BusNode& node, Instant now);
 
   private:
     using Nanoseconds = std::uint64_t;
     struct Port {
         BusNode* node{nullptr};
-        std::size_t number{0};  ///< ascending in order of attachment
+        std::size_t number{0};  ///< ports get ascending numbers in the order in which they are attached
         bool gateway{false};
-        std::optional<Frame> repeated;  ///< a corrupted frame, to be sent again
+        std::optional<Frame> repeated;  ///< frame that was corrupted and must be sent again
         FaultConfinement counters;
         CanState reported_state{CanState::error_active};
         bool overrun{false};
-        std::uint32_t rate{0};       ///< bit rate of the node at the last inspection
-        Nanoseconds first_since{0};  ///< time at which the next frame became the first of its queue
+        std::uint32_t rate{0};       ///< bit rate of the node when it was last inspected
+        Nanoseconds first_since{0};  ///< time at which the next frame became the first of the port's queue
         Nanoseconds may_send_from{0};
-        Nanoseconds back_on_bus{0};  ///< end of the bus-off state
-        bool changed{false};         ///< the port is in changed_
+        Nanoseconds back_on_bus{0};  ///< time at which the bus-off state ends
+        bool changed{false};         ///< whether changed_ contains the port
 
         const Frame* next() const { return repeated ? &*repeated : node->next_frame(); }
     };
@@ -102,15 +105,15 @@ class ArbitratedBus final : public Bus {
     std::string interface_;
     std::uint32_t bit_rate_;
     BusFaults faults_;
-    std::map<std::size_t, Port> ports_;  ///< by number; the port of put() is the first
+    std::map<std::size_t, Port> ports_;  ///< ports by their number; the first port is that of put()
     std::size_t next_number_{0};
-    std::vector<Port*> changed_;  ///< nodes that report changes, to be inspected
-    std::vector<Port*> watched_;  ///< nodes that do not report changes
-    std::vector<Port*> off_;      ///< bus-off nodes
-    WaitingLine waiting_;         ///< by number
-    FrameReaders readers_;        ///< by number
-    bool rates_differ_{false};    ///< a node has another bit rate than was last reported
-    bool troubled_{false};        ///< an error counter of a receiver is not 0, or a receiver has lost a frame
+    std::vector<Port*> changed_;  ///< ports of nodes that report changes, and must now be inspected
+    std::vector<Port*> watched_;  ///< ports of nodes that do not report changes; they are inspected in every step
+    std::vector<Port*> off_;      ///< ports of nodes that are bus-off
+    WaitingLine waiting_;         ///< contains the numbers of ports
+    FrameReaders readers_;        ///< contains the numbers of ports
+    bool rates_differ_{false};    ///< whether a node has another bit rate than was last reported
+    bool troubled_{false};        ///< whether an error counter of a receiver is not 0, or a receiver has lost a frame
     Gateway outside_;
     std::optional<Transmission> running_;
     Nanoseconds advanced_to_{0};

@@ -12,8 +12,8 @@ constexpr std::uint64_t good_enough_us = 10;
 
 }  // namespace
 
-/// Reads the real time between two times of the run. A long time between them means that the process lost the
-/// processor: the comparison is repeated, and the best one counts.
+/// Reads the real time between two readings of the run's clock. If the two are far apart, the process did not run in
+/// between, so the comparison is repeated. The comparison with the shortest distance is used.
 void ArrivalClock::compare(Instant now, const std::function<std::uint64_t()>& realtime_ns) {
     std::uint64_t best = UINT64_MAX;
     std::int64_t offset = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines the bit rate of a bus whose nodes have different bit rates.
+// Determines the bit rate of a bus on which nodes have different bit rates.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ class BitRateVote {
             ++votes_[rate];
         }
     }
-    /// Returns the rate of most nodes; `present` on a tie with it, or without any vote.
+    /// Returns the bit rate with the most votes. Returns `present` if it has as many votes as any other rate, or if
+    /// there is no vote.
     std::uint32_t outcome(std::uint32_t present) const {
         std::uint32_t best = present;
         for (const auto& [rate, count] : votes_) {

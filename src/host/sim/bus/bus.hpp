@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of a bus for the run loop: nodes on one side, descriptors and deadlines on the other.
+// The interface of a bus for the run loop: it connects nodes, and waits for descriptors and deadlines.
 #pragma once
 
 #include <cstdint>
@@ -21,21 +21,21 @@ class BusNode {
     virtual const std::string& name() const = 0;
     /// Returns the next frame to send; nullptr when there is none.
     virtual const Frame* next_frame() const = 0;
-    /// Removes the next frame, whose transmission has started.
+    /// Removes the next frame, because its transmission has started.
     virtual void take_frame() = 0;
     virtual void receive(const Frame& frame, Instant now) = 0;
     virtual void set_can_state(CanState state, Instant now) = 0;
-    /// Reports whether the last frame for this node was lost because there was no room.
+    /// Reports whether the last frame for this node was lost because the receive buffer had no room.
     virtual void set_overrun(bool lost, Instant now) = 0;
-    /// Returns the filters for the frames to which the node can react; its configuration changes them.
+    /// Returns the filters for the frames to which the node reacts. They change with the node's configuration.
     virtual const std::vector<AcceptanceFilter>& filters() const = 0;
-    /// Returns the bit rate of its CAN controller in bit/s; 0 when the node has no bit rate of its own.
+    /// Returns the bit rate of the node's CAN controller in bit/s; 0 when the node has no bit rate of its own.
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns whether the node calls its listeners when its next frame, its filters or its bit rate may have changed.
-    /// A bus inspects any other node in every step.
+    /// If it does not, a bus inspects the node in every step.
     virtual bool tells_changes() const { return false; }
 
-    /// Adds a listener for each such change, for the lifetime of the node.
+    /// Adds a listener for such changes. It is called as long as the node exists.
     void on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }
 
   protected:
@@ -53,21 +53,23 @@ class BusNode {
 struct BusFrame {
     Instant time{};
     Frame frame{};
-    const BusNode* sender{nullptr};  ///< nullptr: it came from outside
+    const BusNode* sender{nullptr};  ///< node that has sent the frame; nullptr: the frame came from outside
 };
 
 /// The statistics of a bus since its start.
 struct BusReport {
     std::uint64_t frames{0};
-    std::uint64_t errors{0};     ///< error frames
-    std::uint64_t lost{0};       ///< frames that came faster than they were read; they are neither logged nor counted
-    std::uint64_t missed{0};     ///< number of such frames for nodes of this program
-    double load{0.0};            ///< 0 to 1, over the last second
-    Duration worst_latency{};    ///< from the moment at which a frame became the first of its node until its last bit
-    std::uint32_t bit_rate{0U};  ///< bit/s; 0: unknown
+    std::uint64_t errors{0};  ///< number of error frames
+    /// number of frames that came faster than they were read; they are neither logged nor counted
+    std::uint64_t lost{0};
+    std::uint64_t missed{0};  ///< number of lost frames, added up over the nodes of this program
+    double load{0.0};         ///< load over the last second, 0 to 1
+    /// time from the moment a frame becomes the first in the queue of its node until its last bit is sent
+    Duration worst_latency{};
+    std::uint32_t bit_rate{0U};  ///< bit rate in bit/s; 0: unknown
 };
 
-/// A descriptor on whose readiness a bus waits.
+/// A descriptor that a bus waits for.
 struct Watch {
     int descriptor{-1};
     bool readable{true};
@@ -77,18 +79,19 @@ struct Watch {
 using FrameListener = std::function<void(const BusFrame&)>;
 using NoticeListener = std::function<void(const std::string&)>;
 
-/// A bus. All events happen in advance() in order of time; poll() only reads arrived data. Neither waits.
+/// A bus. All events happen in advance(), in order of time; poll() only reads arrived data. Neither function waits.
 class Bus {
   public:
     virtual ~Bus() = default;
 
     /// Adds a node before the first advance(). `node` must outlive the bus.
     virtual void attach(BusNode& node) = 0;
-    /// Sends a frame that belongs to no node (a line on standard input). Returns false when the bus cannot take it now.
+    /// Sends a frame that belongs to no node, such as a line on standard input. Returns false when the bus cannot take
+    /// it now.
     virtual bool put(const Frame& frame, Instant now) = 0;
     virtual std::vector<Watch> watches() const = 0;
-    /// Reads the descriptors. Arrived data are due at their time of arrival. Returns the time up to which all arrivals
-    /// are known: `now`, or an earlier time when more has arrived than one call reads.
+    /// Reads the descriptors. Arrived data become due at their time of arrival. Returns the time up to which all
+    /// arrivals are known: `now`, or an earlier time if more data have arrived than one call reads.
     virtual Instant poll(Instant now) = 0;
     virtual void advance(Instant now) = 0;
     virtual Instant next_deadline() const = 0;
@@ -96,12 +99,12 @@ class Bus {
     /// Returns the name of the interface for a log.
     virtual const std::string& interface() const = 0;
 
-    /// Sets the clock of the run, which a bus to the outside needs to know when data arrived. Without it, all data that
-    /// poll() reads have arrived at its `now`.
+    /// Sets the clock of the run. A bus to the outside needs it to determine when data arrived. Without it, all data
+    /// that poll() reads count as arrived at its `now`.
     void use_clock(ArrivalClock::Clock clock) { arrival_clock_.use(std::move(clock)); }
-    /// Sets the listener, which receives every frame once, in order of time.
+    /// Sets the listener. It receives every frame once, in order of time.
     void listen(FrameListener listener) { listener_ = std::move(listener); }
-    /// Sets the listener for messages to the user: "vcan0 is down; waiting for it".
+    /// Sets the listener for messages to the user, such as "vcan0 is down; waiting for it".
     void on_notice(NoticeListener listener) { notice_ = std::move(listener); }
 
   protected:

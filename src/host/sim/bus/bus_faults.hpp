@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random faults of the in-process bus; the same seed gives the same faults.
+// Random faults of the in-process bus. The same seed gives the same faults.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 
 namespace canproof::host {
 
-/// Probabilities from 0 to 1 per frame.
+/// The probability of each fault for one frame, 0 to 1.
 struct BusFaultRates {
     double corrupted{0.0};  ///< a bit error: an error frame follows, and the frame is sent again
     double lost{0.0};       ///< one receiver has no room for the frame
-    double bus_off{0.0};    ///< the sender's controller goes bus-off after the frame
+    double bus_off{0.0};    ///< the sender's controller becomes bus-off after the frame
     std::uint64_t seed{1U};
 
     bool any() const { return corrupted > 0.0 || lost > 0.0 || bus_off > 0.0; }
 };
 
-/// Parses `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`, in which each part is optional. Throws InputError.
+/// Parses `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`. Each part is optional. Throws InputError for any other
+/// text.
 BusFaultRates parse_bus_faults(const std::string& text);
 
 class BusFaults {
@@ -32,7 +33,8 @@ class BusFaults {
     std::size_t pick(std::size_t count) { return static_cast<std::size_t>(generator_() % count); }
 
   private:
-    // The numbers of the generator are the same everywhere; those of the standard distributions depend on the library.
+    // The generator gives the same numbers everywhere; the standard distributions depend on the library, so they are
+    // not used.
     bool happens(double probability) {
         constexpr double numbers = 4294967296.0;
         return probability > 0.0 && static_cast<double>(generator_() >> 32U) < probability * numbers;

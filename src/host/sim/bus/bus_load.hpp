@@ -8,12 +8,12 @@
 
 namespace canproof::host {
 
-/// Times are in nanoseconds of virtual time.
+/// Counts busy periods. Times are in nanoseconds of virtual time.
 class BusLoad {
   public:
     static constexpr std::uint64_t window = 1000000000;
 
-    /// Adds a busy period from `start` to `end`; the periods are ascending and do not overlap.
+    /// Adds a busy period from `start` to `end`. Periods must be added in ascending order and must not overlap.
     void add(std::uint64_t start, std::uint64_t end) { busy_.push_back({start, end}); }
     /// Removes the periods that ended more than a second before `now`.
     void forget_before(std::uint64_t now) {
@@ -21,8 +21,8 @@ class BusLoad {
             busy_.pop_front();
         }
     }
-    /// Returns the load from 0 to 1 over the second before `now`, or over the time since 0 when that is shorter.
-    /// `running_since` is the start of the present transmission; `now` when there is none.
+    /// Returns the load, 0 to 1, over the second before `now`, or over the time since 0 if that is shorter.
+    /// `running_since` is the start of the present transmission; without a transmission it must be `now`.
     double at(std::uint64_t now, std::uint64_t running_since) const {
         const std::uint64_t length = std::min(now, window);
         const std::uint64_t begin = now - length;

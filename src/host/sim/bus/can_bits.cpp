@@ -10,7 +10,8 @@ constexpr unsigned extension_bits = 18U;
 constexpr unsigned crc_bits = 15U;
 constexpr std::uint16_t crc_polynomial = 0x4599U;
 constexpr unsigned stuff_after = 5U;
-/// Bits without stuffing: CRC delimiter, acknowledge slot, its delimiter, seven bits end of frame.
+/// Bits that are sent without stuff bits: CRC delimiter, acknowledge slot, acknowledge delimiter, seven bits end of
+/// frame.
 constexpr unsigned tail_bits = 1U + 1U + 1U + 7U;
 
 void append(std::vector<bool>& bits, std::uint32_t value, unsigned count) {
@@ -22,14 +23,14 @@ void append(std::vector<bool>& bits, std::uint32_t value, unsigned count) {
 void append_identifier(std::vector<bool>& bits, const Frame& frame) {
     if (frame.extended) {
         append(bits, frame.id >> extension_bits, base_id_bits);
-        append(bits, 0b11U, 2U);  // SRR and IDE, recessive
+        append(bits, 0b11U, 2U);  // the recessive bits SRR and IDE
         append(bits, frame.id, extension_bits);
         append(bits, frame.remote ? 1U : 0U, 1U);
-        append(bits, 0U, 2U);  // r1, r0
+        append(bits, 0U, 2U);  // the bits r1 and r0
     } else {
         append(bits, frame.id, base_id_bits);
         append(bits, frame.remote ? 1U : 0U, 1U);
-        append(bits, 0U, 2U);  // IDE, r0
+        append(bits, 0U, 2U);  // the bits IDE and r0
     }
 }
 
@@ -38,7 +39,7 @@ void append_identifier(std::vector<bool>& bits, const Frame& frame) {
 std::vector<bool> unstuffed_bits(const Frame& frame) {
     std::vector<bool> bits;
     bits.reserve(160);
-    append(bits, 0U, 1U);  // start of frame
+    append(bits, 0U, 1U);  // the bit start of frame
     append_identifier(bits, frame);
     append(bits, frame.length, 4U);
     for (std::size_t i = 0; !frame.remote && i < frame.length; ++i) {

@@ -15,7 +15,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t longest_usual_line = 64;  // room for `(1436509052.249713) vcan0 1FFFFFFF#0102030405060708`
+constexpr std::size_t longest_usual_line = 64;  // enough for `(1436509052.249713) vcan0 1FFFFFFF#0102030405060708`
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw InputError{
@@ -69,7 +69,7 @@ TextFault read_line(std::string_view line, LoggedFrame& logged) {
     if (TextFault fault = read_time(time, logged.time)) {
         return fault;
     }
-    if (logged.interface != interface) {  // all lines of most logs have the same one
+    if (logged.interface != interface) {  // in most logs all lines have the same interface
         logged.interface = interface;
     }
     logged.mark = mark_of(mark);

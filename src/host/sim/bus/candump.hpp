@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log format of candump: `(seconds.micros) iface ID#DATA`, `ID#R` for a remote frame.
+// The log format of candump: `(seconds.micros) interface ID#DATA`, or `ID#R` for a remote frame.
 #pragma once
 
 #include <cstdint>
@@ -21,25 +21,27 @@ struct LoggedFrame {
     std::string interface;
     Frame frame{};
     LogMark mark{LogMark::none};
-    bool error{false};  ///< an error frame in candump's form; no node receives it
-    bool coded{false};  ///< has a length code of 9 to 15 after the data: the length is still eight bytes
+    bool error{false};  ///< whether it is an error frame in candump's form, which no node receives
+    /// whether a length code of 9 to 15 follows the data; the length of the data is still eight bytes
+    bool coded{false};
 };
 
-/// Parses one line of a log; `candump -L -x` marks frames with T and R. Throws InputError with `where` ("file:line").
+/// Parses one line of a log. The line may end with the mark T or R of `candump -L -x`. Throws InputError with `where`
+/// ("file:line") for any other line.
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where);
-/// Numbers of unusual lines in a log.
+/// The numbers of unusual lines in a log.
 struct LogCounts {
     std::uint64_t error_frames{0};
     std::uint64_t coded_lengths{0};
 };
 
-/// Reads the frames of a log one after another, in ascending time. Skips empty lines and error frames.
+/// Reads the frames of a log one after another. Their times must be ascending. Skips empty lines and error frames.
 class CandumpReader {
   public:
-    /// `name` is for messages.
+    /// Prepares to read `in`. `name` is the name of the log in messages.
     CandumpReader(std::istream& in, std::string name) : lines_{in, std::move(name)} {}
 
-    /// Reads the next frame. Returns false at the end. Throws InputError.
+    /// Reads the next frame. Returns false at the end of the log. Throws InputError for an invalid line.
     bool next(LoggedFrame& frame);
     const LogCounts& counts() const { return counts_; }
 
@@ -49,13 +51,13 @@ class CandumpReader {
     LogCounts counts_;
 };
 
-/// Reads all frames of a log.
+/// Reads all frames of a log. Throws InputError for an invalid line.
 std::vector<LoggedFrame> read_candump_log(std::istream& in, const std::string& name);
 std::string format_candump_line(const LoggedFrame& logged);
-/// Returns the text of a frame: `703#00`.
+/// Returns a frame as text: `703#00`.
 std::string format_frame(const Frame& frame);
-/// Parses a frame such as `703#00`, also with a length code after eight bytes (`303#0102030405060708_F`). Throws
-/// InputError.
+/// Parses a frame such as `703#00`. A length code may follow eight bytes (`303#0102030405060708_F`). Throws InputError
+/// with `where` for any other text.
 Frame parse_frame(const std::string& text, const std::string& where);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recognises a node's own frames in a record: frames that it has sent and that have not come back yet.
+// Recognises the own frames of nodes in a record of the bus: frames that a node has sent and that have not come back
+// yet.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,7 @@ class EchoMatcher {
         }
         open.push_back({frame, owner});
     }
-    /// Returns the sender of the frame; `nobody` when no node has sent it. Each sent frame is recognised once.
+    /// Returns the node that has sent the frame; `nobody` when no node has. Each sent frame is recognised once.
     Owner match(const Frame& frame, Owner nobody) {
         const auto of_identifier = open_.find(key(frame));
         if (of_identifier == open_.end()) {
@@ -38,7 +39,8 @@ class EchoMatcher {
     }
 
   private:
-    // Greatest number of open frames per identifier: more than can be unread in a socket. Older frames never came back.
+    // Greatest number of sent frames with one identifier that may still come back. A socket cannot contain so many
+    // unread frames, so older frames are lost.
     static constexpr std::size_t most_open = 1U << 17U;
     struct Sent {
         Frame frame;

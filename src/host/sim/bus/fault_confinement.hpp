@@ -15,7 +15,7 @@ class FaultConfinement {
     void transmit_failed() { transmit_ += transmit_penalty; }
     void receive_failed() { receive_ += receive_ <= most_counted ? 1U : 0U; }
     void switch_off() { transmit_ = bus_off_at; }
-    /// Ends the bus-off state, after 128 × 11 recessive bits.
+    /// Ends the bus-off state after 128 × 11 recessive bits, and clears both counters.
     void recover() { transmit_ = receive_ = 0U; }
 
     CanState state() const {
@@ -33,8 +33,8 @@ class FaultConfinement {
     static constexpr std::uint32_t warning_at = 96U;
     static constexpr std::uint32_t passive_at = 128U;
     static constexpr std::uint32_t bus_off_at = 256U;
-    static constexpr std::uint32_t back_to_active = 119U;  // ISO 11898-1 leaves the choice of 119 to 127 to the
-                                                           // controller
+    // ISO 11898-1 lets the controller choose a value from 119 to 127
+    static constexpr std::uint32_t back_to_active = 119U;
     static constexpr std::uint32_t most_counted = 255U;
 
     std::uint32_t transmit_{0U};

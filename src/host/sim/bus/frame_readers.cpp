@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t base_mask = 0x7FFU;
 constexpr std::uint32_t extended_mask = 0x1FFFFFFFU;
-constexpr std::uint32_t extended_mark = 0x80000000U;  // above the 29 bits of an identifier
+constexpr std::uint32_t extended_mark = 0x80000000U;  // a bit above the 29 bits of an identifier
 
 bool names_one(const AcceptanceFilter& filter) {
     return filter.mask == (filter.extended ? extended_mask : base_mask);

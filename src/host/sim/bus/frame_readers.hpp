@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the receivers of a frame by its identifier, with an effort independent of the number of nodes.
+// Finds the receivers of a frame by its identifier. The effort does not depend on the number of nodes.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace canproof::host {
 
-/// A map from frames to readers. A reader is a number that the owner chooses. Filters for one identifier are found in a
-/// hash table; a filter for several identifiers is compared with each frame.
+/// A map from frames to readers. A reader is a number that the owner of the map chooses. A hash table contains the
+/// filters for one identifier; filters for several identifiers are compared with each frame.
 class FrameReaders {
   public:
-    /// Sets the filters of `reader`, which replace its former ones. An empty list removes the reader.
+    /// Sets the filters of `reader` and replaces its former ones. An empty list removes the reader.
     void set(std::size_t reader, const std::vector<AcceptanceFilter>& filters);
     /// Returns the readers of this frame, each once, in ascending order.
     std::vector<std::size_t> of(const Frame& frame) const;
@@ -28,8 +28,8 @@ class FrameReaders {
 
     void remove(std::size_t reader);
 
-    std::unordered_map<std::size_t, std::vector<AcceptanceFilter>> filters_;     ///< by reader
-    std::unordered_map<std::uint32_t, std::vector<std::size_t>> by_identifier_;  ///< by key_of()
+    std::unordered_map<std::size_t, std::vector<AcceptanceFilter>> filters_;     ///< filters by reader
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>> by_identifier_;  ///< readers by key_of() the identifier
     std::vector<Wide> wide_;                                                     ///< filters for several identifiers
 };
 

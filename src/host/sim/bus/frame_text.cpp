@@ -13,8 +13,7 @@ constexpr std::size_t base_digits = 3;
 constexpr std::size_t extended_digits = 8;
 constexpr std::uint32_t highest_base = 0x7FFU;
 constexpr std::uint32_t highest_extended = 0x1FFFFFFFU;
-constexpr std::uint32_t error_flag = 0x20000000U;  // the only bit above the lower 29 in the identifier of an error
-                                                   // frame bits
+constexpr std::uint32_t error_flag = 0x20000000U;  // the only bit of an error frame's identifier above bit 28
 constexpr unsigned no_digit = 16;
 
 unsigned digit_of(char c) {
@@ -24,7 +23,7 @@ unsigned digit_of(char c) {
                                   : no_digit;
 }
 
-/// Parses a hexadecimal number; `digits` must have one to eight characters. Returns nothing when one of them is no
+/// Parses a hexadecimal number. The callers pass one to eight characters. Returns nothing when a character is no
 /// hexadecimal digit.
 std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
     std::uint32_t value = 0;
@@ -54,8 +53,8 @@ TextFault read_data(Frame& frame, std::string_view data) {
     return sound ? TextFault{} : fmt::format("data `{}` is not up to eight bytes in hexadecimal", data);
 }
 
-/// Removes a length code after `_`. Classic CAN also has the codes 9 to 15 for a length of eight, which candump writes
-/// in this form.
+/// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN they also mean eight
+/// bytes.
 TextFault cut_length_code(std::string_view& data, bool& coded) {
     const auto at = data.find('_');
     coded = at != std::string_view::npos;
@@ -81,7 +80,8 @@ TextFault read_remote(Frame& frame, std::string_view length) {
     return std::nullopt;
 }
 
-/// Appends digits without a formatting library, because a log can have thousands of frames a second.
+/// Appends `digits` hexadecimal digits. Uses no formatting library, because a log can have thousands of frames a
+/// second.
 void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
     for (unsigned left = digits; left > 0U; --left) {
         text += "0123456789ABCDEF"[(value >> (4U * (left - 1U))) & 0xFU];

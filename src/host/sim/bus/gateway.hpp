@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gateway between a bus and the outside. It sends frames in order of arrival and stores a limited number of them.
+// A gateway between a bus and the outside. It sends the frames of the outside in order of arrival, and stores a limited
+// number of them.
 #pragma once
 
 #include <deque>
@@ -14,11 +15,11 @@ class Gateway final : public BusNode {
   public:
     using Outlet = std::function<void(const Frame&, Instant)>;
 
-    /// `outlet` receives each frame that another node has sent; it may be empty.
+    /// `outlet` is called with each frame that another node has sent; it may be empty.
     Gateway(std::string name, std::size_t capacity, Outlet outlet)
         : name_{std::move(name)}, capacity_{capacity}, outlet_{std::move(outlet)} {}
 
-    /// Stores a frame to send. Returns false when the gateway is full; the caller must then wait.
+    /// Stores a frame to send. Returns false when the gateway is full; then the caller must try again later.
     bool put(const Frame& frame) {
         if (is_full()) {
             return false;

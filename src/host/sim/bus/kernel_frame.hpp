@@ -13,16 +13,17 @@
 namespace canproof::host {
 
 can_frame to_kernel(const Frame& frame);
-/// Converts a data or remote frame; a length above eight bytes becomes eight.
+/// Converts a data frame or remote frame. A length above eight bytes becomes eight.
 Frame from_kernel(const can_frame& frame);
 bool is_error_frame(const can_frame& frame);
 
-/// Returns the filters for CAN_RAW_FILTER. If there are more than the kernel accepts, one filter accepts every frame.
+/// Returns the filters for CAN_RAW_FILTER. If there are more than the kernel accepts, returns one filter that accepts
+/// every frame.
 std::vector<can_filter> kernel_filters(const std::vector<AcceptanceFilter>& filters);
 
-/// The state of the controller in an error frame.
+/// The information of an error frame about the controller.
 struct ControllerNews {
-    std::optional<CanState> state;  ///< nothing: unchanged
+    std::optional<CanState> state;  ///< new state; nothing: the state has not changed
     bool overrun{false};
 };
 

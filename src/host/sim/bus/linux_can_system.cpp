@@ -24,7 +24,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t batch = 64;  // frames per system call
+constexpr std::size_t batch = 64;  // number of frames that one system call reads
 
 /// Memory for the time stamp and the drop counter of one frame.
 struct Control {
@@ -35,8 +35,8 @@ bool set(int descriptor, int level, int option, int value) {
     return setsockopt(descriptor, level, option, &value, sizeof value) == 0;
 }
 
-/// Enlarges the receive buffer: beyond the system's limit if permitted, otherwise up to it. Returns whether the buffer
-/// has the full size.
+/// Enlarges the receive buffer: beyond the system's limit if this is permitted, otherwise up to the limit. Returns
+/// whether the buffer has the requested size.
 bool make_room(int descriptor) {
     if (set(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, receive_room)) {
         return true;
@@ -65,8 +65,8 @@ void read_control(msghdr& message, CanReception& got) {
     }
 }
 
-/// Silences standard error: libsocketcan prints a message for missing data, such as the bit rate of a vcan. The bus
-/// itself reports the relevant errors.
+/// Discards standard error while it exists. libsocketcan prints a message when data are missing, such as the bit rate
+/// of a vcan. The bus itself reports the errors that matter.
 class Hush {
   public:
     Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Returns the only object of the program.
+/// Returns the only object of this kind in the program.
 CanSystem& linux_can_system();
 
 }  // namespace canproof::host

@@ -19,7 +19,8 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t reads_at_once = 4096;  // per socket and turn, so that one busy socket cannot block the others
+// frames of one socket in one turn, so that a busy socket cannot block the others
+constexpr std::size_t reads_at_once = 4096;
 constexpr std::size_t lines_held = 256;
 
 bool is_gone(int error) {
@@ -34,7 +35,7 @@ SocketCanBus::SocketCanBus(std::string interface, CanSystem& system, InterfaceCo
     open_socket(ports_.front());
     number_ = system_.interface_number(interface_);
     bit_rate_ = system_.bit_rate(interface_);
-    lose_interface(now);  // has no effect when the interface is up
+    lose_interface(now);  // does nothing when the interface is up
 }
 
 SocketCanBus::~SocketCanBus() {
@@ -74,14 +75,15 @@ std::vector<Watch> SocketCanBus::watches() const {
 Instant SocketCanBus::poll(Instant now) {
     arrival_clock().compare(now, [this] { return system_.realtime_ns(); });
     if (arrived_.size() >= most_arrived && arrived_.front().time <= known_) {
-        return known_;  // the run is late: further frames wait in the kernel, which counts those that it drops
+        return known_;  // the run is late: further frames stay in the kernel, which counts the frames that it drops
     }
     known_ = now;
     const auto held = static_cast<std::ptrdiff_t>(arrived_.size());
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    // The earlier arrivals are already sorted. A late run keeps many of them from turn to turn.
+    // Frames of earlier calls are already sorted. They can be many when the run is late, so only the new ones are
+    // sorted in.
     const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
     };
@@ -93,7 +95,7 @@ Instant SocketCanBus::poll(Instant now) {
     return known_;
 }
 
-/// Reads a socket. Returns the time up to which it has been read.
+/// Reads a socket. Returns the time up to which its frames are known.
 Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     Port& from = ports_[port];
     Instant last = now;
@@ -116,8 +118,8 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
     return last;
 }
 
-/// Returns the kernel's time stamp on the run's clock; `now` without a time stamp. A time before delivered frames
-/// becomes the present one.
+/// Returns the kernel's time stamp on the run's clock; returns `now` when there is no time stamp. A time before the
+/// last delivered frame becomes the present time.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
     const Instant stamped = arrival_clock().at(stamp_ns, now);
     return stamped < advanced_to_ ? advanced_to_ : stamped;
@@ -130,7 +132,8 @@ void SocketCanBus::advance(Instant now) {
         arrived_.pop_front();
         take(arrival);
         if (ports_[arrival.port].node != nullptr) {
-            // The answers to several frames of the same time must not accumulate in the node.
+            // The node sends its answer before the next frame of the same time, so that answers do not accumulate in
+            // it.
             send_when_due(ports_[arrival.port], now);
         }
     }
@@ -175,16 +178,16 @@ void SocketCanBus::take(const Arrival& arrival) {
     }
     set_overrun(port, arrival.lost_before, arrival.time);
     port.node->receive(frame, arrival.time);
-    follow_node(port);  // the new filters must apply before the node answers
+    follow_node(port);  // sets the new filters before the node answers
 }
 
 void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
     if (port.node == nullptr || down_) {
-        return;  // an interface that is down is already reported as bus-off
+        return;  // an interface that is down is already reported as bus-off to the nodes
     }
     const ControllerNews news = read_error_frame(frame);
-    errors_ += &port == &ports_[1] ? 1U : 0U;  // every node gets each error frame, so only those of the first node are
-                                               // counted
+    // every node gets each error frame, so only those of the first node are counted
+    errors_ += &port == &ports_[1] ? 1U : 0U;
     if (news.overrun) {
         set_overrun(port, true, now);
     }
@@ -235,7 +238,7 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             port.node->take_frame();
         } else {
             port.waiting.pop_front();
-            count(frame, now);  // a socket does not receive its own frames
+            count(frame, now);  // a socket does not receive its own frames, so they are counted here
             tell(BusFrame{now, frame, nullptr});
         }
         port.pause = Duration{};

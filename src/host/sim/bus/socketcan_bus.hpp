@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bus on a SocketCAN interface. Each node has its own raw socket with kernel filters; one further socket receives
-// everything.
+// A bus on a SocketCAN interface. Each node has its own raw socket with kernel filters. One further socket receives
+// every frame.
 #pragma once
 
 #include <deque>
@@ -14,28 +14,28 @@
 
 namespace canproof::host {
 
-/// Whether the run may change the interface itself, which other programs use as well.
+/// Whether the run may change the state of the interface, which other programs also use.
 enum class InterfaceControl {
-    none,    ///< only reports the action
-    granted  ///< sets the bit rate that LSS requests, restarts the controller after bus-off
+    none,    ///< the run only reports what should be done
+    granted  ///< the run sets the bit rate that LSS requests, and restarts the controller after bus-off
 };
 
-/// A bus of the kernel. A frame has the time of its kernel time stamp. While the interface is down, a node has the
-/// state bus-off: it cannot send, and its waiting frames become out of date. When the device queue is full (ENOBUFS),
-/// the bus keeps the frame and tries again.
+/// A bus of the kernel. A frame gets the time of its kernel time stamp. While the interface is down, the nodes are
+/// bus-off: they cannot send, and their waiting frames are discarded as out of date. When the device queue is full
+/// (ENOBUFS), the bus keeps the frame and tries again.
 class SocketCanBus final : public Bus {
   public:
-    /// First pause after ENOBUFS; each further pause doubles, up to `longest_pause`.
+    /// First pause after ENOBUFS. Each further pause is twice as long, up to `longest_pause`.
     static constexpr Duration first_pause = milliseconds(1);
     static constexpr Duration longest_pause = milliseconds(16);
-    /// Period of the search for an interface that is down or gone.
+    /// Time between two searches for an interface that is down or does not exist any more.
     static constexpr Duration search_period = milliseconds(100);
-    /// Time after which a controller that has not recovered from bus-off is restarted.
+    /// Time after which the run restarts a controller that is still bus-off.
     static constexpr Duration restart_after = milliseconds(500);
-    /// Approximate number of frames that a late run keeps; further frames stay in the kernel.
+    /// Approximate number of frames that the bus keeps when the run is late. Further frames stay in the kernel.
     static constexpr std::size_t most_arrived = 65536;
 
-    /// `now` is the time at which the bus is opened. Throws InputError when the interface cannot be opened.
+    /// Opens the bus at the time `now`. Throws InputError when the interface cannot be opened.
     SocketCanBus(std::string interface, CanSystem& system, InterfaceControl control, Instant now);
     ~SocketCanBus() override;
     SocketCanBus(const SocketCanBus&) = delete;
@@ -52,24 +52,25 @@ class SocketCanBus final : public Bus {
 
   private:
     struct Port {
-        BusNode* node{nullptr};  ///< nullptr: the socket that receives everything and sends the frames of put()
+        /// node of the port; nullptr: the port that receives every frame and sends the frames of put()
+        BusNode* node{nullptr};
         int descriptor{-1};
         std::vector<AcceptanceFilter> filters;
-        std::uint32_t dropped{0};  ///< the count of the socket
-        std::uint64_t lost{0};     ///< sum over all its sockets
+        std::uint32_t dropped{0};  ///< number of frames that the present socket has lost
+        std::uint64_t lost{0};     ///< number of frames that all sockets of the port have lost
         bool overrun{false};
         CanState reported_state{CanState::error_active};
         Instant retry{never};
         Duration pause{};
         std::uint32_t bit_rate{0};
-        std::deque<Frame> waiting;  ///< frames of put()
+        std::deque<Frame> waiting;  ///< frames of put() that are not sent yet
     };
     struct Arrival {
         Instant time{};
         std::size_t port{0};
         can_frame frame{};
         bool lost_before{false};
-        std::uint64_t order{0};  ///< order of reading, kept for equal times
+        std::uint64_t order{0};  ///< order of reading, used for equal times
     };
 
     void open_sockets(Instant now);
@@ -96,14 +97,14 @@ class SocketCanBus final : public Bus {
     std::string interface_;
     CanSystem& system_;
     InterfaceControl control_;
-    std::vector<Port> ports_;  ///< the first is the monitor
+    std::vector<Port> ports_;  ///< the first port receives every frame
     unsigned number_{0};
     bool down_{false};
     Instant look_at_{never};
     Instant restart_at_{never};
     Instant advanced_to_{};
     std::deque<Arrival> arrived_;
-    Instant known_{};  ///< time up to which all arrivals have been read
+    Instant known_{};  ///< time up to which all arrivals are known
     std::uint64_t arrivals_{0};
     std::vector<CanReception> received_;  ///< frames of one system call
     bool roomy_{true};

@@ -16,7 +16,7 @@ constexpr Duration losses_period = milliseconds(1000);
 }  // namespace
 
 void SocketCanBus::count_losses(Port& port, std::uint32_t dropped) {
-    port.lost += dropped - port.dropped;  // correct even after an overflow of the kernel's counter
+    port.lost += dropped - port.dropped;  // correct even when the kernel's counter has overflowed
     losses_are_news_ = losses_are_news_ || dropped != port.dropped;
     port.dropped = dropped;
 }

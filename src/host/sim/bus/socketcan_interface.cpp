@@ -50,7 +50,8 @@ void SocketCanBus::close_sockets() {
     }
 }
 
-/// Follows a change of the node: another node-ID or configuration changes its filters and can change its bit rate.
+/// Follows a change of the node. Another node-ID or configuration changes the node's filters and can change its bit
+/// rate.
 void SocketCanBus::follow_node(Port& port) {
     if (port.descriptor >= 0) {
         const std::vector<AcceptanceFilter>& wanted = port.node->filters();
@@ -86,15 +87,15 @@ void SocketCanBus::change_bit_rate(const Port& port) {
     }
 }
 
-/// Handles a loss of the interface. The kernel also reports a change that is already over, so the present state
-/// decides.
+/// Handles a possible loss of the interface. The kernel also reports a change that is already over, so the present
+/// state decides.
 void SocketCanBus::lose_interface(Instant now) {
     const bool same = system_.interface_number(interface_) == number_;
     if (same && system_.is_up(interface_)) {
         return;
     }
     down_ = true;
-    restart_at_ = never;  // a controller that is on the bus again needs no restart
+    restart_at_ = never;  // a controller that takes part in the bus again needs no restart
     look_at_ = now + search_period;
     notice(fmt::format("{} is {}; waiting for it", interface_,
                        system_.interface_number(interface_) == 0 ? "gone" : "down"));
@@ -121,10 +122,10 @@ void SocketCanBus::look_for_interface(Instant now) {
                 open_socket(port);
             }
         } catch (const InputError&) {
-            return;  // the interface is gone again: the next search reports it
+            return;  // the interface is lost again; the next search handles this
         }
         number_ = number;
-        own_ = EchoMatcher<Sender>{};  // frames sent through the old sockets do not arrive at the new ones
+        own_ = EchoMatcher<Sender>{};  // frames that the old sockets have sent do not come back at the new ones
     }
     down_ = false;
     look_at_ = never;

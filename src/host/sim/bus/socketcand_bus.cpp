@@ -26,8 +26,8 @@ namespace canproof::host {
 namespace {
 
 constexpr int waiting_connections = 8;
-// Send buffer of the kernel in bytes per client. A small buffer fills soon when a client does not read. Then the unread
-// text reaches the limit of the session, SocketcandSession::output_limit, and the client is dropped.
+// Send buffer of the kernel for each client, in bytes. A small buffer is soon full when a client does not read. The
+// unread text then reaches SocketcandSession::output_limit, and the client is dropped.
 constexpr int kernel_room = 64 * 1024;
 
 [[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
@@ -36,7 +36,7 @@ constexpr int kernel_room = 64 * 1024;
                     address.host, address.port, why)};
 }
 
-/// Returns a non-blocking listening socket.
+/// Returns a non-blocking socket that listens at the address.
 int listen_at(const ListenAddress& address) {
     addrinfo wish{};
     wish.ai_socktype = SOCK_STREAM;
@@ -48,7 +48,7 @@ int listen_at(const ListenAddress& address) {
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    // Best effort: without this option, the port cannot be used again for about a minute.
+    // Without this option, the port cannot be used again for about a minute. A failure is ignored.
     static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on));
     const bool sound = descriptor >= 0 && bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
                        listen(descriptor, waiting_connections) == 0;
@@ -63,7 +63,7 @@ int listen_at(const ListenAddress& address) {
     return descriptor;
 }
 
-/// Sets socket options, best effort: the socket works without them as well.
+/// Sets options of a socket. The socket works without them, so a failure is ignored.
 void set_options(int descriptor) {
     const auto set = [&](int level, int option, int value) {
         static_cast<void>(setsockopt(descriptor, level, option, &value, sizeof value));
@@ -77,7 +77,7 @@ void set_options(int descriptor) {
     set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
 }
 
-/// Returns the port of a bound socket; IPv4 and IPv6 have it in the same place.
+/// Returns the port of a bound socket. It is in the same place for IPv4 and IPv6.
 std::uint16_t port_of(int descriptor) {
     sockaddr_storage general{};
     socklen_t size = sizeof general;
@@ -186,7 +186,8 @@ void SocketcandBus::take_client(int descriptor, Instant now) {
     clients_.push_back(std::move(client));
 }
 
-/// Frees a place: dismisses the oldest client that has not opened the bus. Returns false when there is none.
+/// Makes room for a new client: dismisses the first client that has not opened the bus within `patience`. Returns false
+/// when there is no such client.
 bool SocketcandBus::make_place(Instant now) {
     const auto idle = std::find_if(clients_.begin(), clients_.end(),
                                    [&](const Client& one) { return one.is_idle() && one.joined_at + patience <= now; });
@@ -229,8 +230,8 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     }
 }
 
-/// Reads one piece per client and turn, so that a client that sends continuously cannot block the others. The piece is
-/// due at its time of arrival.
+/// Reads one piece from each client in each turn, so that a client that sends all the time cannot block the others. The
+/// piece becomes due at its time of arrival.
 void SocketcandBus::read_client(Client& client, Instant now) {
     if (!client.reads()) {
         return;
@@ -244,7 +245,7 @@ void SocketcandBus::read_client(Client& client, Instant now) {
     }
 }
 
-/// Gives the sessions what has arrived up to `now`.
+/// Passes text that has arrived up to `now` to the sessions of its clients.
 void SocketcandBus::take_arrivals(Instant now) {
     for (Client& client : clients_) {
         if (client.arrived_at <= now) {
@@ -264,7 +265,7 @@ void SocketcandBus::write_client(Client& client) {
     if (client.deaf) {
         client.session->sent(text.size());
     } else if (client.leaves() && text.empty()) {
-        shutdown(client.descriptor, SHUT_WR);  // lets the client read the reason and then close
+        shutdown(client.descriptor, SHUT_WR);  // the client can still read the reason; then it closes the connection
     }
     if (client.session->is_dropped()) {
         notice(fmt::format("{} was dropped: {}", client.name, client.session->dropped_because()));
@@ -295,7 +296,7 @@ void SocketcandBus::advance(Instant now) {
     bool any = false;
     for (Client& client : clients_) {
         client.session->advance(now);
-        any = client.session->receive({}, now) || any;  // the bus may have room for waiting frames now
+        any = client.session->receive({}, now) || any;  // there may be room on the bus now for waiting frames
     }
     if (any) {
         bus_.advance(now);

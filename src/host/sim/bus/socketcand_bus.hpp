@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The in-process bus with a socketcand server: machines and tools without SocketCAN can join over TCP.
+// The in-process bus with a socketcand server. Machines and tools without SocketCAN can join the bus over TCP.
 #pragma once
 
 #include <memory>
@@ -11,35 +11,36 @@
 
 namespace canproof::host {
 
-/// Host and port of the server. Port 0 selects any free port.
+/// Address at which the server listens. Port 0 selects any free port.
 struct ListenAddress {
     std::string host{"127.0.0.1"};
     std::uint16_t port{29536};
 };
 
-/// Parses `127.0.0.1:29536`, `[::1]:29536`, `:0`; a missing part has the default of ListenAddress. Throws InputError.
+/// Parses `127.0.0.1:29536`, `[::1]:29536` or `:0`. A missing part gets the default of ListenAddress. Throws InputError
+/// for any other text.
 ListenAddress parse_listen_address(const std::string& text);
 
-/// A bus with clients, none of which can exclude others. A client that does not open the bus is dismissed. TCP
-/// keepalive detects a lost machine. A client without a place gets an error message. A client that has opened the bus
-/// may be silent.
+/// A bus with a limited number of clients, none of which can exclude the others. A client that does not open the bus is
+/// dismissed. TCP keepalive detects a lost machine. A client for which there is no room gets an error message. A client
+/// that has opened the bus may be silent.
 class SocketcandBus final : public Bus {
   public:
     static constexpr std::size_t most_clients = 32;
-    /// Time after which a client that has not opened the bus is dismissed.
+    /// Time after which a client is dismissed if it has not opened the bus.
     static constexpr Duration open_limit = milliseconds(10000);
-    /// When all places are taken: time after which a client that has not opened the bus must give its place to a new
-    /// one.
+    /// Time after which a client that has not opened the bus is dismissed if a new client needs its place.
     static constexpr Duration patience = milliseconds(1000);
-    /// Time for a dismissed client to read the reason.
+    /// Time in which a dismissed client can read the reason.
     static constexpr Duration leave_limit = milliseconds(1000);
-    /// Seconds of silence before the first keepalive probe, seconds between probes, and number of probes.
+    /// TCP keepalive: seconds of silence before the first probe. The constants below are the seconds between probes and
+    /// the number of probes.
     static constexpr int keepalive_idle = 30;
     static constexpr int keepalive_interval = 10;
     static constexpr int keepalive_questions = 3;
 
-    /// Starts to listen. `epoch_us` is the real time at the run's time 0. Throws InputError when the address cannot be
-    /// opened.
+    /// Starts to listen. `epoch_us` is the real time at time 0 of the run, in µs. Throws InputError when the address
+    /// cannot be opened.
     SocketcandBus(const ListenAddress& address, std::uint32_t bit_rate, const BusFaultRates& faults,
                   std::uint64_t epoch_us);
     ~SocketcandBus() override;
@@ -57,7 +58,7 @@ class SocketcandBus final : public Bus {
 
     /// Returns the port of the server.
     std::uint16_t port() const { return port_; }
-    /// Returns the number of clients without the dismissed ones.
+    /// Returns the number of clients, without those that are dismissed.
     std::size_t clients() const;
 
   private:
@@ -66,11 +67,11 @@ class SocketcandBus final : public Bus {
         std::string name;
         std::unique_ptr<SocketcandSession> session;
         Instant joined_at{};
-        Instant closes_at{never};  ///< time at which a dismissed client is closed
-        std::string arrived;       ///< text that has been read and is due at arrived_at
+        Instant closes_at{never};  ///< time at which the connection of a dismissed client is closed
+        std::string arrived;       ///< text that has been read and becomes due at arrived_at
         Instant arrived_at{never};
-        bool ended{false};  ///< the client sends no more; the bus still gets its frames
-        bool deaf{false};   ///< the client receives no more
+        bool ended{false};  ///< whether the client has ended its sending; the bus still sends frames to it
+        bool deaf{false};   ///< whether the client receives nothing more
         bool gone{false};
 
         bool reads() const { return session->wants_input() && arrived.empty() && !ended; }

@@ -47,7 +47,7 @@ void SocketcandClient::go_on() {
     }
 }
 
-/// Parses `frame ID SECONDS BYTES`; some servers put blanks between the bytes.
+/// Parses `frame ID SECONDS BYTES`. There may be blanks between the bytes, as some servers write them.
 void SocketcandClient::read_frame(const std::string& text) {
     const auto words = words_of(text);
     Frame frame{};

@@ -10,10 +10,10 @@
 
 namespace canproof::host {
 
-/// Opens the bus and enters raw mode; then it sends and receives frames.
+/// A client of a socketcand server. It opens the bus and selects raw mode; then it sends and receives frames.
 class SocketcandClient {
   public:
-    /// Limit in bytes of text that the server has not taken yet; beyond it frames must wait.
+    /// Limit in bytes of text that the server has not read. With more text, frames must wait.
     static constexpr std::size_t output_limit = 16 * 1024;
     static constexpr std::size_t longest_command = 256;
 
@@ -21,17 +21,18 @@ class SocketcandClient {
 
     SocketcandClient(std::string bus, Receiver receiver) : bus_{std::move(bus)}, receiver_{std::move(receiver)} {}
 
-    /// Parses text from the server, in pieces of any size.
+    /// Takes text from the server, in pieces of any size, and executes what is complete.
     void take(std::string_view text);
     bool has_joined() const { return state_ == State::joined; }
     bool may_send() const { return has_joined() && output_.size() < output_limit; }
-    /// Sends a frame; allowed while may_send(). The protocol has no remote frames.
+    /// Sends a frame, which must be a data frame, because the protocol has no remote frames. Must be called only while
+    /// may_send() returns true.
     void send(const Frame& frame);
 
     const std::string& output() const { return output_; }
-    /// Removes the first `count` characters, which have reached the server.
+    /// Removes the first `count` characters of the output, because they have been sent.
     void sent(std::size_t count) { output_.erase(0, count); }
-    /// Returns the server's last error message; empty when there was none.
+    /// Returns the last error message of the server; empty when there was none.
     const std::string& complaint() const { return complaint_; }
     /// Returns whether the server has refused the client.
     bool is_refused() const { return !has_joined() && !complaint_.empty(); }

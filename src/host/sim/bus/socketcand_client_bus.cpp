@@ -24,7 +24,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t lines_held = 256;  // frames that put() stores
+constexpr std::size_t lines_held = 256;  // number of frames of put() that can wait
 constexpr std::size_t piece_size = 16384;
 constexpr Duration load_window = milliseconds(1000);
 
@@ -90,7 +90,7 @@ void SocketcandClientBus::connect_to_server(Instant now) {
     client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({read_at_, frame}); });
     descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // best effort
+    static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure is ignored
     ask_for_stamps(descriptor_);
     const bool sound =
         descriptor_ >= 0 &&
@@ -152,7 +152,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     return now;
 }
 
-/// Completes a connection, which exists when the socket becomes writable without an error.
+/// Completes a connection. It is established when the socket becomes writable without an error.
 void SocketcandClientBus::finish_connecting() {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
@@ -252,7 +252,7 @@ void SocketcandClientBus::advance(Instant now) {
     write_server();
 }
 
-/// Sends the frame that wins the arbitration, as on a real bus; frames of the user take part like those of a node.
+/// Sends the waiting frame that wins the arbitration. Frames of the user take part in it like those of a node.
 void SocketcandClientBus::send_one(Instant now) {
     BusNode* const sender = next_sender();
     const bool from_outside = !outside_.empty() && (sender == nullptr || arbitration_rank(outside_.front()) <

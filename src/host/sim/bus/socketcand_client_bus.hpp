@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bus on another program's socketcand server: the devices join it together as one client.
+// A bus on the socketcand server of another program. All devices together are one client of this server.
 #pragma once
 
 #include <netinet/in.h>
@@ -21,23 +21,24 @@ struct SocketcandPlace {
     std::string bus{"can0"};
 };
 
-/// Parses `HOST:PORT/BUS`, `[::1]:29536`, `:29536`; a missing part has the default of SocketcandPlace. Throws
-/// InputError.
+/// Parses `HOST:PORT/BUS`, `[::1]:29536` or `:29536`. A missing part gets the default of SocketcandPlace. Throws
+/// InputError for any other text.
 SocketcandPlace parse_socketcand_place(const std::string& text);
 
-/// A bus behind a server. A server does not return a client's own frames, so the devices receive each other's frames
-/// here. Frames are spaced according to the bit rate. They wait until the server has accepted the client. When the
-/// server is lost, the devices get the state bus-off, and the bus searches for the server.
+/// A bus behind a socketcand server. The server does not return the client's own frames, so this bus passes the frames
+/// of each device to the others. It spaces frames according to the bit rate. Frames wait until the server has accepted
+/// the client. When the connection is lost, the devices become bus-off and the bus tries to connect again.
 class SocketcandClientBus final : public Bus {
   public:
-    /// Time within which a server must accept the client.
+    /// Time in which a server must accept the client.
     static constexpr Duration join_limit = milliseconds(5000);
     static constexpr Duration search_period = milliseconds(1000);
-    /// Approximate number of frames that a late run keeps; beyond it the bus does not read from the server.
+    /// Approximate number of frames that the bus keeps when the run is late. With more frames, it does not read from
+    /// the server.
     static constexpr std::size_t most_arrived = 65536;
 
-    /// Starts to connect without waiting. Throws InputError when there is no such server; poll() throws it when the
-    /// first attempt to join fails.
+    /// Starts to connect and does not wait. Throws InputError when the host does not exist. If the first attempt to
+    /// join fails later, poll() throws InputError.
     SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now);
     ~SocketcandClientBus() override;
     SocketcandClientBus(const SocketcandClientBus&) = delete;
@@ -90,15 +91,15 @@ class SocketcandClientBus final : public Bus {
     std::optional<SocketcandClient> client_;
     bool joined_once_{false};
     Instant join_by_{never};
-    Instant look_at_{never};  ///< next search for a lost server
+    Instant look_at_{never};  ///< time of the next attempt to reach a lost server
     Instant polled_at_{};
     Instant advanced_to_{};
-    Instant read_at_{};  ///< arrival of the text that the client takes
+    Instant read_at_{};  ///< time of arrival of the text that the client takes
     std::vector<Node> nodes_;
     std::deque<Frame> outside_;
     std::deque<Arrival> arrived_;
     Instant may_send_from_{};
-    std::deque<Busy> busy_;  ///< within the last second
+    std::deque<Busy> busy_;  ///< busy periods within the last second
     std::uint64_t frames_{0};
     bool remote_frame_told_{false};
     std::string complaint_told_;

@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint64_t micros = 1000000;
 constexpr std::uint64_t longest_period_ms = 3600000;
 
-/// Parses `ID LENGTH BYTE …` in hexadecimal; blanks between the bytes are optional.
+/// Parses `ID LENGTH BYTE …` in hexadecimal. The blanks between the bytes are optional. Returns nothing for any other
+/// text.
 std::optional<Frame> read_frame(const std::string& text) {
     const std::vector<std::string> words = words_of(text);
     Frame frame{};
@@ -30,7 +31,7 @@ std::optional<Frame> read_frame(const std::string& text) {
         if (!together && words[i].size() > 2) {
             return std::nullopt;
         }
-        bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5 instead of 05
+        bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5 in place of 05
     }
     if (!length || bytes.size() != 2U * *length || !read_bytes(bytes, frame)) {
         return std::nullopt;
@@ -95,7 +96,7 @@ void SocketcandSession::obey(const std::string& command, Instant now) {
     if (word == "echo") {
         say("< echo >");
     } else if (word == "open") {
-        // There is only one bus: any name opens it.
+        // There is only one bus, so every name opens it.
         const bool named = !words_of(rest).empty();
         mode_ = named ? Mode::bcm : mode_;
         say(named ? "< ok >" : "< error could not open bus >");
@@ -143,7 +144,8 @@ void SocketcandSession::send_frame(const std::string& rest) {
     }
 }
 
-/// Handles `SECONDS MICROSECONDS ID`. It ignores the least time between two frames: every frame is sent.
+/// Handles `SECONDS MICROSECONDS ID`, or `ID` to unsubscribe. It ignores the times, which limit how often a frame is
+/// sent: the client gets every frame.
 void SocketcandSession::subscribe(const std::string& rest, bool on) {
     const std::vector<std::string> words = words_of(rest);
     Frame frame{};

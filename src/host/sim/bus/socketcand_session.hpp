@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One client of the socketcand server, without a socket: text in, frames to the bus, text out.
+// One client of the socketcand server, without a socket: it takes text, sends frames to the bus, and produces text.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +12,44 @@
 namespace canproof::host {
 
 /// Handles the commands of python-can, SavvyCAN and socketcand's own client: open, rawmode, bcmmode, controlmode, send,
-/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames: a client neither receives nor sends
-/// them. An unknown command gets `< error … >`.
+/// subscribe, unsubscribe, statistics, echo. The protocol has no remote frames, so a client neither receives nor sends
+/// them. An unknown command gets the answer `< error … >`.
 class SocketcandSession {
   public:
-    /// Limit in bytes of unprocessed text while the bus is busy; beyond it the client must wait.
+    /// Limit in bytes of text that waits while the bus is busy. With more text, nothing is read from the client.
     static constexpr std::size_t input_limit = 4096;
-    /// Greatest length of a command in bytes.
+    /// Greatest length of a command in bytes. A longer command is an error.
     static constexpr std::size_t longest_command = 256;
-    /// Limit in bytes of text that the client has not read; beyond it the client is dropped.
+    /// Limit in bytes of text that the client has not read. With more text, the client is dropped.
     static constexpr std::size_t output_limit = 256 * 1024;
     static constexpr std::size_t gateway_room = 32;
     static constexpr std::size_t most_subscriptions = 256;
 
-    /// `epoch_us` is added to the times that the client gets. Sends the greeting.
+    /// Sends the greeting. `epoch_us` is added to the times that the client gets.
     SocketcandSession(std::string name, std::uint64_t epoch_us);
     SocketcandSession(const SocketcandSession&) = delete;
     SocketcandSession& operator=(const SocketcandSession&) = delete;
 
     Gateway& gateway() { return gateway_; }
-    /// Appends text from the client and executes as many commands as the bus can take now. Returns true when it sent a
+    /// Takes text from the client and executes as many commands as the bus can take now. Returns whether it sent a
     /// frame to the bus.
     bool receive(std::string_view text, Instant now);
     /// Returns whether more text may be read from the client.
     bool wants_input() const { return !is_dropped() && input_.size() < input_limit; }
-    /// Sends the due statistics.
+    /// Sends the statistics that are due.
     void advance(Instant now);
     Instant next_deadline() const { return next_statistics_; }
 
     const std::string& output() const { return output_; }
-    /// Removes the first `count` characters, which have reached the client.
+    /// Removes the first `count` characters of the output, because they have been sent.
     void sent(std::size_t count) { output_.erase(0, count); }
-    /// Returns the reason why the connection must end; empty while it may continue.
+    /// Returns the reason why the connection must end; empty while it can continue.
     const std::string& dropped_because() const { return dropped_; }
     bool is_dropped() const { return !dropped_.empty(); }
 
     /// Returns whether the client has opened the bus.
     bool has_joined() const { return mode_ != Mode::no_bus; }
-    /// Sends the reason of its dismissal to the client, whose further text is ignored.
+    /// Sends the client the reason of its dismissal. From then on ignores its text.
     void send_away(const std::string& why);
 
   private:

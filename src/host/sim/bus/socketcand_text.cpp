@@ -57,7 +57,7 @@ bool read_bytes(const std::string& text, Frame& frame) {
 }
 
 std::optional<std::string> take_command(std::string& input, std::size_t longest, bool& too_long) {
-    input.erase(0, input.find('<'));  // npos: the whole text
+    input.erase(0, input.find('<'));  // without `<`, find() returns npos and the whole text is erased
     const auto end = input.find('>');
     too_long = end == std::string::npos ? input.size() > longest : end > longest;
     if (too_long) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Common parsing and formatting of the socketcand protocol's server and client.
+// Parses and formats the parts of the socketcand protocol that server and client have in common.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,18 @@
 namespace canproof::host {
 
 std::vector<std::string> words_of(const std::string& text);
-/// Parses a hexadecimal number of at most eight digits and at most `highest`.
+/// Parses a hexadecimal number. Returns nothing when it has more than eight digits or is greater than `highest`.
 std::optional<std::uint32_t> hex_number(const std::string& text, std::uint32_t highest);
-/// Parses an identifier; eight digits mean 29 bits.
+/// Parses an identifier. One with eight digits has 29 bits, any other has 11 bits. Returns false for an invalid
+/// identifier.
 bool read_identifier(const std::string& text, Frame& frame);
 std::string format_identifier(const Frame& frame);
-/// Parses two digits per byte, such as "0102", into frame.data and frame.length. Returns false for invalid data.
+/// Parses two hexadecimal digits for each byte, such as "0102", into frame.data and frame.length. Returns false for any
+/// other text.
 bool read_bytes(const std::string& text, Frame& frame);
 
-/// Removes the next `< … >` from `input` and returns its content; nothing while it is incomplete. Other text is
-/// dropped. A command longer than `longest` is dropped as well, and sets `too_long`.
+/// Removes the next `< … >` from `input` and returns its content; nothing while it is incomplete. Drops other text.
+/// Also drops a command that is longer than `longest`, and sets `too_long`.
 std::optional<std::string> take_command(std::string& input, std::size_t longest, bool& too_long);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sockets with the kernel's receive time stamps (SO_TIMESTAMPNS), and the clock of these stamps.
+// Reads sockets with the kernel's time stamps of reception (SO_TIMESTAMPNS), and the clock of these stamps.
 #pragma once
 
 #include <sys/socket.h>
@@ -10,19 +10,19 @@
 
 namespace canproof::host {
 
-/// Returns CLOCK_REALTIME in ns.
+/// Returns the time of CLOCK_REALTIME in ns.
 std::uint64_t kernel_realtime_ns();
 
-/// Returns the receive time stamp in ns (SO_TIMESTAMPNS) of a received message; 0 when it has none.
+/// Returns the kernel's time stamp of a received message in ns; 0 when the message has none.
 std::uint64_t receive_stamp_ns(msghdr& message);
 
 /// The result of reading a stream socket.
 struct StampedRead {
-    ssize_t count{0};           ///< as recv() returns it
-    std::uint64_t stamp_ns{0};  ///< arrival of the last byte; 0: unknown
+    ssize_t count{0};           ///< number of bytes, as recv() returns it
+    std::uint64_t stamp_ns{0};  ///< time of arrival of the last byte; 0: unknown
 };
 
-/// Switches receive time stamps on, best effort: without them receive_stamped() gives no time stamp.
+/// Switches time stamps of reception on. A failure is ignored: receive_stamped() then returns no time stamp.
 void ask_for_stamps(int descriptor);
 /// Reads up to `size` bytes, as recv() without flags does.
 StampedRead receive_stamped(int descriptor, char* into, std::size_t size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The senders that wait for the bus, in the order of arbitration.
+// The senders that wait for the bus, in the order in which they win the arbitration.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace canproof::host {
 
-/// Senders are numbers; of two senders with the same identifier the lower number wins.
+/// A sender is a number. Of two senders with the same identifier, the one with the lower number wins.
 class WaitingLine {
   public:
     using Place = std::pair<std::uint32_t, std::size_t>;  ///< arbitration rank, sender
 
-    /// Sets the next frame of a sender; nullptr: none.
+    /// Sets the next frame of a sender; nullptr means that it has none.
     void set(std::size_t sender, const Frame* frame) {
         const auto known = ranks_.find(sender);
         if (known != ranks_.end()) {

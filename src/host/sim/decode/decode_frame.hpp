@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// A node with its dictionary, which identifies its PDOs and names their values.
+/// A node with its dictionary. The dictionary identifies the node's PDOs and gives the names of their values.
 struct KnownNode {
     std::string name;
     std::uint8_t node_id{0};
@@ -24,18 +24,18 @@ enum class FrameService { nmt, sync, time, emcy, pdo, sdo, error_control, lss, o
 
 struct FrameWords {
     FrameService service{FrameService::other};
-    std::string node;  ///< name of a known node, otherwise `node 5`; empty when the frame belongs to no node or to all
-                       ///< nodes
+    /// name of a known node, otherwise `node 5`; empty when the frame belongs to no node or to all nodes
+    std::string node;
     std::string text;
 };
 
 class FrameDecoder {
   public:
-    /// `content` contains the words of the shared services; it must outlive the decoder.
+    /// Keeps a reference to `content`, which contains the words of the shared services and must outlive the decoder.
     explicit FrameDecoder(const Register& content) : register_{content} {}
 
-    /// Decodes any frame. An unknown frame has the service `other` and its bytes; an invalid frame has its service and
-    /// a description of the fault.
+    /// Decodes any frame. For an unknown frame, returns the service `other` and the bytes. For an invalid frame,
+    /// returns its service and a description of the fault.
     FrameWords decode(const Frame& frame, const std::vector<KnownNode>& nodes) const;
 
   private:
@@ -54,7 +54,7 @@ class FrameDecoder {
 /// Returns the name of a service: `NMT`, `PDO` …
 const char* service_word(FrameService service);
 
-/// Returns the data according to the mapping object `index` of the node: `name = value, …`.
+/// Returns the values in `data` as `name = value, …`. The node's mapping object `index` determines names and positions.
 std::string mapped_words(const KnownNode& node, std::uint16_t index, ByteView data);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes SDO frames (CiA 301, 7.2.4.3). Each frame is decoded alone, so the object of a segment is not known.
+// Decodes SDO frames (CiA 301, 7.2.4.3). Each frame is decoded by itself, so the object to which a segment belongs is
+// not known.
 #include <fmt/format.h>
 
 #include "firmware/canopen/sdo_protocol.hpp"
@@ -18,7 +19,8 @@ std::string object_of(ByteView data, const Part* part) {
                        data[sdo::subindex_position]);
 }
 
-/// Returns the value of an expedited transfer. Its length is in the command byte; without one, all four bytes count.
+/// Returns the value of an expedited transfer in words. The command byte contains its length; if not, all four bytes
+/// belong to it.
 std::string expedited_value(ByteView data, const Part* part) {
     const bool sized = (data[0] & sdo::size_flag) != 0U;
     const std::size_t unused = sized ? (data[0] >> 2U) & 3U : 0U;

@@ -84,7 +84,7 @@ std::string value_words(const Entry* entry, ByteView bytes) {
     if (entry->type.rfind("INTEGER", 0) == 0) {
         return std::to_string(signed_value(bits, bytes.size()));
     }
-    // Identifiers, mappings and device types are most readable in hexadecimal.
+    // Identifiers, mappings and device types are easiest to read in hexadecimal.
     return entry->type == "UNSIGNED32" && bits > 0xFFFFU ? fmt::format("{:08X}h", bits) : std::to_string(bits);
 }
 

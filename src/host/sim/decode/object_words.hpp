@@ -13,12 +13,12 @@ namespace canproof::host {
 /// Returns an entry of the register; nullptr when `part` is nullptr or has no such entry.
 const Entry* entry_at(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
-/// Returns `4020h:1 TC 1 High Shutdown Threshold`; only the numbers for an unknown entry; without `:0` for an object
-/// with one value.
+/// Returns the entry in words: `4020h:1 TC 1 High Shutdown Threshold`. For an unknown entry, returns only index and
+/// sub-index. For an object with one value, leaves out `:0`.
 std::string entry_words(const Part* part, std::uint16_t index, std::uint8_t subindex);
 
-/// Returns the value of little-endian bytes for the entry's type; hexadecimal digits when the type is unknown or has
-/// another length.
+/// Returns little-endian bytes as a value of the entry's type. Returns hexadecimal digits when the type is unknown or
+/// has another length.
 std::string value_words(const Entry* entry, ByteView bytes);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Advances a device, and reports a device whose deadline does not move: a session would call it endlessly.
+// Advances a device. Detects a device whose deadline does not advance, because a session would call it without end.
 #pragma once
 
 #include <stdexcept>
@@ -9,14 +9,14 @@
 
 namespace canproof::host {
 
-/// The error of a device whose deadline stays in the past after advance().
+/// Reports a device whose deadline is still in the past after advance().
 class StuckDevice : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Advances `device` to `now`. Throws StuckDevice with `name` when its next deadline is not later than `now`
-/// afterwards.
+/// Advances `device` to `now`. Throws StuckDevice, whose message contains `name`, when the next deadline of the device
+/// is then not later than `now`.
 void advance_device(SimulatedDevice& device, const std::string& name, Instant now);
 
 }  // namespace canproof::host

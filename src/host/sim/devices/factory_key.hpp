@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One key of `--factory KEY=VALUE`: name, type and range of a value that a unit gets in the factory.
+// One key of `--factory KEY=VALUE`: name, type and range of a value that the factory sets in a unit.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 namespace canproof::host {
 
 struct FactoryKey {
-    std::string name;  ///< serial_number
-    std::string type;  ///< CiA type; VISIBLE_STRING for a choice of `words`
+    std::string name;  ///< name of the key, such as serial_number
+    std::string type;  ///< CiA type of the value; VISIBLE_STRING also for a choice of `words`
     std::string unit;
     double minimum{0.0};
     double maximum{0.0};
     std::size_t length{0};           ///< greatest number of characters of a text
-    std::vector<std::string> words;  ///< the allowed words; none: any text
+    std::vector<std::string> words;  ///< allowed words; empty: any text
     std::string text;
 
     std::string range() const;

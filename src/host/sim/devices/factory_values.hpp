@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factory values of one simulated unit by their names in `--factory`.
+// The factory values of one simulated unit, by their keys of `--factory`.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ class FactoryValues {
     void set_number(const std::string& key, double value) { numbers_[key] = value; }
     void set_text(const std::string& key, const std::string& value) { texts_[key] = value; }
 
-    /// Stores the value of the key in `into`; leaves `into` unchanged without a value. Throws InputError for a value
+    /// Stores the value of the key in `into`. Without a value, `into` stays unchanged. Throws InputError for a value
     /// that does not fit the type.
     template <typename Number>
     void take(const std::string& key, Number& into) const {
@@ -46,7 +46,7 @@ class FactoryValues {
             into = value;
         }
     }
-    /// Stores the text of the key as ASCII, padded with zeros. Throws InputError for a text that is too long.
+    /// Stores the text of the key in `into` as ASCII, padded with zeros. Throws InputError for a text that is too long.
     template <std::size_t Length>
     void take(const std::string& key, std::array<std::uint8_t, Length>& into) const {
         const auto given = text(key);
@@ -61,7 +61,8 @@ class FactoryValues {
             into[i] = static_cast<std::uint8_t>((*given)[i]);
         }
     }
-    /// Sets the part number with which the user named the unit; empty for the device's own name.
+    /// Sets the part number that the user gave as the name of the unit; empty when the user gave the name of the
+    /// device.
     void set_part_number(const std::string& number) { part_number_ = number; }
     const std::string& part_number() const { return part_number_; }
     std::optional<std::string> text(const std::string& key) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The virtual time of a session, which never decreases: an overdue event happens at the present time.
+// The virtual time of a session. It never decreases: an overdue event happens at the present time.
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -9,7 +9,7 @@ namespace canproof::host {
 class ForwardTime {
   public:
     Instant now() const { return now_; }
-    /// Advances to `due` if that is later. Returns the present time.
+    /// Sets the time to `due` if that is later. Returns the time after that.
     Instant reach(Instant due) {
         if (now_ < due) {
             now_ = due;

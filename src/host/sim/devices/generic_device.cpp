@@ -9,7 +9,8 @@ namespace canproof::host {
 namespace {
 
 constexpr std::uint8_t generic_error = 0x01;
-constexpr std::uint8_t communication_error = 0x11;  // bits 0 and 4 of 1001h error register
+// bits 0 (generic error) and 4 (communication) of 1001h error register
+constexpr std::uint8_t communication_error = 0x11;
 
 const auto standard_bit_rates = lss_bit_rates(generated::canopen::lss_bit_rates::rows);
 
@@ -36,8 +37,8 @@ ErrorTable standard_errors() {
     tell(ErrorId::can_overrun, 0x8110, communication_error);
     tell(ErrorId::error_passive, 0x8120, communication_error);
     tell(ErrorId::guard_or_heartbeat, 0x8130, communication_error);
-    tell(ErrorId::bus_off_recovered, 0x8140, 0);  // already over when it is reported, so no bit of 1001h error register
-                                                  // is set
+    // the error is over when it is reported, so it sets no bit of 1001h error register
+    tell(ErrorId::bus_off_recovered, 0x8140, 0);
     tell(ErrorId::sync_length, 0x8240, communication_error);
     tell(ErrorId::rpdo_length, 0x8210, communication_error);
     tell(ErrorId::rpdo_value, 0x8200, communication_error);

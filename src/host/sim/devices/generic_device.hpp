@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CANopen node from any description: the complete protocol layer with plain memory for its objects.
+// A CANopen node from any description: the complete protocol layer, with plain memory for its objects.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace canproof::host {
 
-/// Returns the emergency codes of CiA 301 for the errors that every node can detect (7.2.7.1, Table 26).
+/// Returns the emergency codes of the errors that every node can detect (CiA 301, 7.2.7.1, Table 26).
 ErrorTable standard_errors();
 
 /// The dictionary of a generic device and the profile of its node.
@@ -22,9 +22,10 @@ struct GenericDescription {
     NodeProfile profile;
 };
 
-/// Returns the description of a part. Its LSS has the profile of standard_lss().
+/// Returns the description of a part. Its LSS profile is standard_lss().
 GenericDescription describe(const Part& part);
-/// Returns an LSS profile with the bit rates of CiA 305, in which only the master resets the node.
+/// Returns an LSS profile with the bit rates of CiA 305. With it, leaving the LSS configuration state does not reset
+/// the communication; only the NMT master resets the node.
 LssProfile standard_lss();
 
 class GenericDevice final : private Application {
@@ -33,8 +34,8 @@ class GenericDevice final : private Application {
     GenericDevice(GenericDescription description, NonVolatileMemory& memory, TransmitQueue& queue);
 
     void power_on(std::uint8_t node_id, Instant now) { power_on(LssConfiguration{node_id}, now); }
-    /// Starts with a stored LSS configuration. `can_state` and `overrun` are the controller's inputs, as in
-    /// Node::set_controller(); bit_rate() is that of `stored`.
+    /// Starts the device with a stored LSS configuration, which also gives bit_rate(). `can_state` and `overrun` are
+    /// the inputs from the controller, as in Node::set_controller().
     void power_on(const LssConfiguration& stored, Instant now, std::uint8_t can_state = 0, bool overrun = false);
     void receive(const Frame& frame, Instant now) { node_.receive(frame, now); }
     void advance(Instant now) { node_.advance(now); }
@@ -44,17 +45,17 @@ class GenericDevice final : private Application {
     const Node& node() const { return node_; }
     ObjectDictionary& objects() { return objects_; }
     const ObjectDictionary& objects() const { return objects_; }
-    /// Gives a DOMAIN entry a memory of `size` bytes without content.
+    /// Gives a DOMAIN entry memory of `size` bytes. The entry has no content then.
     void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
-    /// Allocates the memory of every DOMAIN; afterwards nothing allocates.
+    /// Allocates the memory of every DOMAIN. After that, the device allocates nothing.
     void take_domain_memory();
-    /// Returns the content of that DOMAIN entry; empty when it has none.
+    /// Returns the content of a DOMAIN entry; empty when it has none.
     ByteView held(std::uint16_t index, std::uint8_t subindex) const;
     /// Sets the content of a DOMAIN entry, as a download does.
     void fill(std::uint16_t index, std::uint8_t subindex, const std::vector<std::uint8_t>& bytes);
     /// Removes the content of a DOMAIN entry.
     void empty(std::uint16_t index, std::uint8_t subindex);
-    /// Sets the result of commit() for a DOMAIN; AbortCode::none accepts every new value.
+    /// Sets the result of commit() for DOMAIN entries. AbortCode::none accepts every new value.
     void refuse_domains_with(AbortCode code) { domain_refusal_ = code; }
 
     /// Returns the bit rate in bit/s that LSS set last.
@@ -63,10 +64,11 @@ class GenericDevice final : private Application {
     const LssConfiguration& stored() const { return stored_; }
     /// Sets the store for LSS configurations, which must outlive the device.
     void store_in(LssStore& store) { store_ = &store; }
-    /// Sets the answer to `store configuration` without a store; only LssError::none keeps the configuration.
+    /// Sets the answer to the LSS command `store configuration` for a device without a store. Only LssError::none keeps
+    /// the configuration.
     void answer_store_with(LssError error) { store_answer_ = error; }
 
-    /// Returns the number of times that a communication error began or ended.
+    /// Returns how often a communication error has begun or ended.
     int communication_errors() const { return communication_errors_; }
 
   private:
@@ -81,8 +83,8 @@ class GenericDevice final : private Application {
     MutableBytes staging(const EntryRef& entry) override;
     AbortCode commit(const EntryRef& entry, std::size_t length, Instant now) override;
 
-    /// Two memories of one size, allocated when they are first used: a download fills one while the other contains the
-    /// value.
+    /// The two memories of a DOMAIN, which have the same size. A download fills one while the other contains the
+    /// present value. They are allocated when they are first used.
     struct Domain {
         std::uint16_t index{0};
         std::uint8_t subindex{0};

@@ -7,9 +7,10 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t bank_overhead = 64;  // header and CRC of a bank of stored parameters, with a reserve
+constexpr std::size_t bank_overhead = 64;  // header and CRC of one bank of stored parameters, and a reserve
 
-/// Returns the size in bytes: two banks of parameters, each no longer than the value image, and the LSS record.
+/// Returns the size of the memory in bytes: two banks of parameters, each no longer than the value image, and the LSS
+/// record.
 std::size_t memory_size(const Part& part) {
     return 2 * (image_size(part) + bank_overhead) + LssStore::size;
 }

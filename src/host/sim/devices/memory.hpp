@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated EEPROM. It survives the device object and can lose power during a write.
+// A simulated EEPROM. It can outlive the device object, and its power can fail during a write.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ class Memory final : public NonVolatileMemory {
     bool write(std::size_t at, ByteView bytes) override;
     bool commit() override;
 
-    /// Stores the content at a commit; returns false when it cannot.
+    /// A function that stores the content at a commit. Returns false when it cannot.
     using Keeper = std::function<bool(const std::vector<std::uint8_t>&)>;
-    /// Sets the keeper; the present content counts as kept. Without a keeper every commit succeeds.
+    /// Sets the keeper. The present content counts as stored. Without a keeper, every commit succeeds.
     void keep_by(Keeper keeper) {
         keeper_ = std::move(keeper);
         kept_ = bytes_;
     }
 
-    /// Lets the power fail after `count` more bytes; further writes are lost.
+    /// Makes the power fail after `count` more bytes. Further writes have no effect.
     void cut_power_after(std::size_t count) { bytes_left_ = count; }
     void restore_power() { bytes_left_ = std::numeric_limits<std::size_t>::max(); }
-    /// Returns the bytes written since the start, that is, the number of places for a power failure.
+    /// Returns the number of bytes written since the start. The power can fail before each of them.
     std::size_t written() const { return written_; }
 
     std::vector<std::uint8_t>& bytes() { return bytes_; }
@@ -40,7 +40,7 @@ class Memory final : public NonVolatileMemory {
   private:
     std::vector<std::uint8_t> bytes_;
     Keeper keeper_;
-    std::vector<std::uint8_t> kept_;  ///< content of the last commit; only with a keeper
+    std::vector<std::uint8_t> kept_;  ///< content of the last commit; used only with a keeper
     std::size_t bytes_left_{std::numeric_limits<std::size_t>::max()};
     std::size_t written_{0};
 };

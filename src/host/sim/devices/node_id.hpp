@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node-IDs that a user can give to a device; no other number reaches a device.
+// The node-IDs that a user can give to a device. Other numbers never reach a device.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// 1 to 127, or 255 for a device without a node-ID, to which LSS can assign one.
+/// A number from 1 to 127, or 255 for a device without a node-ID, to which LSS can assign one.
 class NodeId {
   public:
     static inline const int lowest = generated::canopen::lss_lowest_node_id;
@@ -18,7 +18,7 @@ class NodeId {
 
     static constexpr bool is_one(int number) { return (number >= lowest && number <= highest) || number == none; }
 
-    /// Throws InputError for any other number.
+    /// Stores the number. Throws InputError unless it is 1 to 127 or 255.
     NodeId(int number);
 
     std::uint8_t value() const { return value_; }

@@ -10,7 +10,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns `RPDO 9 (1408h)` for an object of an unsupported PDO, otherwise an empty text.
+/// Returns `RPDO 9 (1408h)` for an object of a PDO that the firmware does not support; an empty text for any other
+/// object.
 std::string unserved(const Object& object) {
     const bool receives = is_unserved_pdo(PdoDirection::receive, object.index);
     if (!receives && !is_unserved_pdo(PdoDirection::transmit, object.index)) {

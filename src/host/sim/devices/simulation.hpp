@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of the simulations of all devices: signals by name, and the device itself.
+// The part that the simulations of all devices have in common: signals by name, and the device itself.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// `Inputs` and `Outputs` are the device's generated signal groups; their visitors are found in their namespace.
+/// `Inputs` and `Outputs` are the generated signal groups of the device. Their visitors are found in the namespace of
+/// the groups.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 class Simulation : public SimulatedDevice {
   public:
@@ -61,7 +62,7 @@ class Simulation : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return device_.bit_rate(); }
     const ObjectDictionary* objects() const override { return &device_.objects(); }
     std::vector<MemoryRegion> regions() override {
-        // The firmware has no heap: its whole state lies in these objects.
+        // The firmware has no heap, so these objects contain its whole state.
         return {{"device", reinterpret_cast<std::uint8_t*>(&device_), sizeof(device_)},
                 {"queue", reinterpret_cast<std::uint8_t*>(&queue_), sizeof(queue_)},
                 {"store", memory_.bytes().data(), memory_.bytes().size()}};

@@ -34,7 +34,7 @@ std::string_view text(const Image& image) {
     return {reinterpret_cast<const char*>(image.data()), image.size()};
 }
 
-/// Opens an existing file; follows a link. Throws InputError for anything that is no regular file.
+/// Opens an existing file. Follows a symbolic link. Throws InputError for anything that is no regular file.
 Descriptor open_existing(const fs::path& path) {
     struct stat found {};
     if (stat(path.c_str(), &found) != 0) {
@@ -43,7 +43,7 @@ Descriptor open_existing(const fs::path& path) {
     if (!S_ISREG(found.st_mode)) {
         refuse_to_read(path, S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
     }
-    // The file is opened for writing if possible, because some file systems lock only such files.
+    // The file is opened for writing if possible, because some file systems can lock only such a file.
     Descriptor file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)};
     if (!file.is_open() && (errno == EACCES || errno == EROFS)) {
         file = Descriptor{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -54,7 +54,7 @@ Descriptor open_existing(const fs::path& path) {
     return file;
 }
 
-/// Returns whether the path still names this file; another process can have replaced it since it was opened.
+/// Returns whether the path still leads to this open file. Another process can have replaced the file since.
 bool is_at(const Descriptor& file, const fs::path& path) {
     struct stat opened {};
     struct stat named {};
@@ -84,13 +84,13 @@ Image read_image(const Descriptor& file, const fs::path& path, std::size_t size)
     return image;
 }
 
-/// Stores an image in a file that it has locked.
+/// Stores a memory image in a file and keeps that file locked.
 class StoredMemoryFile {
   public:
     StoredMemoryFile(fs::path path, Image& image, NoticeListener tell)
         : path_{std::move(path)}, tell_{std::move(tell)} {
         while (!(exists() ? take(image) : make(image))) {
-            // Another process was faster: try again.
+            // Another process was faster: tries again.
         }
         path_ = fs::canonical(path_);
         remove_leftovers(path_);
@@ -101,7 +101,7 @@ class StoredMemoryFile {
             FileBeside fresh{path_};
             fresh.write(text(image));
             fresh.replace();
-            file_ = fresh.take();  // locked before it got its name
+            file_ = fresh.take();  // the file was locked before it got its name
             return true;
         } catch (const std::system_error& error) {
             tell(fmt::format("cannot write {}: {}; the device answers that it stored nothing", path_.string(),
@@ -111,7 +111,7 @@ class StoredMemoryFile {
     }
 
   private:
-    /// Reports a failure. If the report fails as well, the device's answer alone shows it.
+    /// Reports a failure. If the report itself fails, only the answer of the device shows the failure.
     void tell(const std::string& text) const {
         try {
             tell_(text);

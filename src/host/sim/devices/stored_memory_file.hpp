@@ -9,9 +9,9 @@
 
 namespace canproof::host {
 
-/// Fills `memory` from `file` and writes each commit there: on disk before the commit returns. Creates a missing file
-/// and keeps it locked for the lifetime of the memory. `tell` receives the reason of a failed commit. Throws InputError
-/// when the file is in use, is unreadable or is no image of this memory; it then stays unchanged.
+/// Fills `memory` from `file`, and writes each commit to the file before the commit returns. Creates a missing file.
+/// The file is locked as long as the memory exists. `tell` receives the reason of a failed commit. Throws InputError
+/// when the file is in use, cannot be read, or is no image of this memory; the file then stays unchanged.
 void keep_in_file(Memory& memory, const std::filesystem::path& file, NoticeListener tell);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The process that emulates a microcontroller. It ends with the last object that owns it.
+// The process that emulates a microcontroller. The process ends when the object that owns it is destroyed.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The calls of a device whose firmware runs as an image. During a call the image reads and writes its parameter memory,
-// which is here; after it the frames that wait to be sent are here.
+// The calls of a device whose firmware runs as an image. During a call, the image reads and writes its parameter
+// memory, which is in this program. After the call, the frames that wait to be sent are in this program, too.
 #pragma once
 
 #include <memory>
@@ -20,29 +20,30 @@ struct DeviceState {
     Instant deadline{never};
     std::uint8_t node_id{0};
     NmtState nmt{NmtState::initialising};
-    std::uint32_t bit_rate{0};  ///< bit/s
+    std::uint32_t bit_rate{0};  ///< bit rate in bit/s
     std::vector<double> outputs;
 };
 
 class ImageCalls {
   public:
-    /// `link` has read the greeting. `queue` receives the frames that the image sends; a frame that is popped there
-    /// goes out.
+    /// Prepares the calls. `link` must have read the greeting. `queue` receives the frames that the image sends; a
+    /// frame that is removed from it counts as sent.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
-    // These calls throw ImageFailed. `inputs` are in the order of the requirements register.
+    // The following calls throw ImageFailed when the link fails. `inputs` must be in the order of the requirements
+    // register.
     void power_on(const std::vector<double>& inputs, Instant now);
     void set_inputs(const std::vector<double>& inputs, Instant now);
     void receive(const Frame& frame, Instant now);
     void advance(Instant now);
-    /// Only reports to the image which frames have gone out.
+    /// Reports to the image which frames have been sent, and does nothing else.
     void look();
 
     /// Returns the state after the last call.
     const DeviceState& state() const { return state_; }
-    /// Returns the number of frames that went out since the last call.
+    /// Returns the number of frames that were sent since the last call.
     std::size_t sent() const { return waiting_ - queue_.size(); }
-    /// Returns whether the memory carried out the image's last commit; true before the first commit.
+    /// Returns whether the memory has stored the image's last commit. Returns true before the first commit.
     bool has_committed() const { return committed_; }
     const std::string& name() const { return link_->name(); }
 
@@ -58,7 +59,7 @@ class ImageCalls {
     TransmitQueue& queue_;
     Memory& memory_;
     DeviceState state_;
-    std::size_t waiting_{0};  ///< frames in the queue after the last call
+    std::size_t waiting_{0};  ///< number of frames in the queue after the last call
     bool committed_{true};
 };
 

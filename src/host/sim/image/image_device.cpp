@@ -14,7 +14,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Compares bit for bit: two zeros may differ, and a NaN equals itself.
+/// Compares bit by bit, so that a NaN equals itself and 0.0 differs from -0.0.
 bool are_same(const std::vector<double>& some, const std::vector<double>& others) {
     return std::equal(some.begin(), some.end(), others.begin(), others.end(),
                       [](double a, double b) { return bit_cast<std::uint64_t>(a) == bit_cast<std::uint64_t>(b); });
@@ -93,7 +93,8 @@ bool ImageDevice::set_input(const std::string& name, double value, Instant now) 
     return found;
 }
 
-/// Asks the image again when frames have gone out, because a block of segments continues when there is room.
+/// Calls the image again when frames have been sent, because a block of segments continues when there is room in the
+/// queue.
 Instant ImageDevice::next_deadline() const {
     if (calls_->sent() != 0) {
         follow_queue();
@@ -102,7 +103,7 @@ Instant ImageDevice::next_deadline() const {
     return calls_->state().deadline;
 }
 
-/// Returns no node-ID for switches whose position is not a node-ID.
+/// Returns the node-ID of the image; NodeId::none when the position of its switches is no node-ID.
 std::uint8_t ImageDevice::node_id() const {
     const int number = calls_->state().node_id;
     return NodeId{NodeId::is_one(number) ? number : NodeId::none}.value();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device of the catalogue whose firmware runs on the emulated microcontroller. Each call contains its time, and ends
-// before the next one begins. A twin, the same device in this program, simulates the physical world and receives every
-// call too. When the two behave differently, their sources differ or one of the compilers is wrong.
+// A device of the catalogue whose firmware runs on the emulated microcontroller. Each call passes its time to the
+// image, and ends before the next call begins.
+// A twin, the same device in this program, simulates the physical world and receives every call as well. When the two
+// behave differently, they were built from different sources or one of the compilers is wrong.
 #pragma once
 
 #include <memory>
@@ -15,13 +16,14 @@ namespace canproof::host {
 
 class ImageDevice final : public SimulatedDevice {
   public:
-    /// `link` has read the greeting. Throws ImageFailed when the image has other signals than the twin.
+    /// Makes the device. `link` must have read the greeting. Throws ImageFailed when the signals of the image differ
+    /// from those of the twin.
     ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
 
     void set_node_id(NodeId node_id) override;
     bool set_coding_switches(std::uint8_t value) override { return twin_->set_coding_switches(value); }
-    // These five functions throw ImageFailed when the link fails; the first four also throw it when image and twin
-    // differ.
+    // The following five functions throw ImageFailed when the link fails. The first four also throw it when image and
+    // twin differ.
     void power_on(Instant now) override;
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
@@ -37,13 +39,13 @@ class ImageDevice final : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
 
   private:
-    /// Removes from the twin's queue as many frames as have left the image's queue.
+    /// Removes as many frames from the twin's queue as have left the image's queue.
     void follow_queue() const;
-    /// Sends the image the twin's inputs when a call has changed them since `before`.
+    /// Sends the twin's inputs to the image if a call has changed them; `before` are the inputs before the call.
     void follow_inputs(const std::vector<double>& before, Instant now);
-    /// Throws ImageFailed when image and twin are not in the same state.
+    /// Throws ImageFailed when the states of image and twin differ.
     void compare(Instant now) const;
-    /// Returns a description of the first difference; empty when there is none.
+    /// Returns a description of the first difference between image and twin; empty when there is none.
     std::string difference() const;
 
     std::unique_ptr<SimulatedDevice> twin_;

@@ -12,7 +12,8 @@ namespace canproof::host {
 
 ImageLink::ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator)
     : to_{std::move(to)}, from_{std::move(from)}, name_{std::move(name)}, emulator_{std::move(emulator)} {
-    std::signal(SIGPIPE, SIG_IGN);  // an image that has ended is an exception, not the end of the program
+    // after the end of the image, a write throws an exception and does not end the program
+    std::signal(SIGPIPE, SIG_IGN);
 }
 
 void ImageLink::send(bridge::Message& message) {
@@ -71,8 +72,8 @@ void ImageLink::read(std::uint8_t* to, std::size_t count) {
 }
 
 void ImageLink::refuse() const {
-    throw ImageFailed{
-        fmt::format("{} says what this program does not understand; build both from the same sources", name_)};
+    throw ImageFailed{fmt::format(
+        "{} sent a message that this program does not understand; build both from the same sources", name_)};
 }
 
 }  // namespace canproof::host

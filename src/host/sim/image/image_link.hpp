@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The connection of this program to a device's image on the microcontroller (src/target/bridge).
+// The connection between this program and a device's image on the microcontroller (src/target/bridge).
 #pragma once
 
 #include <cstddef>
@@ -12,36 +12,38 @@
 
 namespace canproof::host {
 
-/// Thrown when the image has ended, does not answer, or behaves unlike any image built from the sources of this
-/// program.
+/// Reports that the image has ended, does not answer, or behaves in a way that no image built from this program's
+/// sources can.
 class ImageFailed : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// First message of an image.
+/// The first message of an image.
 struct ImageGreeting {
-    std::string device;     ///< its name in the catalogue
+    std::string device;     ///< name of the device in the catalogue
     std::size_t inputs{0};  ///< number of input signals
     std::size_t outputs{0};
 };
 
 class ImageLink {
   public:
-    /// Milliseconds that an image may take for one message: emulation within emulation takes seconds to start.
+    /// Greatest time in ms that an image may take for one message. An emulator that runs in an emulator takes seconds
+    /// to start.
     static constexpr int patience_ms = 300000;
 
-    /// `to` and `from` are ends of pipes; `name` is for messages.
+    /// `to` and `from` are ends of pipes. `name` appears in messages.
     ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator = {});
 
     const std::string& name() const { return name_; }
-    /// Throws ImageFailed when the image has ended.
+    /// Sends a message. Throws ImageFailed when the image has ended.
     void send(bridge::Message& message);
-    /// Waits for the image's next message. Throws ImageFailed.
+    /// Waits for the next message of the image. Throws ImageFailed when none comes within `patience_ms`, or an invalid
+    /// one.
     bridge::Message receive();
-    /// Takes the first message of an image. Throws ImageFailed.
+    /// Reads the first message of the image. Throws ImageFailed when it is no greeting.
     ImageGreeting greeting();
-    /// Throws ImageFailed for a message that this program does not understand.
+    /// Throws ImageFailed, because this program does not understand the message.
     [[noreturn]] void refuse() const;
 
   private:

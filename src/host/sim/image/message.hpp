@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages between this program and a device's image on the microcontroller (src/target/bridge). A message is its
-// length in two bytes, its kind, and values in the order of the bus, the least significant byte first. A frame is its
-// identifier (u32), flags (u8: 1 extended, 2 remote), length (u8) and eight bytes.
+// Messages between this program and a device's image on the microcontroller (src/target/bridge). A message consists of
+// its length in two bytes, its kind, and values. Values are in the byte order of the bus: the least significant byte
+// first. A frame is its identifier (u32), flags (u8: 1 extended, 2 remote), length (u8) and eight bytes.
 #pragma once
 
 #include <algorithm>
@@ -16,32 +16,33 @@
 
 namespace canproof::bridge {
 
-/// First value of an image's greeting. Another value means another protocol.
-constexpr std::uint32_t protocol = 0x31504243U;  // "CBP1"
-/// Bytes of stored parameters that one message carries at most.
+/// First value of an image's greeting. An image with another value uses another protocol.
+constexpr std::uint32_t protocol = 0x31504243U;  // the characters "CBP1"
+/// Greatest number of bytes of stored parameters in one message.
 constexpr std::size_t most_memory_bytes = 512U;
 
 enum class Kind : std::uint8_t {
-    // From the image.
+    // Messages from the image.
     greeting,  ///< protocol, number of inputs and of outputs (u8 each), length of the device's name (u8), its
                ///< characters
-    state,  ///< after each command: next deadline (u64), node-ID and NMT state (u8 each), bit rate (u32), whether the
-            ///< boot-up message waits (u8), number of frames that wait (u8), these, outputs (f64 each)
+    /// after each command: next deadline (u64), node-ID and NMT state (u8 each), bit rate (u32). Then: whether the
+    /// boot-up message waits (u8), number of waiting frames (u8), these frames, outputs (f64 each)
+    state,
     read,   ///< stored parameters: address (u32), count (u16)
     write,  ///< address (u32), count (u16), the bytes
     commit,
-    // From the host. Each command begins with the number (u8) of frames that went out since the last state.
+    // Messages from the host. Each command begins with the number (u8) of frames that were sent since the last state.
     begin,       ///< answers the greeting: size of the parameter memory (u32)
     power_on,    ///< time (u64), inputs (f64 each)
     receive,     ///< time, frame
     set_inputs,  ///< time, inputs
     advance,     ///< time
-    look,        ///< only the state
-    stored       ///< answers read, write and commit: whether it was done (u8); after a read the bytes
+    look,        ///< requests only the state
+    stored       ///< answers read, write and commit: whether it succeeded (u8); after a read also the bytes
 };
 
-/// One message, to be written or read. A value that does not fit, or a read past the end, only makes the message
-/// unsound.
+/// One message that is written or read. A value that does not fit, or a read beyond the end, makes the message invalid
+/// and has no other effect.
 class Message {
   public:
     static constexpr std::size_t head = 2U;
@@ -63,7 +64,7 @@ class Message {
         static_cast<void>(std::memcpy(&bytes_[end_], &value, sizeof(Value)));
         end_ += sizeof(Value);
     }
-    /// Returns and removes the next value; zero when there is none.
+    /// Removes and returns the next value. Returns zero when there is none.
     template <typename Value>
     Value take() {
         static_assert(is_value<Value>);
@@ -81,7 +82,8 @@ class Message {
             end_ += bytes.size();
         }
     }
-    /// Returns and removes the next `count` bytes; none when there are fewer. They are valid as long as the message.
+    /// Removes and returns the next `count` bytes; none when there are fewer. The view is valid as long as the message
+    /// exists.
     ByteView take_bytes(const std::size_t count) {
         const bool whole = has_left(count);
         const std::size_t from = at_;
@@ -106,19 +108,20 @@ class Message {
         return frame;
     }
 
-    /// Returns the bytes to send: the length, then the values that were put.
+    /// Returns the bytes to send: the length, and then the values that were put.
     ByteView sent() {
         store_le<head>(bytes_.data(), end_ - head);
         return ByteView{bytes_.data(), end_};
     }
-    /// Returns the buffer into which a message is read: first `head` bytes, then as many bytes as expected() returns.
+    /// Returns the buffer for reading a message. The caller first reads `head` bytes, then as many bytes as expected()
+    /// returns.
     std::uint8_t* buffer() { return bytes_.data(); }
-    /// Returns the number of bytes behind the head; 0 when the head is invalid.
+    /// Returns the number of bytes after the head; 0 when the head is invalid.
     std::size_t expected() const {
         const std::uint64_t length = load_le<head>(bytes_.data());
         return (length <= (capacity - head)) ? static_cast<std::size_t>(length) : 0U;
     }
-    /// Ends the reading of the message: take() begins behind the kind.
+    /// Marks the message as completely read. take() then begins with the value after the kind.
     void filled() {
         end_ = head + expected();
         at_ = head + sizeof(Kind);
@@ -126,7 +129,7 @@ class Message {
     }
 
   private:
-    /// Each pattern of bits is a valid value.
+    /// Whether each bit pattern is a valid value of the type.
     template <typename Value>
     static constexpr bool is_value =
         (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) || std::is_enum_v<Value>;

@@ -23,7 +23,8 @@ Pipe open_pipe() {
     return {Descriptor{ends[0]}, Descriptor{ends[1]}};
 }
 
-/// Returns the words that start QEMU. With semihosting, the image uses the standard streams of the process.
+/// Returns the words of the command that starts QEMU. By semihosting, the image uses the standard streams of that
+/// process.
 std::vector<std::string> command_line(const std::string& path) {
     return {"qemu-system-arm",
             "-nodefaults",

@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Starts an STM32F405 in QEMU with that image; the process ends with the link. Throws InputError when there is no QEMU
-/// or no such file. Any other defect of the file shows when the greeting does not come.
+/// Starts an STM32F405 with this image in QEMU. The process ends with the link. Throws InputError when QEMU or the file
+/// does not exist. If the file has any other defect, no greeting comes.
 std::unique_ptr<ImageLink> start_image(const std::string& path);
 
 }  // namespace canproof::host

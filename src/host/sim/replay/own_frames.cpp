@@ -6,7 +6,7 @@
 namespace canproof::host {
 
 std::size_t OwnFrames::Hash::operator()(const Content& one) const {
-    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;  // odd, and half of its bits are ones
+    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;  // an odd number in which half of the bits are set
     const std::uint64_t head = (std::uint64_t{one.id} << 32U) | one.form;
     return std::hash<std::uint64_t>{}((one.data * spread) ^ (head * spread >> 1U));
 }
@@ -38,8 +38,8 @@ bool OwnFrames::match(const Frame& frame, Instant now) {
     return true;
 }
 
-/// Removes frames older than `longest_wait`. Of equal frames the oldest is matched first, so the oldest one in `order_`
-/// is a matched one as long as there is any.
+/// Removes frames that are older than `longest_wait`. Of equal frames, the oldest is always matched first. So the
+/// oldest one in `order_` is a matched frame, unless none of them is matched.
 void OwnFrames::forget(Instant now) {
     while (!order_.empty() && order_.front().time + longest_wait < now) {
         const auto found = counts_.find(order_.front().content);

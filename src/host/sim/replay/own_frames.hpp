@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recognises the device's own frames in a log: frames that it has sent and that the log has not shown since.
+// Recognises the device's own frames in a log: frames that the device has sent and that the log has not contained
+// since.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace canproof::host {
 
 class OwnFrames {
   public:
-    /// Longest time that a frame waits for the bus; it bounds memory and search time for any length of log.
+    /// Longest time that a frame waits for the bus. It limits the memory and the time of the search for a log of any
+    /// length.
     static constexpr Duration longest_wait = milliseconds(60000);
 
     void sent(const Frame& frame, Instant now);
@@ -24,7 +26,7 @@ class OwnFrames {
     struct Content {
         std::uint64_t data;
         std::uint32_t id;
-        std::uint32_t form;  ///< length, extended, remote
+        std::uint32_t form;  ///< length, extended and remote in one number
         bool operator==(const Content& other) const {
             return data == other.data && id == other.id && form == other.form;
         }
@@ -33,8 +35,8 @@ class OwnFrames {
         std::size_t operator()(const Content& one) const;
     };
     struct Count {
-        std::uint32_t open{0};  ///< sent, not yet seen in the log
-        std::uint32_t seen{0};  ///< seen, and still in order_
+        std::uint32_t open{0};  ///< number of frames that were sent and not seen in the log yet
+        std::uint32_t seen{0};  ///< number of frames that were seen in the log and are still in order_
     };
     struct Sent {
         Content content;

@@ -18,7 +18,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest time for which a sent frame waits for its appearance in the log; then it is written with its own time.
+/// Longest time for which a sent frame waits until the log contains it. After that it is written with the time at which
+/// the device sent it.
 constexpr Duration longest_hold = milliseconds(1000);
 
 FrameSource source_of(const ReplayInput& input) {
@@ -34,7 +35,7 @@ FrameSource source_of(const ReplayInput& input) {
     };
 }
 
-/// Plays a log to a device. The device's time begins at 0; the log's time is later by `shift_`.
+/// Plays a log to a device. The time of the device begins at 0. The time of the log is greater by `shift_`.
 class Player {
   public:
     Player(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out)
@@ -61,7 +62,8 @@ class Player {
     }
 
   private:
-    /// Applies the stimuli up to the start: they describe the environment before power-on.
+    /// Determines the start, skips frames before it, and applies the stimuli up to it, because they describe the
+    /// environment at power-on.
     void begin() {
         const Instant first = has_frame_ ? frame_.time : Instant{};
         const Instant start = input_.start.value_or(latest_zero < first ? first : Instant{});
@@ -98,7 +100,7 @@ class Player {
         return is_over ? never : line;
     }
 
-    /// Converts it to the device's time; a silence is limited to longest_silence.
+    /// Converts a time of the log to the time of the device. A silence longer than longest_silence is shortened to it.
     Instant due_of(Instant line) const { return earliest(Instant{line.us - shift_}, last_line_ + longest_silence); }
 
     Instant next() const {
@@ -179,7 +181,7 @@ class Player {
         }
     }
 
-    /// Writes a waiting frame of the device with the time at which the log shows it.
+    /// Writes a waiting frame of the device with the time that the log gives it.
     void write_held() {
         const auto found = std::find_if(held_.begin(), held_.end(),
                                         [this](const LoggedFrame& one) { return are_alike(one.frame, frame_.frame); });
@@ -212,7 +214,7 @@ class Player {
     FrameSource source_;
     std::ostream& frames_out_;
     std::ostream* outputs_out_;
-    LoggedFrame frame_;  ///< next frame of the log; valid with has_frame_
+    LoggedFrame frame_;  ///< next frame of the log; valid if has_frame_ is true
     bool has_frame_{false};
     std::size_t next_stimulus_{0};
     std::string interface_;
@@ -222,7 +224,7 @@ class Player {
     std::uint64_t shift_{0};
     OutputChanges outputs_;
     OwnFrames own_;
-    std::deque<LoggedFrame> held_;  ///< sent, and not yet seen in a log with marks
+    std::deque<LoggedFrame> held_;  ///< frames that the device has sent and a log with marks has not contained yet
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         }
         const std::string where = lines.where();
         const auto first = line.find(',');
-        const auto second = line.find(',', first + 1);  // npos + 1 is 0: without a first comma there is no second one
+        // npos + 1 is 0, so that without a first comma there is no second one either
+        const auto second = line.find(',', first + 1);
         if (second == std::string::npos) {
             throw InputError{fmt::format("{}: `{}` has no three fields; write seconds,signal,value", where, line)};
         }
@@ -71,7 +72,8 @@ std::vector<const Signal*> inputs_named(const std::string& name, const std::vect
 void check_value(const Stimulus& stimulus, const Signal& signal) {
     const bool is_truth = signal.type == "BOOLEAN";
     const bool is_real = signal.type == "REAL32" || signal.type == "REAL64";
-    const double low = is_truth ? 0.0 : signal.minimum.value();  // the register has minimum and maximum of every number
+    // every number in the register has a minimum and a maximum
+    const double low = is_truth ? 0.0 : signal.minimum.value();
     const double high = is_truth ? 1.0 : signal.maximum.value();
     const bool whole = is_real || std::floor(stimulus.value) == stimulus.value;
     if (!whole || stimulus.value < low || stimulus.value > high) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stimuli as CSV `seconds,signal,value`, with one change of a physical input per line.
+// Stimuli in the CSV form `seconds,signal,value`. Each line changes one physical input.
 #pragma once
 
 #include <istream>
@@ -12,18 +12,18 @@
 namespace canproof::host {
 
 struct Stimulus {
-    std::string where;  ///< file:line
+    std::string where;  ///< place of the line as file:line
     Instant time{};
     std::string signal;
     double value{0.0};
 };
 
-/// Reads all lines in ascending time. A first line `seconds,signal,value` is a header. Throws InputError with file and
-/// line.
+/// Reads all lines, whose times must be ascending. The first line may be the header `seconds,signal,value`. Throws
+/// InputError with file and line for any other text.
 std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name);
 
-/// Checks each stimulus. Throws InputError for a signal that none of these devices has as input, and for a value
-/// outside the range or type of any device that has it.
+/// Checks each stimulus. Throws InputError when none of the devices has an input with the name of its signal. Also
+/// throws it when the value is outside the range or type of any device that has the input.
 void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const Part*>& devices);
 
 }  // namespace canproof::host

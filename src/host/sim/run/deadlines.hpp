@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deadlines of many devices. The earliest is available at once; a change takes a number of steps that is
+// The deadlines of many devices. The earliest deadline is always known. A change takes a number of steps that is
 // logarithmic in the number of devices.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace canproof::host {
 
 class Deadlines {
   public:
-    /// `count` deadlines, numbered from 0; the initial value of each is `never`.
+    /// Makes `count` deadlines with the numbers 0 to `count` - 1 and the value `never`.
     explicit Deadlines(std::size_t count) {
         while (leaves_ < count) {
             leaves_ *= 2;
@@ -28,7 +28,7 @@ class Deadlines {
         }
     }
     Instant first() const { return earliest_[1]; }
-    /// Returns the numbers of the deadlines that are due at `now`, ascending.
+    /// Returns the numbers of the deadlines that are due at `now`, in ascending order.
     std::vector<std::size_t> due_at(Instant now) const {
         std::vector<std::size_t> numbers;
         collect(1, now, numbers);
@@ -49,7 +49,8 @@ class Deadlines {
     }
 
     std::size_t leaves_{1};
-    std::vector<Instant> earliest_;  ///< a binary tree: 1 is the root, the children of n are 2n and 2n + 1
+    /// binary tree: element 1 is the root, the children of element n are 2n and 2n + 1
+    std::vector<Instant> earliest_;
 };
 
 }  // namespace canproof::host

@@ -16,8 +16,8 @@ class DeviceNode final : public BusNode {
     DeviceNode(std::string name, std::unique_ptr<SimulatedDevice> device)
         : name_{std::move(name)}, device_{std::move(device)} {}
 
-    /// Returns the device for a change. The caller requests the reference again for each change, because the call
-    /// informs the bus and the session.
+    /// Returns the device in order to change it. The call informs the bus and the session about a change. So the caller
+    /// must request the reference again for each change.
     SimulatedDevice& device() {
         tell_change();
         return *device_;
@@ -49,7 +49,7 @@ class DeviceNode final : public BusNode {
         }
         tell_change();
     }
-    /// Sets the device's input `can_state`; a device without this input does not react.
+    /// Sets the input `can_state` of the device. Does nothing for a device without this input.
     void set_can_state(CanState state, Instant now) override {
         set_input("can_state", static_cast<double>(state), now);
     }
@@ -59,8 +59,8 @@ class DeviceNode final : public BusNode {
     bool tells_changes() const override { return true; }
 
   private:
-    /// Returns whether a frame can change the node's filters: NMT, LSS or SDO. Further SDO servers can have any
-    /// identifier.
+    /// Returns whether a frame can change the filters of the node: NMT, LSS or SDO. Frames for further SDO servers can
+    /// have any identifier.
     bool may_configure(const Frame& frame) const {
         const ObjectDictionary* objects = device_->objects();
         const bool sdo = frame.id >= first_sdo_request && frame.id <= last_sdo_request;

@@ -47,7 +47,7 @@ EventLoop::EventLoop() {
     sigemptyset(&ending);
     sigaddset(&ending, SIGINT);
     sigaddset(&ending, SIGTERM);
-    if (!is_ignored(SIGHUP)) {  // a blocked signal arrives at a signalfd even when it is ignored
+    if (!is_ignored(SIGHUP)) {  // a signalfd receives a blocked signal even if the signal is ignored
         sigaddset(&ending, SIGHUP);
     }
     sigprocmask(SIG_BLOCK, &ending, &mask_before_);
@@ -68,8 +68,8 @@ EventLoop::~EventLoop() {
     sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-/// Updates the set of watched descriptors. A closed and reopened descriptor has left the set already, so it is first
-/// added, then modified.
+/// Updates the set of watched descriptors. The kernel removes a closed descriptor from the set, and a new descriptor
+/// can have the same number. So each descriptor is first added and, if it is already there, modified.
 void EventLoop::follow(const std::vector<Watch>& watches) {
     std::vector<Known> wanted;
     for (const Watch& watch : watches) {
@@ -99,7 +99,7 @@ void EventLoop::arm(Duration pause) const {
     const std::uint64_t us = always_ready_.empty() ? pause.us : 0;
     itimerspec when{};
     when.it_value.tv_sec = static_cast<time_t>(us / 1000000);
-    when.it_value.tv_nsec = static_cast<long>(us % 1000000) * 1000 + 1;  // zero would disarm the timer
+    when.it_value.tv_nsec = static_cast<long>(us % 1000000) * 1000 + 1;  // the value 0 would switch the timer off
     timerfd_settime(timer_, 0, &when, nullptr);
 }
 

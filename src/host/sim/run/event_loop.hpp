@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waits for descriptors, for a time, and for SIGINT, SIGTERM and SIGHUP. It uses epoll, timerfd and signalfd, and no
+// Waits for descriptors, for a time, and for SIGINT, SIGTERM and SIGHUP. Uses epoll, timerfd and signalfd, and no
 // thread.
 #pragma once
 
@@ -13,19 +13,19 @@ namespace canproof::host {
 
 class EventLoop {
   public:
-    /// During the lifetime of the object, SIGINT, SIGTERM and SIGHUP end the loop instead of the process. An ignored
-    /// SIGHUP, as under nohup, has no effect. Throws std::system_error.
+    /// As long as this object exists, SIGINT, SIGTERM and SIGHUP end the loop and not the process. A SIGHUP that is
+    /// ignored, as under nohup, has no effect. Throws std::system_error.
     EventLoop();
     ~EventLoop();
     EventLoop(const EventLoop&) = delete;
     EventLoop& operator=(const EventLoop&) = delete;
 
-    /// Waits for one of `watches`, or until `pause` has passed. A regular file is always ready.
+    /// Waits until one of `watches` is ready or `pause` has passed. A regular file is always ready.
     void wait(const std::vector<Watch>& watches, Duration pause);
-    /// Returns whether a descriptor was ready when wait() returned.
+    /// Returns whether a descriptor was ready when wait() last returned.
     bool is_ready(int descriptor) const { return ready_.count(descriptor) != 0; }
     bool is_interrupted() const { return interrupted_; }
-    /// Clears the interruption, so that the next signal can be awaited.
+    /// Clears the interruption, so that wait() can wait for the next signal.
     void forget_interruption() { interrupted_ = false; }
 
   private:

@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-// Constants of the pcapng and pcap formats (IETF draft-ietf-opsawg-pcapng and -pcap) and of the link type
+// Constants of the formats pcapng and pcap (IETF draft-ietf-opsawg-pcapng and -pcap) and of the link type
 // LINKTYPE_CAN_SOCKETCAN.
 constexpr std::uint32_t section_header = 0x0A0D0D0A;
 constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
@@ -28,7 +28,7 @@ bool ends_with(const std::string& path, const std::string& ending) {
     return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Little-endian words: the content of a pcapng block, or a piece of a pcap file.
+/// The content of a pcapng block or of a part of a pcap file, as little-endian words.
 class Block {
   public:
     void add32(std::uint32_t value) {
@@ -37,14 +37,13 @@ class Block {
         }
     }
     void add16(std::uint32_t low, std::uint32_t high) { add32(low | (high << 16U)); }
-    /// Adds bytes and pads them to a whole word.
+    /// Adds bytes, and zeros up to the next complete word.
     void add(const std::string& bytes) {
         bytes_ += bytes;
         bytes_.resize((bytes_.size() + whole_word - 1) / whole_word * whole_word);
     }
     void write(std::ostream& out, std::uint32_t type) const {
-        constexpr std::uint32_t frame_of_block =
-            12;  // bytes for the type and for the length, which a block contains twice
+        constexpr std::uint32_t frame_of_block = 12;  // a block contains its type once and its length twice
         Block block;
         block.add32(type);
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
@@ -52,15 +51,15 @@ class Block {
         block.add32(static_cast<std::uint32_t>(bytes_.size()) + frame_of_block);
         block.write_bare(out);
     }
-    /// Writes the words without type and length, as pcap has them.
+    /// Writes the words without type and length, as a pcap file contains them.
     void write_bare(std::ostream& out) const { out.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size())); }
 
   private:
     std::string bytes_;
 };
 
-/// Returns the packet of a frame as libpcap captures it, 16 bytes: identifier and flags in big-endian order, length,
-/// three bytes that are 0 in classic CAN, eight bytes of data; those without data are 0.
+/// Returns the 16 bytes of a frame as libpcap captures it: identifier and flags in big-endian order, length, three zero
+/// bytes, and eight bytes of data. Data bytes beyond the length are 0.
 std::string packet_of(const Frame& frame) {
     const std::uint32_t id = frame.id | (frame.extended ? extended_flag : 0U) | (frame.remote ? remote_flag : 0U);
     std::string bytes;
@@ -78,7 +77,7 @@ std::string packet_of(const Frame& frame) {
 void write_pcap_header(std::ostream& out) {
     Block header;
     header.add32(pcap_microseconds);
-    header.add16(2, 4);  // version 2.4
+    header.add16(2, 4);  // version 2.4 of the format
     header.add32(0);
     header.add32(0);
     header.add32(pcap_longest_packet);
@@ -101,23 +100,23 @@ void write_pcap_packet(std::ostream& out, const LoggedFrame& frame) {
 void write_pcapng_header(std::ostream& out, const std::string& interface) {
     Block section;
     section.add32(byte_order_magic);
-    section.add16(1, 0);  // version 1.0
+    section.add16(1, 0);  // version 1.0 of the format
     section.add32(UINT32_MAX);
-    section.add32(UINT32_MAX);  // unknown length of the section
+    section.add32(UINT32_MAX);  // the length of the section is not known
     section.write(out, section_header);
     Block description;
     description.add16(linktype_can_socketcan, 0);
-    description.add32(0);  // no limit of the frame length
+    description.add32(0);  // the length of frames is not limited
     description.add16(option_if_name, static_cast<std::uint32_t>(interface.size()));
     description.add(interface);
-    description.add32(0);  // end of options; without options, times are in microseconds
+    description.add32(0);  // end of the options; without an option, times are in microseconds
     description.write(out, interface_description);
 }
 
 void write_pcapng_packet(std::ostream& out, const LoggedFrame& frame, bool own) {
     const std::string packet = packet_of(frame.frame);
     Block block;
-    block.add32(0);  // number of the only interface
+    block.add32(0);  // number of the interface; there is only one
     block.add32(static_cast<std::uint32_t>(frame.time.us >> 32U));
     block.add32(static_cast<std::uint32_t>(frame.time.us & UINT32_MAX));
     block.add32(static_cast<std::uint32_t>(packet.size()));
@@ -125,7 +124,7 @@ void write_pcapng_packet(std::ostream& out, const LoggedFrame& frame, bool own) 
     block.add(packet);
     block.add16(option_epb_flags, 4);
     block.add32(own ? outbound : inbound);
-    block.add32(0);  // end of options
+    block.add32(0);  // end of the options
     block.write(out, enhanced_packet);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file of `--log`: every frame of a bus, for other programs and for replay.
+// Writes the file of `--log`: every frame of a bus, for other programs and for replay.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 namespace canproof::host {
 
 enum class LogFormat : std::uint8_t {
-    candump,  ///< in the format of `candump -L`
-    marked,   ///< in the format of `candump -L -x`: T after frames of these devices, R after those of others
-    pcap,     ///< for Wireshark and SavvyCAN: link type 227 (SocketCAN)
-    pcapng,   ///< for Wireshark: as pcap, and with the direction of each frame; SavvyCAN ignores its link type
+    candump,  ///< the format of `candump -L`
+    marked,   ///< the format of `candump -L -x`: T after the frames of these devices, R after those of others
+    pcap,     ///< for Wireshark and SavvyCAN, with link type 227 (SocketCAN)
+    pcapng,   ///< for Wireshark: like pcap, and with the direction of each frame; SavvyCAN does not read this link type
 };
 
-/// Returns the format for a file's name and the option for marks.
+/// Returns the format for the name of a file. `marks` is the option for marks in a candump log.
 LogFormat log_format(const std::string& path, bool marks);
 
 class FrameLog {
   public:
-    /// `out` may be nullptr: nothing is written.
+    /// Writes to `out`; writes nothing if `out` is nullptr.
     FrameLog(std::ostream* out, LogFormat format) : out_{out}, format_{format} {}
 
     bool is_wanted() const { return out_ != nullptr; }
-    /// Writes the header before the first frame.
+    /// Writes the header. Must be called before the first frame.
     void begin(const std::string& interface);
-    /// Writes a frame; `own` means that one of these devices has sent it.
+    /// Writes a frame. `own` is true when one of these devices has sent it.
     void write(const LoggedFrame& frame, bool own);
 
   private:

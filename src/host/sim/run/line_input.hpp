@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads lines of a descriptor without waiting for incomplete ones.
+// Reads lines from a descriptor. Does not wait for the rest of an incomplete line.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ class LineInput {
 
     int descriptor() const { return descriptor_; }
     bool is_open() const { return open_; }
-    /// Returns the complete lines that have arrived, without empty ones; call it when there is input. A line that is
-    /// too long for any frame is dropped. The last line may lack a line break.
+    /// Returns the complete lines that have arrived, without empty lines. Must be called when the descriptor is ready.
+    /// Drops a line that is too long for any frame. The last line may lack a line break.
     std::vector<std::string> read_lines();
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table that `run` shows on a terminal: one line for the bus, then one line per node.
+// The table that `run` shows on a terminal: one line for the bus, and one line for each node.
 #pragma once
 
 #include <string>
@@ -14,12 +14,13 @@ struct TableSize {
     std::size_t rows{24};
 };
 
-/// Returns at most `rows - 1` lines of at most `columns` characters; the last line counts the nodes without a line.
-/// `notices` are shown below, the newest last. `lag` is the delay of the simulation, shown unless it is 0.
+/// Returns at most `rows - 1` lines of at most `columns` characters. If not all nodes fit, the last line contains the
+/// number of the others. `notices` follow below, the newest last. `lag` is the delay of the simulation, which is shown
+/// unless it is 0.
 std::vector<std::string> table_lines(const RunSession& session, const std::vector<std::string>& notices, TableSize size,
                                      Duration lag = {});
 
-/// Returns the word of a state, such as "operational".
+/// Returns the word for an NMT state, such as "operational".
 const char* state_word(NmtState state);
 
 }  // namespace canproof::host

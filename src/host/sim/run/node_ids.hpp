@@ -11,13 +11,14 @@
 
 namespace canproof::host {
 
-/// Returns one line per device: `ax188001@5: node-ID 5`.
+/// Returns one line for each device: `ax188001@5: node-ID 5`.
 std::vector<std::string> node_id_lines(const std::vector<std::unique_ptr<DeviceNode>>& nodes);
 
-/// Detects devices with the same node-ID, at power-on or later through LSS.
+/// Detects devices that have the same node-ID, at power-on or later through LSS.
 class NodeIdClashes {
   public:
-    /// Returns a warning for each node-ID that more than one device has now, unless the last call returned it as well.
+    /// Returns a warning for each node-ID that more than one device has now. Leaves out those that the last call has
+    /// returned.
     std::vector<std::string> found(const std::vector<std::unique_ptr<DeviceNode>>& nodes);
 
   private:

@@ -51,7 +51,7 @@ void RunSession::note_change(std::size_t number) {
     if (!is_changed_[number]) {
         is_changed_[number] = true;
         changed_.push_back(number);
-        deadlines_.set(number, never);  // until follow_deadlines() runs, next_deadline() asks the device directly
+        deadlines_.set(number, never);  // next_deadline() asks the device itself until follow_deadlines() has run
     }
 }
 
@@ -102,7 +102,7 @@ void RunSession::schedule(const Stimulus& stimulus) {
     stimuli_.insert(later, stimulus);
 }
 
-/// Handles one moment in the same order as replay: deadlines, stimuli, frames.
+/// Handles all events of one moment in the order that replay also uses: deadlines, stimuli, frames.
 void RunSession::step(Instant at) {
     follow_deadlines();
     for (const std::size_t number : deadlines_.due_at(at)) {
@@ -126,7 +126,8 @@ void RunSession::stimulate(Instant at) {
         const auto point = one.signal.rfind('.');
         if (point == std::string::npos) {
             for (auto& node : nodes_) {
-                node->set_input(one.signal, one.value, at);  // false when a device does not have the input
+                // returns false for a device without this input, which is no fault
+                node->set_input(one.signal, one.value, at);
             }
             continue;
         }
@@ -153,7 +154,7 @@ void RunSession::record(const BusFrame& frame) {
     }
 }
 
-/// Writes the outputs of the changed nodes; those of other nodes are unchanged.
+/// Writes the outputs of the nodes that have changed; the outputs of the others are the same as before.
 void RunSession::write_outputs(Instant at) {
     follow_deadlines();
     std::sort(changed_.begin(), changed_.end());

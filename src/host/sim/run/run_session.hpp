@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices on a bus, from event to event in order of time. The owner of the clock decides how far it advances; nothing
-// here waits. The behaviour of a device depends only on the times of frames and stimuli, so a log of them replays to
-// the same frames.
+// Runs devices on a bus from event to event, in order of time. The owner of the clock decides how far the session
+// advances; the session itself never waits. The behaviour of a device depends only on the times of frames and stimuli,
+// so a replay of their log gives the same frames.
 #pragma once
 
 #include <functional>
@@ -30,16 +30,16 @@ class SessionObserver {
   public:
     virtual ~SessionObserver() = default;
     virtual void on_frame(const BusFrame& frame) = 0;
-    /// Called after all events of that time; states and outputs are those from this time on.
+    /// Called after all events of the time `at`. States and outputs have their new values from then on.
     virtual void on_step(Instant at) = 0;
 };
 
-/// The outputs of a session; each may be nullptr.
+/// The streams for the outputs of a session. Each may be nullptr.
 struct SessionOutputs {
-    std::ostream* frames{nullptr};  ///< every frame as a candump line
-    std::ostream* log{nullptr};     ///< every frame in log_format
+    std::ostream* frames{nullptr};  ///< every frame as a line of candump
+    std::ostream* log{nullptr};     ///< every frame in the format `log_format`
     LogFormat log_format{LogFormat::candump};
-    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`; `device.signal` with several devices
+    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`, with `device.signal` if there are several devices
     SessionObserver* observer{nullptr};
 };
 
@@ -51,29 +51,31 @@ struct NodeTraffic {
 
 class RunSession {
   public:
-    /// A stimulus `device.signal` acts on that device, any other stimulus on every device with the signal.
+    /// Makes a session. A stimulus for `device.signal` acts on that device; a stimulus for `signal` acts on every
+    /// device that has the signal.
     RunSession(std::unique_ptr<Bus> bus, std::vector<std::unique_ptr<DeviceNode>> nodes, std::vector<Stimulus> stimuli,
                const SessionOutputs& outputs);
 
-    /// Switches the devices on at time 0; stimuli at 0 come first.
+    /// Switches the devices on at time 0. Stimuli for time 0 are applied first.
     void power_on();
-    /// Handles all events up to `now`, each at its own time; fewer when more arrived at the bus than one turn reads.
-    /// Throws StuckDevice for a device whose deadline does not move.
+    /// Handles all events up to `now`, each at its own time. Stops earlier when more data have arrived at the bus than
+    /// one turn reads. Throws StuckDevice for a device whose deadline does not advance.
     void advance_to(Instant now);
-    /// Does the same, but stops when may_go_on() returns false after a step; now() is then earlier than `now`.
+    /// Handles events in the same way, but stops when may_go_on() returns false after a step. now() is then earlier
+    /// than the argument `now`.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
     /// Sends a frame of the user. Returns false when the bus cannot take it now.
     bool put(const Frame& frame);
-    /// Adds a stimulus of the user, behind those planned for the same time. A stimulus whose time has passed comes
-    /// next.
+    /// Adds a stimulus of the user after those that are planned for the same time. A stimulus whose time has passed is
+    /// applied next.
     void schedule(const Stimulus& stimulus);
 
     Bus& bus() { return *bus_; }
     const Bus& bus() const { return *bus_; }
     Instant now() const { return time_.now(); }
     const std::vector<std::unique_ptr<DeviceNode>>& nodes() const { return nodes_; }
-    /// Returns the traffic of each node, parallel to nodes().
+    /// Returns the traffic of each node, in the order of nodes().
     const std::vector<NodeTraffic>& traffic() const { return traffic_; }
 
   private:
@@ -93,12 +95,13 @@ class RunSession {
     std::size_t next_stimulus_{0};
     SessionOutputs outputs_;
     FrameLog log_;
-    std::vector<OutputChanges> changes_;  ///< parallel to nodes_
+    std::vector<OutputChanges> changes_;  ///< in the order of nodes_
     std::unordered_map<const BusNode*, std::size_t> numbers_;
     std::unordered_multimap<std::string, std::size_t> by_name_;
-    Deadlines deadlines_;               ///< deadlines of the devices; `never` for those in changed_
-    std::vector<std::size_t> changed_;  ///< nodes that were changed since the last step, each once
-    std::vector<bool> is_changed_;      ///< parallel to nodes_: the node is in changed_
+    Deadlines deadlines_;  ///< deadlines of the devices; `never` for devices in changed_
+    /// numbers of the nodes that have changed since the last step; each occurs once
+    std::vector<std::size_t> changed_;
+    std::vector<bool> is_changed_;  ///< in the order of nodes_: whether changed_ contains the node
     ForwardTime time_;
 };
 

@@ -294,7 +294,7 @@ TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     EXPECT_THAT(refusal("[[failure_mode]]\ndevices = [\"bax\"]\nat = \"x\"\nmode = \"y\"\n"),
                 HasSubstr("`bax` is no device"));
     EXPECT_THAT(refusal("[[failure_mode]]\ndevices = [\"box\"]\nmode = \"y\"\n"),
-                HasSubstr("it names either signals or `at`"));
+                HasSubstr("it must name either `signals` or `at`"));
     EXPECT_EQ(refusal(mode + "mode = \"NaN\"\n"), "");
 }
 

@@ -185,7 +185,8 @@ TEST_F(Campaign, InterruptWritesAReportAndTheSameCommandContinues) {
     EXPECT_EQ(run(b_has_begun), 130);
     const auto told = report();
     EXPECT_FALSE(told["finished"]);
-    EXPECT_NE(text_of(folder / "out" / "index.html").find("Not finished: stopped during “fuzzing”"), std::string::npos);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("Not finished: the campaign was stopped during “fuzzing”"),
+              std::string::npos);
     EXPECT_TRUE(fs::exists(folder / "corpus" / "b" / "one"));
 
     add_target("b", "");

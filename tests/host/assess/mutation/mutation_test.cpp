@@ -187,7 +187,7 @@ TEST(Records, RecordsWithoutAReasonAreRefused) {
         read_survivor_records(file.path());
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(".toml:1: missing reason"));
+        EXPECT_THAT(error.what(), HasSubstr(".toml:1: reason is missing"));
     }
 }
 

@@ -98,18 +98,18 @@ TEST_F(AuditOfASmallRegister, StoryOfADecisionHasItsTopicChoiceAndReason) {
 
 TEST_F(AuditOfASmallRegister, MissingKindOfTestIsAGap) {
     evidence.verdicts["D-A-001"].pop_back();
-    EXPECT_THAT(gaps(), ElementsAre("D-A-001: no passed property"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-001: it has no passed property"));
 }
 
 TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
     evidence.verdicts.erase("D-A-002");
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: no passed test"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: it has no passed test"));
     EXPECT_EQ(audit().items[1].status(), "open");
 }
 
 TEST_F(AuditOfASmallRegister, FailedTestIsAGapBesideAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims it has failed"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a failed test claims it"));
     EXPECT_EQ(audit().items[1].status(), "failed");
 }
 
@@ -142,7 +142,7 @@ TEST_F(AuditOfASmallRegister, MisplacedLinkIsListedWithTheOrphans) {
 
 TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
     part().requirements[1].sources = {"M:1"};
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): normative, but no item has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): the section is normative, but no item has it as its source"));
 }
 
 TEST_F(AuditOfASmallRegister, SectionIsCoveredByItsObjectToo) {

@@ -106,14 +106,15 @@ TEST_F(AuditOfStatements, AuditReportsNothingWhenAllStatementsAreCoveredOrExplai
 
 TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
     statements()[1].covered.clear();
-    EXPECT_THAT(gaps(),
-                ElementsAre("M:6411h/1: no item covers it, and there is no reason (The lamp of 6411h blinks.)"));
+    EXPECT_THAT(
+        gaps(),
+        ElementsAre("M:6411h/1: no item covers the statement, and it has no reason (The lamp of 6411h blinks.)"));
     EXPECT_EQ(status()["M:6411h/1"], "open");
 }
 
 TEST_F(AuditOfStatements, NormativeSectionWithoutStatementsIsNamed) {
     statements().resize(2);
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, and it has no statement"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): the section is normative, but it has no statement"));
     EXPECT_FALSE(audits()[0].sections[1].covered);
 }
 
@@ -133,7 +134,7 @@ TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemWithItAsSource) {
 
 TEST_F(AuditOfStatements, ManualWithoutStatementsIsAuditedBySection) {
     statements().clear();
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): normative, but no item has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): the section is normative, but no item has it as its source"));
 }
 
 TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
@@ -143,7 +144,7 @@ TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
     EXPECT_EQ(status()["M:2/1"], "failed") << "the decision affects D-A-002";
     evidence.verdicts.erase("D-A-002");
     EXPECT_EQ(status()["M:6411h/1"], "open");
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: no passed test"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: it has no passed test"));
 }
 
 TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {

@@ -90,7 +90,7 @@ TEST(ImageMessage, ReadPastTheEndMakesTheMessageUnsound) {
 
 TEST(ImageLink, InvalidGreetingIsRefused) {
     const std::string misunderstood =
-        "box.elf says what this program does not understand; build both from the same sources";
+        "box.elf sent a message that this program does not understand; build both from the same sources";
     EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state
     EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // greeting of another protocol
     EXPECT_EQ(why(saying(std::string{"\x08\x00\x00"

@@ -5,7 +5,7 @@ import { isWaiting, stimulate } from './server.js';
 import { digitsFor, numberText, sliderStep, unitSign, valueText } from './units.js';
 
 const canStates = [[0, 'error active'], [1, 'warning limit'], [2, 'error passive'], [3, 'bus-off']];
-const widestSlider = 200001; // above it a slider is too coarse: a number is typed
+const widestSlider = 200001;  // with more values than this a slider is too coarse, so the user types a number
 
 let ids = 0;
 

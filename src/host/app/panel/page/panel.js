@@ -49,7 +49,8 @@ async function start() {
 
   async function follow() {
     const state = await get(`/api/state?changes=${changes}&frames=${frames}`);
-    if (state.next_change < changes || state.next_frame < frames) return location.reload(); // another run
+    // another run: its numbers start again at 0
+    if (state.next_change < changes || state.next_frame < frames) return location.reload();
     heard(state.now);
     if (changes === 0) seed(state);
     for (const [time, channel, value] of state.changes) places[channel][0].change(places[channel][1], time, value);
