@@ -160,7 +160,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
+TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();

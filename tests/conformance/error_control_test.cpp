@@ -159,7 +159,7 @@ TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, ResetEndsTheMonitoringUntilTheNextHeartbeat) {
+TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
     verifies<req::CO_HB_002, req::CO_NMT_006>();
     write("603#23161001C8003100");
     send("731#05");
@@ -283,7 +283,7 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
 }
 
-TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestrictedOnes) {
+TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrestrictedOnes) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",

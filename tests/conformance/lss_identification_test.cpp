@@ -290,7 +290,7 @@ TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
           {"7E5#5100000000800000", {}}});  // its active node-ID is still 5
 }
 
-TEST_F(Unconfigured, FastscanNeedsLssWaitingAndNoPendingNodeId) {
+TEST_F(Unconfigured, FastscanIsIgnoredInLssConfiguration) {
     verifies<req::CO_LSS_050, req::CO_T_LSS>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},

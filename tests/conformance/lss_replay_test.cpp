@@ -45,7 +45,7 @@ class LssReplay : public testing::TestWithParam<const char*> {};
 
 }  // namespace
 
-TEST_P(LssReplay, TheCapturedSessionIsByteExact) {
+TEST_P(LssReplay, ReplayOfTheCapturedSessionGivesTheSameBytes) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_061>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

@@ -46,7 +46,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
                 });
 }
 
-TEST_F(SdoBlock, UploadInSubBlocksOfTwoSegments) {
+TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
     verifies<req::CO_SDO_021, req::CO_SDO_022>();
     const Bytes bytes = counting(30);  // 5 segments: 2, 2 and 1, the last with 2 bytes
     hold(bytes);

@@ -71,7 +71,7 @@ TEST_F(SmallStore, BytesBehindTheTwoBanksAreIgnored) {
     EXPECT_EQ(power_on(), Frames{"705#00"});
 }
 
-TEST_F(SmallStore, HeaderOfEqualBytesIsBlankOnlyFor00hAndFFh) {
+TEST_F(SmallStore, HeaderOfBytes55hIsCorruptAndNotBlank) {
     verifies<req::CO_STORE_005>();
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
     EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
@@ -139,7 +139,7 @@ TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     }
 }
 
-TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
+TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     verifies<req::CO_STORE_004>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);

@@ -134,7 +134,7 @@ TEST_F(FailedSelfTest, DoubledStepEndsInTheSafeState) {
     expect_safe_state(SelfTest::flow, 1);
 }
 
-TEST_F(FailedSelfTest, SoundDeviceGoesOn) {
+TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
     verifies<req::CO_SELF_005>();
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);

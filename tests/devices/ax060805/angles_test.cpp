@@ -48,7 +48,7 @@ TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Angles, AngleTypeIsTiltAsShippedAndEulerAtOnceBy2100h) {
+TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));

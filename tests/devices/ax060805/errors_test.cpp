@@ -90,7 +90,7 @@ TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
     EXPECT_EQ(read(0x4020), 0U);
 }
 
-TEST_F(Ax060805Errors, ValuesOfAFailedSensorStay) {
+TEST_F(Ax060805Errors, FailedSensorFreezesAnglesAndAccelerations) {
     verifies<req::INC_FV_007>();
     turn(30.0, 0.0);
     pass(1000);

@@ -73,7 +73,7 @@ TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
 }
 
-TEST_F(Filters, InputFilterTakes1To50Hz) {
+TEST_F(Filters, InputFilterAccepts1To50Hz) {
     verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
     EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
     EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
@@ -274,7 +274,7 @@ TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
     EXPECT_EQ(pitch(), 4500);  // at the rate of the sensor
 }
 
-TEST_F(Filters, WindowOf60000NeedsNoMoreTimeOrMemory) {
+TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     verifies<req::INC_AVG_002>();
     switch_filter_off();
     set_filter(1, 1, 60000);

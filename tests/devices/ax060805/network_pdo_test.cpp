@@ -42,7 +42,7 @@ TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     EXPECT_EQ(pass(100), (Frames{"100:3FF#00004041000020C0"}));
 }
 
-TEST_F(Network, Tpdo4IsNotValidAndEmpty) {
+TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
     verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
     EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
     EXPECT_EQ(read(0x1A03, 0), 0U);
@@ -72,7 +72,7 @@ TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
     EXPECT_EQ(value(0x2500, 1), 0x0201);
 }
 
-TEST_F(Network, Rpdo2To4AreNotValidAndEmpty) {
+TEST_F(Network, Rpdo2To4AreInvalidAndEmpty) {
     verifies<req::INC_PDO_001, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602,
              req::INC_OD_1603>();
     const std::vector<std::uint32_t> cob_ids{0xC000037FU, 0xC000047FU, 0xC000057FU};

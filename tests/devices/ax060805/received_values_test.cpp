@@ -159,7 +159,7 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
 }
 
 // RPDO1 is late at 102 ms and comes at 103 ms, between the samples at 100 and 105 ms
-TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheOtherValues) {
+TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     send("37F#D007");
@@ -187,7 +187,7 @@ TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
 }
 
 // The frame comes before the device was asked about the time at which it was due.
-TEST_F(TwoSenders, LateFrameThatTellsItsOwnLatenessInvalidatesTheOtherValues) {
+TEST_F(TwoSenders, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");

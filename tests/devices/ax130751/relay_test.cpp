@@ -197,7 +197,7 @@ TEST_F(Ax130751Relay, InputInErrorPutsTheRelayOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, AnyInputInErrorButAnUnusedUnlatchPutsTheRelayOff) {
+TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     struct Case {
         std::uint16_t source;

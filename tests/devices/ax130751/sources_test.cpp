@@ -290,7 +290,7 @@ TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
+TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set32(0x1402, 1, 0x4000047F);
@@ -331,7 +331,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     EXPECT_FLOAT_EQ(volts(2), 3.0F) << "101 ms after the heartbeat";
 }
 
-TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
+TEST_F(Ax130751Sources, LostHeartbeatPutsAReceivedCommandInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -352,7 +352,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, LostLifeGuardingPutsAllReceivedValuesInError) {
+TEST_F(Ax130751Sources, LostLifeGuardingPutsAReceivedCommandInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

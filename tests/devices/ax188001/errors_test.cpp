@@ -148,7 +148,7 @@ TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80328130}));
 }
 
-TEST_F(Ax188001Errors, LifeGuardingErrorHasItsOwnField) {
+TEST_F(Ax188001Errors, LifeGuardingErrorIsDistinguishedFromAHeartbeatErrorByItsField) {
     verifies<req::TCS_ERR_007, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);

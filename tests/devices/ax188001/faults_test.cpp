@@ -114,7 +114,7 @@ TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Faults, SetAndClearThresholdsLimitEachOther) {
+TEST_F(Faults, SetAndClearThresholdsAreLimitsOfEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

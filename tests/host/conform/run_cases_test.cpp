@@ -207,7 +207,7 @@ TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
     EXPECT_EQ(report.results.at(3).verdict, Verdict::passed);
 }
 
-TEST(ConformRun, InterruptionRestoresEverything) {
+TEST(ConformRun, InterruptionRestoresTheWrittenValues) {
     BusLikeTarget target{sound_slave()};
     target.interrupt_at(Instant{20'000'000});
     const ConformReport report =

@@ -160,7 +160,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     }
 }
 
-TEST(AngleFilter, WindowOf64DropsTheSampleBeforeIt) {
+TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     verifies<req::INC_AVG_001, req::INC_AVG_002>();
     for (const int samples : {63, 64}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -236,7 +236,7 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, LongWindowNeedsNoMoreMemory) {
+TEST(AngleFilter, FilterOfAnyWindowNeedsAtMost592Bytes) {
     verifies<req::INC_AVG_002>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
 }

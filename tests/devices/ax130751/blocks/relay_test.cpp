@@ -46,7 +46,7 @@ class RelayTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(RelayTest, RelayFollowsThePolaritiesNotImplementedNormalAndInverse) {
+TEST_F(RelayTest, RelayFollowsNormalAndInversePolarityAndStaysOffWhenNotImplemented) {
     verifies<req::AOR_RELAY_002>();
     EXPECT_EQ(run(".##.", not_implemented), "....");
     EXPECT_EQ(run(".##.", normal), ".##.");
@@ -82,7 +82,7 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
     EXPECT_EQ(run("#......", latched, "...##.."), "###....");
 }
 
-TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
+TEST_F(RelayTest, AfterUnlatchingTheControlMustGoOffBeforeItLatchesAgain) {
     verifies<req::AOR_RELAY_005>();
     // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
     // latches again.
@@ -113,7 +113,7 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
-TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
+TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
     // Unlatched when another polarity is chosen; chosen again, the latch accepts the first edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
@@ -124,7 +124,7 @@ TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
-TEST_F(RelayTest, LatchChosenDuringUnlatchingIgnoresEdges) {
+TEST_F(RelayTest, LatchSelectedDuringUnlatchingIgnoresEdges) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
     EXPECT_EQ(run(".", normal, "#"), ".");
     EXPECT_EQ(run("#.#", latched, "###"), "...");

@@ -136,7 +136,7 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     }
 }
 
-TEST(Thermocouple, LowestTemperaturesAreFoundFromEveryVoltage) {
+TEST(Thermocouple, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
     // There the curves are flat and the inverse functions are not defined, so the search starts from outside.
     for (const auto& type : its90_types()) {
