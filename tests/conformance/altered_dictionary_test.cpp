@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of a range, without a limit.
+/// An end of a range at which there is no limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {

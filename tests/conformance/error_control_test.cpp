@@ -47,7 +47,7 @@ TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
 
 TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     verifies<req::CO_HB_002>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1: node 31h, 200 ms
     send("00000731#05");
     EXPECT_TRUE(pass(1000).empty());
     send("731#05");
@@ -121,7 +121,7 @@ TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
     send("701#05");
     write("603#23161001C8007F00");  // node 127
     send("77F#05");
-    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second in 1003h
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h
 }
 
 TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
@@ -164,7 +164,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
     write("603#23161001C8003100");
     send("731#05");
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
-    send("731#05");  // 1016h is 0 again
+    send("731#05");  // the reset has set 1016h to 0, so node 31h is not monitored
     EXPECT_TRUE(pass(1000).empty());
 }
 
@@ -297,7 +297,8 @@ TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrest
 
 namespace {
 
-/// Returns the state after a heartbeat error with this value of 1029h:1, from a start state.
+/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before it; `reaction`:
+/// the value of 1029h:1 (error behaviour).
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();

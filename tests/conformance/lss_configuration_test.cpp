@@ -85,7 +85,8 @@ TEST_F(Lss, ConfigureBitTimingAcceptsTheBitRatesOfTable0) {
 TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
     verifies<req::CO_LSS_012, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
-    talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},  // 500 kbit/s, to be kept
+    // 500 kbit/s, which the refused requests below do not change
+    talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1300050000000000", {"7E4#1301000000000000"}},
           {"7E5#1300090000000000", {"7E4#1301000000000000"}},
           {"7E5#13000A0000000000", {"7E4#1301000000000000"}},
@@ -259,7 +260,7 @@ TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // 150 ms
-          {"731#05", {}}});              // not received any more
+          {"731#05", {}}});              // sent during the switch delays: not received
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);

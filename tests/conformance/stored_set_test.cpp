@@ -64,7 +64,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsU
             unit.bytes() = stored;
             unit.bytes()[newest + at] ^= 0xFF;
             unit.power_cycle();
-            const bool is_marker = at == 3;  // the set itself is valid
+            const bool is_marker = at == 3;  // damage to the marker alone leaves the set valid
             EXPECT_EQ(unit.value(), is_marker ? 1000U * static_cast<unsigned>(saves) : 0U) << at;
             EXPECT_EQ(unit.error(), is_marker ? no_error : unit.code_of_damage) << at;
             unit.bytes() = stored;

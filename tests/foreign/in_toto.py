@@ -78,7 +78,7 @@ def check(project, kind):
 
 
 def refused(folder, pack, kind):
-    """Each change of a signed pack is refused."""
+    """Checks that each change of a signed pack is refused."""
     changes = {"an altered file": edit("index.html", "canproof", "canprof"), "a missing file": lambda one: (one / "tests.html").unlink(),
                "one more file": lambda one: (one / "more.html").write_text("more"),
                "a later expiry of the layout": edit("in-toto/root.layout", "2033-12-31", "2043-12-31")}

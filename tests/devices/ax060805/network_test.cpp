@@ -77,7 +77,7 @@ TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
             EXPECT_EQ(device->bit_rate(), rates[index]);
         }
     }
-    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // another table does not exist
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // there is no table 1
 }
 
 TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
@@ -114,7 +114,7 @@ TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     EXPECT_EQ(read(0x1017), 500U);
     EXPECT_EQ(read(0x2003), 20U);
     write(0x1011, 2, 0x64616F6C, 4);
-    EXPECT_EQ(read(0x1017), 500U);  // not before the reset
+    EXPECT_EQ(read(0x1017), 500U);  // the default applies at the next reset only
     reset();
     EXPECT_EQ(read(0x1017), 0U);
     EXPECT_EQ(read(0x2003), 20U);

@@ -359,7 +359,7 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
         {0x5B51, 0, u8, Access::rw, {127}, 1, 127, Map::no, false},
     });
     EXPECT_EQ(writing(0x5555, 0, 2), AbortCode::value_range);
-    // 125 kbit/s; Table 22 without the reserved index
+    // The default is 125 kbit/s; the choices are those of Table 22 without the reserved index.
     check_choice({0x5B50, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 4, {0, 1, 2, 3, 4, 6, 7, 8});
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }

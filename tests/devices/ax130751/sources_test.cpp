@@ -29,7 +29,7 @@ class Ax130751Sources : public Ax130751Blocks {
         pass(2);
         return get16(0x3018, 0);
     }
-    /// Returns whether a pair counts as not used: output 1, otherwise at least at its scaling 1 of 1 V, is then OFF.
+    /// Returns whether a pair counts as not used. Output 1 is OFF then; otherwise it has at least 1 V, its scaling 1.
     bool is_not_used(int source, int number) {
         set8(0x2340, 1, source);
         set8(0x2341, 1, number);

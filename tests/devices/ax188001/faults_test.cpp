@@ -61,7 +61,7 @@ TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
     set_inputs();
     EXPECT_EQ(pass(1000), Frames{});
     inputs.supply = 8.5F;
-    set_inputs();  // at 1000; read at 1155
+    set_inputs();  // applied at 1000 ms, read at 1155 ms
     EXPECT_EQ(pass(6000), (Frames{"5155:0FF#0031010320000000"}));
     inputs.supply = 11.9F;
     set_inputs();

@@ -131,7 +131,8 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
-    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // both ways are equally short: by +180, 90 to 270
+    // 90 and -90 are half a turn apart; the mean is that of 90 and 270
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
 TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
@@ -140,7 +141,8 @@ TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
     for (int sample = 0; sample < 20000; ++sample) {
         const int turned = (100 * sample) % 360;
         filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
-        const int middle = (100 * (sample + 359)) % 360;  // one sample before: mean of three steps of 100
+        // the mean of the last three samples, 100 degrees apart, is the one before the latest
+        const int middle = (100 * (sample + 359)) % 360;
         const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
         if (sample >= 2) {
             ASSERT_NEAR(filter.output(), expected, 2e-5F) << sample;

@@ -115,7 +115,8 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
 
 TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
-    // Unlatched when another polarity is chosen; chosen again, the latch accepts the first edge.
+    // The relay is unlatched when another polarity is selected. When the latch is selected again, it accepts the first
+    // edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -218,7 +219,7 @@ TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
 TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     verifies<req::AOR_RELAY_015>();
     times = {milliseconds(4), milliseconds(4), milliseconds(1)};
-    // control ON at 0: starts at 4; OFF at 8: continues to 12
+    // The control is ON from 0 to 8 ms; with delays of 4 ms the relay toggles from 4 to 12 ms.
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 

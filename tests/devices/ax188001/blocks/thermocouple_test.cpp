@@ -138,7 +138,8 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
 
 TEST(Thermocouple, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
-    // There the curves are flat and the inverse functions are not defined, so the search starts from outside.
+    // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts
+    // outside.
     for (const auto& type : its90_types()) {
         for (int step = 0; step <= 2000; ++step) {
             const long double celsius = lowest_convertible(type) + step * 0.001L;

@@ -47,7 +47,7 @@ TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     EXPECT_EQ(device.at("error_register"), 1);
     EXPECT_EQ(device.at("lamps").at("error"), "on");
     const nlohmann::json frames = frames_of(bench, "EMCY");
-    ASSERT_EQ(frames.size(), 2U);  // also above the high warning limit
+    ASSERT_EQ(frames.size(), 2U);  // the temperature is also above the high warning limit
     EXPECT_EQ(frames.at(1).at("id"), "082");
     EXPECT_EQ(frames.at(1).at("from"), "ax188001@2");
 
