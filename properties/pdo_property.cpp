@@ -46,7 +46,7 @@ std::vector<Mappable> catalogue(bool receives) {
     return all;
 }
 
-/// Generates zero to eight mapping entries, mostly such that fit into a PDO.
+/// Generates zero to eight mapping entries, which mostly fit into a PDO.
 rc::Gen<Mapping> mappings(bool receives) {
     return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
         lines.resize(std::min<std::size_t>(lines.size(), 8));

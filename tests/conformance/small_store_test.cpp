@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Store and restore with a small stored set (CiA 301, 7.5.2.13): each byte of the memory and each access to it is
-// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h: a bank has a header of 16 bytes, the value and
-// a CRC of 4 bytes, 24 bytes in total; there are two banks.
+// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h. A bank has a header of 16 bytes, the value and
+// a CRC of 4 bytes, 24 bytes in total. There are two banks.
 #include <algorithm>
 #include <numeric>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
-// 3.2.7; AX060805, 4.2.7): it is distinguished from an interrupted save and never leads to an older set. The stored
+// 3.2.7; AX060805, 4.2.7). Damage is distinguished from an interrupted save and never leads to an older set. The stored
 // value is 1017h, default 0.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
