@@ -276,8 +276,8 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     }
 }
 
-/// After 1,400,000 samples of a third of a turn the sum of a block of 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19
-/// microdegrees, which exceeds 63 bits: whole turns are removed before.
+/// The filter must remove whole turns. Otherwise, after 1,400,000 samples of a third of a turn, the sum of a block of
+/// 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19 microdegrees, which exceeds 63 bits.
 TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
