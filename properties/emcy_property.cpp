@@ -83,7 +83,7 @@ class Occurs : public rc::state::Command<naive::Node, LoggedSlave> {
 
 }  // namespace
 
-RC_GTEST_PROP(EmcyLaw, AnyErrorsAreReportedAsByTheNaiveNode, ()) {
+RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveNode, ()) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_006,
              req::CO_EMCY_010>("property");
     LoggedSlave slave;

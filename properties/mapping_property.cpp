@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remaps a PDO in any order of writes, right or wrong, and compares it with a naive PDO (CiA 301, 7.5.2.35 to
-// 7.5.2.38): every abort code, the resulting entries, and the length of the frame that is sent.
+// 7.5.2.38). Compares every abort code, the resulting entries, and the length of the frame that is sent.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@ struct Event {
     unsigned kind{0};      ///< 0 and 1: COB-ID; 2 and 3: a mapping entry; 4 and 5: the count; 6: a visit to operational
     unsigned number{0};    ///< sub-index, count, or bits of the COB-ID
     Mappable line{};       ///< to map
-    bool receives{false};  ///< RPDO 3, else TPDO 3
+    bool receives{false};  ///< true for RPDO 3, false for TPDO 3
 };
 
 class Happens : public rc::state::Command<Pdo, LoggedSlave> {

@@ -46,7 +46,7 @@ std::vector<Mappable> catalogue(bool receives) {
     return all;
 }
 
-/// Generates zero to eight mapping entries, mostly such that fit into a PDO.
+/// Generates zero to eight mapping entries, which mostly fit into a PDO.
 rc::Gen<Mapping> mappings(bool receives) {
     return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
         lines.resize(std::min<std::size_t>(lines.size(), 8));
@@ -197,7 +197,7 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
 
 // For any changes at any times, transmissions are at least the inhibit time and at most the event timer apart, and the
 // last value is always sent.
-RC_GTEST_PROP(PdoLaw, TransmissionsKeepInhibitTimeAndEventTimer, ()) {
+RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_018>("property");
     SlaveBench bench;
     const auto inhibit = static_cast<std::uint64_t>(*rc::gen::inRange(0, 20));  // ms

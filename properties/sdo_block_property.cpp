@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the SDO server with a naive server: for any requests in any order both give the same answers. Also
-// properties of block transfer that need no model. A failure shrinks to a log of frames.
+// Compares the SDO server with a naive server: for any requests in any order both give the same answers. The file also
+// has properties of block transfer that need no model. A failure shrinks to a log of frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>

@@ -305,8 +305,8 @@ class DeviceWorld {
         });
     }
 
-    /// Checks everything that one event caused: well-formed frames on identifiers of the device, at most one SDO
-    /// answer, and free room in the queue, so that nothing was lost, unless the queue was not emptied for long.
+    /// Checks everything that one event caused: well-formed frames on identifiers of the device, and at most one SDO
+    /// answer. The queue must have free room, so that nothing was lost, unless it was not emptied for long.
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;

@@ -71,7 +71,7 @@ std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circum
     }
     world.settle();
     const std::uint64_t digest = world.digest();
-    if (circumstances.begins_us != 0) {  // the check after one of the two runs is enough
+    if (circumstances.begins_us != 0) {  // one of the two runs makes this check
         check_reset(world);
     }
     return digest;

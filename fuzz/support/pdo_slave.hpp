@@ -73,7 +73,7 @@ class PdoValues {
     std::uint64_t other_{0};
 };
 
-/// the values and the node-ID from which these identifiers were collected
+/// The entries of one object. They are searched once, so that no execution repeats the search.
 class Entries {
   public:
     Entries(const ObjectDictionary& objects, unsigned index) : objects_{objects} {

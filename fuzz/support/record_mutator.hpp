@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A libFuzzer mutator for inputs that are records of one size: it removes, repeats, swaps and inserts whole records, so
-// that the following records keep their meaning; at times it changes bytes as libFuzzer does.
+// A libFuzzer mutator for inputs that are records of one size. It removes, repeats, swaps and inserts whole records, so
+// that the following records keep their meaning. At times it changes bytes as libFuzzer does.
 #pragma once
 
 #if defined(FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION)

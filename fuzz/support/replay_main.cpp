@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER…
-// --xml writes the verdict for the audit, --frames a candump log of the frames given to the device (see
-// candump_of_run.hpp).
-// A violated requirement aborts the process: reaching the end is the verdict. A file that cannot be read ends it
-// with 2.
+// Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER… With
+// --xml it writes the verdict for the audit. With --frames it writes a candump log of the frames given to the device
+// (candump_of_run.hpp).
+// A violated requirement aborts the process, so a run that reaches its end has passed. A file that cannot be read ends
+// the process with 2.
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Caches the outputs of the tools as long as none of their inputs changes.
 
-The cache contains only outputs: each run evaluates findings, tests of the checkers and records again. The key of an output is a
-hash of the tool's version, its command line, its script, and the contents of the files with all files of this project that they
-include; system headers count by the versions of their packages. The cache is in ~/.cache/canproof/misra, or in the folder
-CANPROOF_MISRA_CACHE; `CANPROOF_MISRA_CACHE=off` runs every tool."""
+The cache contains only outputs: each run evaluates findings, tests of the checkers and records again. The key of an
+output is a hash of the tool's version, its command line, its script, and the contents of its files. These include all
+files of this project that they include; system headers count by the versions of their packages. The cache is in
+~/.cache/canproof/misra, or in the folder CANPROOF_MISRA_CACHE; `CANPROOF_MISRA_CACHE=off` runs every tool."""
 import functools
 import hashlib
 import json

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks in the text of single files for which there is no tool: code in comments (5.7.2), unused types (0.2.3), the structure of
-switch statements (9.4.2) and includes below code (19.0.3). They expect code that clang-format has formatted."""
+"""Checks in the text of single files for which there is no tool. They find code in comments (5.7.2), unused types
+(0.2.3), the structure of switch statements (9.4.2) and includes below code (19.0.3). They expect code that clang-format
+has formatted."""
 import re
 
 from .definitions import closing

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds functions of the firmware that serve no item of the requirements register.
 
-A function serves an item in three cases: a link (`static_assert(implements<req::…>)`) is in it or directly above it or its
-declaration; a serving function calls it; or it constructs a class with a serving function. The functions that every device has
-(src/devices/README.md, step 2) only forward calls and need no item. reports/functions.toml contains the other functions, each with a
-reason; a record that names no such function is a fault. The compiler's call graph contains the calls."""
+A function serves an item in three cases:
+- A link (`static_assert(implements<req::…>)`) is in it, or directly above it or its declaration.
+- A serving function calls it.
+- It constructs a class with a serving function.
+The functions that every device has (src/devices/README.md, step 2) only forward calls and need no item.
+reports/functions.toml contains the other functions, each with a reason; a record that names no such function is a
+fault. The compiler's call graph contains the calls."""
 import collections
 import pathlib
 import re

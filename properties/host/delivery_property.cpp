@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a run whose nodes receive only accepted frames, and are advanced only when something is due, has the same
-// frames as a naive run in which every node receives every frame and is advanced at every step.
+// Compares a run whose nodes receive only accepted frames, and are advanced only when something is due, with a naive
+// run. In the naive run every node receives every frame and is advanced at every step. Both must have the same frames.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

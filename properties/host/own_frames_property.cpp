@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares how a run and a replay recognise the frames of their own nodes with a plain list: the oldest equal frame.
+// Compares how a run and a replay recognise the frames of their own nodes with a plain list, which takes the oldest
+// equal frame.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -22,7 +23,7 @@ struct Listed {
     std::uint64_t us{0};
 };
 
-/// Returns one of a few frames: some are equal, some differ in one thing: format, remote request, length or last byte.
+/// Returns one of a few frames. Some are equal; some differ only in format, remote request, length or last byte.
 Frame one_of_few() {
     Frame frame{};
     frame.id = *rc::gen::element<std::uint32_t>(0x000, 0x181, 0x182);

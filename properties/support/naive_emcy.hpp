@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the errors of the conformance slave (node 5) by CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17):
-// the error register, the list of the last four errors, and emergency messages with their inhibit time, on a clock of
-// milliseconds. Shares no code with the firmware.
+// Naive model of the errors of the conformance slave (node 5) by CiA 301 (7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.16, 7.5.2.17).
+// It has the error register, the list of the last four errors, and emergency messages with their inhibit time, on a
+// clock of milliseconds. Shares no code with the firmware.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38): a
-// list of mappable objects, and the order destroy, clear, map, count, create. Shares no code with the firmware.
+// The parameters of one PDO of the conformance slave and the rules for writing them (CiA 301, 7.5.2.35 to 7.5.2.38). It
+// has a list of mappable objects, and the order destroy, clear, map, count, create. Shares no code with the firmware.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a memory of stored parameters from the description of its format, without code of the firmware. Two banks have
-// a header (magic "COP", a marker, layout, sequence number, groups, a node-ID for each group), the values in dictionary
-// order, and a CRC-32 over both, computed one bit at a time, with the marker of a committed bank.
+// Reads a memory of stored parameters from the description of its format, without code of the firmware. Each of two
+// banks has a header: magic "COP", a marker, layout, sequence number, groups, and a node-ID for each group. The values
+// in dictionary order follow, then a CRC-32 over both, computed one bit at a time with the marker of a committed bank.
 #pragma once
 
 #include <algorithm>

@@ -187,8 +187,8 @@ class Happening {
     }
 
     /// Returns whether an event of this kind may start the monitoring of another node, whose silence would then be an
-    /// error of the device: its heartbeat while 1016h (consumer heartbeat time) names a node, or a remote frame while
-    /// guarding is on.
+    /// error of the device. Such an event is a heartbeat of a node that 1016h (consumer heartbeat time) names, or a
+    /// remote frame while guarding is on.
     static bool would_start_supervision(const Unit& unit, EventKind kind) {
         const unsigned watched = unit.value(0x1016, 0);
         bool names_a_node = false;

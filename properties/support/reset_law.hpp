@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a reset clears all earlier state. A unit with any history is reset; from then on its frames and outputs
+// Checks that a reset clears all earlier state. A unit with any history is reset. From then on its frames and outputs
 // must equal those of a unit that is switched on at that moment with the same stored set and inputs. CiA 301, 7.3.2.2:
 // reset node, power-on. communication_law() covers reset communication, which keeps the application; lss_law() covers
 // the reset by LSS.
@@ -102,7 +102,7 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Events of the separate communication; they do not affect the application.
+/// Events of the communication of one unit only; they do not affect the application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
 /// Events that affect the application, whatever the state of the communication.

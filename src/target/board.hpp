@@ -82,7 +82,8 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// A CAN mailbox in memory: the sender sets `full`, the receiver clears it.
+/// The RAM of the protocol layer and of the values, in bytes. src/target/footprint cannot read it from other parts of
+/// an image.
 struct Footprint {
     std::uint32_t node;
     std::uint32_t values;

@@ -5,7 +5,8 @@ import tomllib
 
 
 class Device:
-    """`name` cbx-ao412, `word` cbx_ao412 (its C++ name), `folder` src/devices/cbx-ao412 below `root`."""
+    """A device of a build: `name` (cbx-ao412), `word` (its C++ name, cbx_ao412), and `folder` (src/devices/cbx-ao412)
+    below `root`."""
 
     def __init__(self, line):
         self.name, self.word, folder = line.split("\t")

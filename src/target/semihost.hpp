@@ -4,7 +4,8 @@
 
 namespace canproof::target {
 
-/// interrupt number (RM0090 12.2, Table 61)
+/// Sends a request to the debugger by Arm semihosting 2.0: BKPT ABh with the operation in r0 and the address of its
+/// arguments in r1.
 inline int semihost(const int operation, const void* const block) {
     register int r0 asm("r0") = operation;
     register const void* r1 asm("r1") = block;

@@ -61,7 +61,7 @@ std::function<void()> replay_of(std::size_t lines) {
     };
 }
 
-/// Returns an EDS with that many entries of two bytes and with different limits.
+/// Returns an EDS with `entries` entries of two bytes, whose limits differ.
 std::string sheet_of(std::size_t entries) {
     constexpr std::size_t of_an_object = 8;
     const std::size_t objects = (entries + of_an_object - 1) / of_an_object;
@@ -199,7 +199,7 @@ std::function<void()> busy_bus_of(std::size_t count) {
     };
 }
 
-/// Runs the same for 10 ms, without a bus.
+/// Runs `count` AX130751 as busy_bus_of() does, but for 10 ms and without a bus.
 std::function<void()> fleet_of(std::size_t count) {
     auto fleet = std::make_shared<Fleet>(count);
     fleet->run(milliseconds(95));

@@ -41,8 +41,8 @@ std::unique_ptr<Server> make_floor();
 
 struct Transaction {
     std::string name;
-    double limit;        ///< instructions allowed for a node, with link-time optimisation
-    double plain_limit;  ///< the same without link-time optimisation
+    double limit;        ///< instructions that a node may take with link-time optimisation
+    double plain_limit;  ///< instructions that a node may take without it
     std::function<void(Server&)> prepare;
     std::function<void(Server&)> run;  ///< throws when the server gave a wrong result
 };

@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// One end of a range, without a limit.
+/// An end of a range at which there is no limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -379,7 +379,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
 }
 
-TEST_F(AlteredDictionary, ManufacturerParametersAreStoredByAnySubindexFromFourOn) {
+TEST_F(AlteredDictionary, ManufacturerParametersAreStoredBySubindex5Too) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
     entry(0x1010, 3).subindex = 4;  // then sub-index 3 is not the last

@@ -70,7 +70,7 @@ TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));  // description 10h, channel 02h
     emcy.set(ErrorId::heartbeat_1, true, Instant{}, 0x31);
-    EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 81h or 11h is 91h
+    EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 81h | 11h is 91h
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80318130, 0x1002F011}));
     emcy.set(channel_2, false, Instant{});
     EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
@@ -91,7 +91,7 @@ TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // withdraws the message for its end, the last message but one
+    emcy.set(channel_1, true, Instant{});  // withdraws the waiting message about the end of this error
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
     EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both are active: 81h
@@ -121,7 +121,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // the latest, with the lower number
+    emcy.set(channel_1, true, Instant{});  // the latest error; its number is the lower one
     const std::vector<std::uint32_t> order{0x0001F001, 0x1002F011};
     EXPECT_EQ(listed(), order);
     objects.load_defaults(ParameterGroup::communication, 5);
@@ -160,7 +160,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
     EXPECT_FALSE(emcy.take_register_change());
 }
 
-TEST_F(ActiveList, ErrorWithBitsAlreadySetChangesNoErrorRegister) {
+TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();

@@ -185,7 +185,7 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // 8120h and the ends of 8110h and 8120h, all with the present 00h and two entries
+    // Sent: 8120h, then the ends of 8110h and 8120h. 1001h is 00h by then, and 1003h has two entries.
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 

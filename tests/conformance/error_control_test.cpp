@@ -47,7 +47,7 @@ TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
 
 TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     verifies<req::CO_HB_002>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1: node 31h, 200 ms
     send("00000731#05");
     EXPECT_TRUE(pass(1000).empty());
     send("731#05");
@@ -121,7 +121,7 @@ TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
     send("701#05");
     write("603#23161001C8007F00");  // node 127
     send("77F#05");
-    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second in 1003h
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h
 }
 
 TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
@@ -159,12 +159,12 @@ TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, ResetEndsTheMonitoringUntilTheNextHeartbeat) {
+TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
     verifies<req::CO_HB_002, req::CO_NMT_006>();
     write("603#23161001C8003100");
     send("731#05");
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
-    send("731#05");  // 1016h is 0 again
+    send("731#05");  // the reset has set 1016h to 0, so node 31h is not monitored
     EXPECT_TRUE(pass(1000).empty());
 }
 
@@ -283,7 +283,7 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
 }
 
-TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestrictedOnes) {
+TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrestrictedOnes) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
@@ -297,7 +297,8 @@ TEST_F(ErrorControlService, Object100EhTakesIdentifiersOfErrorControlAndUnrestri
 
 namespace {
 
-/// Returns the state after a heartbeat error with this value of 1029h:1, from a start state.
+/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before it; `reaction`:
+/// the value of 1029h:1 (error behaviour).
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();

@@ -7,7 +7,7 @@
 namespace canproof::test {
 
 // 6.4.2
-TEST_F(Lss, ConfigureNodeIdTakes1To127And255) {
+TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
     verifies<req::CO_LSS_010, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID, req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1101000000000000", {"7E4#1100000000000000"}},
@@ -64,7 +64,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
 }
 
 // 6.4.3, table 0: 1000, 800, 500, 250, 125, reserved, 50, 20 and 10 kbit/s
-TEST_F(Lss, ConfigureBitTimingTakesTheBitRatesOfTable0) {
+TEST_F(Lss, ConfigureBitTimingAcceptsTheBitRatesOfTable0) {
     verifies<req::CO_LSS_012, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
     const std::vector<std::pair<Exchange, std::uint32_t>> rows{
@@ -85,7 +85,8 @@ TEST_F(Lss, ConfigureBitTimingTakesTheBitRatesOfTable0) {
 TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
     verifies<req::CO_LSS_012, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
-    talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},  // 500 kbit/s, to be kept
+    // 500 kbit/s, which the refused requests below do not change
+    talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1300050000000000", {"7E4#1301000000000000"}},
           {"7E5#1300090000000000", {"7E4#1301000000000000"}},
           {"7E5#13000A0000000000", {"7E4#1301000000000000"}},
@@ -259,7 +260,7 @@ TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1596000000000000", {}},  // 150 ms
-          {"731#05", {}}});              // not received any more
+          {"731#05", {}}});              // sent during the switch delays: not received
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);

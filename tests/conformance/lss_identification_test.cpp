@@ -163,14 +163,17 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
     verifies<req::CO_LSS_054, req::CO_LSS_053>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<std::vector<Exchange>> shortcuts{
-        {{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}},  // vendor, then serial number
-        {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000100", yes}},  // back from the product code
+        // the vendor-ID, then the serial number at once
+        {{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}},
+        // the product code names the vendor-ID as the next number
+        {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000100", yes}},
         {{"7E5#515F000000000002", yes}, {"7E5#5102000100000203", yes}, {"7E5#5121112620000300", yes}},
         {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000103", yes}, {"7E5#5121112620000300", yes}},
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5121112620000303", yes}},  // the last number is not left: nothing is confirmed
+         // the serial number names itself as the next number, so the scan is not complete
+         {"7E5#5121112620000303", yes}},
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
@@ -229,7 +232,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
     talk({{"7E5#5100000000800000", yes}});
     talk(three);
     talk({{"7E5#5121112620000300", yes}, {"7E5#0400000000000000", {}}});
-    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});  // of the next scan
+    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});  // the first requests of the next scan
     EXPECT_FALSE(is_configuring());
 }
 
@@ -277,7 +280,7 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},
           {"7E5#515F000000000001", yes},
-          {"7E5#5100000000800404", yes}});  // a restart names none
+          {"7E5#5100000000800404", yes}});  // bit check 128 restarts whatever number is selected
 }
 
 TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
@@ -290,7 +293,7 @@ TEST_F(Lss, FastscanIsIgnoredByASlaveWithANodeId) {
           {"7E5#5100000000800000", {}}});  // its active node-ID is still 5
 }
 
-TEST_F(Unconfigured, FastscanNeedsLssWaitingAndNoPendingNodeId) {
+TEST_F(Unconfigured, FastscanIsIgnoredInLssConfiguration) {
     verifies<req::CO_LSS_050, req::CO_T_LSS>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},

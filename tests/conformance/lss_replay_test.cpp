@@ -15,8 +15,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Frames that the tool sent; second 0 is 11:42:44.248: 95 (11:42:45.248), 96 (54.468), 98 (58.687), 99 (11:43:16.579)
-/// and 101 (23.017).
+/// Frames 95, 96, 98, 99 and 101 of the capture, which the tool sent. Second 0 of this log is 11:42:44.248 of the
+/// capture.
 const char* const captured =
     "(1.000000) can0 7E5#0401\n"
     "(10.220000) can0 7E5#130003\n"
@@ -45,7 +45,7 @@ class LssReplay : public testing::TestWithParam<const char*> {};
 
 }  // namespace
 
-TEST_P(LssReplay, TheCapturedSessionIsByteExact) {
+TEST_P(LssReplay, ReplayOfTheCapturedSessionGivesTheSameBytes) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_061>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);

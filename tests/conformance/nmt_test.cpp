@@ -51,7 +51,7 @@ TEST_F(Nmt, CommandsReachEachStateFromEachOtherState) {
     }
 }
 
-TEST_F(Nmt, NodeObeysCommandsToItsNodeIdAndToAllOnly) {
+TEST_F(Nmt, NodeObeysACommandToAllAndIgnoresOneToAnotherNode) {
     verifies<req::CO_NMT_003, req::CO_K_NMT_ID>();
     send("000#0104");
     EXPECT_EQ(state(), "pre-operational");

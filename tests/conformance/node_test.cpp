@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State that the node keeps between frames: after a reset, deadlines, and the effects of LSS switch delays.
+// Tests state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
+// delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -75,7 +76,7 @@ TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnother
     EXPECT_EQ(state(), NmtState::pre_operational);
     device->node().set_can_state(CanState::error_active, now);
     EXPECT_EQ(device->communication_errors(),
-              1);                  // node 10h is still the first to fail: it has been silent all the time
+              1);                  // the error of node 10h is the only one counted: it has been silent all the time
     send("605#2F29100102000000");  // stopped
     send("000#0105");
     send("711#05");

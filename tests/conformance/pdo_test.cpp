@@ -145,7 +145,7 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     EXPECT_EQ(send("603#2301160110013412"), (Frames{"583#8001160100000206"}));  // 1234h is absent
     EXPECT_EQ(send("603#2301160110051164"), (Frames{"583#8001160111000906"}));  // 6411h:5 is absent
     EXPECT_EQ(send("603#2301160110001710"), (Frames{"583#8001160141000406"}));  // 1017h is not mappable
-    EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 bits of 16
+    EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 of the 16 bits of 6411h:1
 }
 
 TEST_F(Pdo, MappingHoldsAtMost64Bits) {

@@ -119,7 +119,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 of 8 bits
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
-        {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 or the foreign direction: a BOOLEAN has one bit
+        {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 is a BOOLEAN of one bit, and only an RPDO can carry it
         {line("01"), "40000722", cannot_be_mapped},  // 64 of 32 bits
         {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
@@ -179,8 +179,8 @@ TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
         {parameter("01"), other + "0000", present_state},
         {parameter("01"), other + "0040", present_state},
         {parameter("01"), valid(), ""},                     // the same
-        {parameter("01"), GetParam().cob_id + "0040", ""},  // bit 30 may change
-        {parameter("01"), other + "0080", ""},              // with bit 31 it may
+        {parameter("01"), GetParam().cob_id + "0040", ""},  // bit 30 may change while the PDO is valid
+        {parameter("01"), other + "0080", ""},              // a write that sets bit 31 may change the identifier
         {parameter("01"), other + "0000", ""},
     });
 }
@@ -204,7 +204,7 @@ TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
     for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06",
                            "0107", "7F07", "8007", "FF07"}) {
         hold({{parameter("01"), std::string{id} + "0000", out_of_range}});
-        hold({{parameter("01"), std::string{id} + "0080", ""}});  // an identifier not in use may have any value
+        hold({{parameter("01"), std::string{id} + "0080", ""}});  // with bit 31 set, any identifier is accepted
     }
     for (const char* id : {"8101", "8005", "8006", "DF06"}) {
         hold({{parameter("01"), std::string{id} + "0000", ""}, {parameter("01"), std::string{id} + "0080", ""}});

@@ -69,7 +69,7 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
         EXPECT_EQ(device->next_deadline().us, (now + milliseconds(10)).us) << end;
         send(end);
         EXPECT_EQ(pass(0), Frames{});
-        if (end != std::string{"000#8205"}) {  // all TPDOs are switched off
+        if (end != std::string{"000#8205"}) {  // reset communication enables the TPDOs again
             EXPECT_EQ(device->next_deadline().us, never.us) << end;
             EXPECT_EQ(pass(100), Frames{}) << end;
         }

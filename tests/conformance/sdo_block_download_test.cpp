@@ -132,7 +132,7 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
     talk(*this, block_of("002200", {0x01}, "585#8000220013000706"));              // too short
     talk(*this, block_of("002200", {0x01, 0x00, 0x00}, "585#8000220012000706"));  // too long
     talk(*this, {{"605#4000220000000000", {"585#4B00220064000000"}}});            // still 100
-    talk(*this, block_of("012200", {5}, "585#8001220030000906"));                 // 2 and 8 only
+    talk(*this, block_of("012200", {5}, "585#8001220030000906"));                 // the entry accepts 2 and 8 only
     talk(*this, block_of("002300", {'x', 'y', 'z', 'z', 'y'}, done));             // a string may be shorter
     talk(*this, {{"605#4000230000000000", {"585#4100230005000000"}}});
     talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // no signature

@@ -46,7 +46,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
                 });
 }
 
-TEST_F(SdoBlock, UploadInSubBlocksOfTwoSegments) {
+TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
     verifies<req::CO_SDO_021, req::CO_SDO_022>();
     const Bytes bytes = counting(30);  // 5 segments: 2, 2 and 1, the last with 2 bytes
     hold(bytes);
@@ -265,7 +265,8 @@ TEST_F(SdoBlock, SegmentedUploadUsesTheSameMemory) {
     for (unsigned segment = 0; segment < 15; ++segment) {
         const unsigned toggle = (segment % 2) * 0x10;
         const std::size_t from = segment * std::size_t{7};
-        const bool last = segment == 14;  // 98 bytes, and two: five unused
+        // 14 segments carry 98 bytes; the last one carries 2, so five bytes are unused
+        const bool last = segment == 14;
         const std::string request = "605#" + hex_le(0x60U | toggle, 1) + "00000000000000";
         const unsigned command = toggle | (last ? 0x0BU : 0U);
         EXPECT_EQ(send(request), (Frames{"585#" + hex_le(command, 1) + hex_bytes(counting(100), from, 7, 7)}));

@@ -119,13 +119,13 @@ TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
 
 TEST_F(Sdo, WrongLengthsAreRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
-    EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes into two
+    EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes for an entry of two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));  // one byte
     EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));  // three announced
-    send("603#2117100001000000");                                               // one announced, two sent
+    send("603#2117100001000000");                                               // one byte announced, two sent
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#8017100010000706"}));
     send("603#2017100000000000");
-    EXPECT_EQ(send("603#01E8030000000000"), (Frames{"583#8017100012000706"}));  // seven bytes into two
+    EXPECT_EQ(send("603#01E8030000000000"), (Frames{"583#8017100012000706"}));  // seven bytes for an entry of two
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Store and restore with a small stored set (CiA 301, 7.5.2.13): each byte of the memory and each access to it is
-// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h: a bank has a header of 16 bytes, the value and
-// a CRC of 4 bytes, 24 bytes in total; there are two banks.
+// tested. The slave, node 5, has one stored value, the 4 bytes of 2207h. A bank has a header of 16 bytes, the value and
+// a CRC of 4 bytes, 24 bytes in total. There are two banks.
 #include <algorithm>
 #include <numeric>
 
@@ -71,7 +71,7 @@ TEST_F(SmallStore, BytesBehindTheTwoBanksAreIgnored) {
     EXPECT_EQ(power_on(), Frames{"705#00"});
 }
 
-TEST_F(SmallStore, HeaderOfEqualBytesIsBlankOnlyFor00hAndFFh) {
+TEST_F(SmallStore, HeaderOfBytes55hIsCorruptAndNotBlank) {
     verifies<req::CO_STORE_005>();
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
     EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
@@ -139,7 +139,7 @@ TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     }
 }
 
-TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
+TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     verifies<req::CO_STORE_004>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
@@ -148,7 +148,7 @@ TEST_F(SmallStore, OldSetThatCannotBeInvalidatedIsStillTheOlderSet) {
     set_value("55667788");
     faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // its byte was not written either
+    faulty.sound.bytes()[3] = 'S';  // undoes the write of that byte, so the old set is still marked valid
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
-// 3.2.7; AX060805, 4.2.7): it is distinguished from an interrupted save and never leads to an older set. The stored
+// 3.2.7; AX060805, 4.2.7). Damage is distinguished from an interrupted save and never leads to an older set. The stored
 // value is 1017h, default 0.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -64,7 +64,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsU
             unit.bytes() = stored;
             unit.bytes()[newest + at] ^= 0xFF;
             unit.power_cycle();
-            const bool is_marker = at == 3;  // the set itself is valid
+            const bool is_marker = at == 3;  // damage to the marker alone leaves the set valid
             EXPECT_EQ(unit.value(), is_marker ? 1000U * static_cast<unsigned>(saves) : 0U) << at;
             EXPECT_EQ(unit.error(), is_marker ? no_error : unit.code_of_damage) << at;
             unit.bytes() = stored;

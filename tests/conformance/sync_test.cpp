@@ -20,7 +20,7 @@ class SyncService : public CbxTest {
 
 }  // namespace
 
-TEST_F(SyncService, SyncHasNoDataWithoutACounterAndOneByteWithIt) {
+TEST_F(SyncService, SyncHasNoDataWithoutACounterAndOneByteWithACounter) {
     verifies<req::CO_SYNC_001>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");

@@ -80,7 +80,7 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
 
 TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
     verifies<req::CO_PDO_015>();
-    // 485h, which is not valid
+    // TPDO3 and RPDO3 (405h) both map 2200h and 2207h.
     map_tpdo3({"10000022", "20000722"});
     talk(*this, {
                     {"605#2302140105040080", {"585#6002140100000000"}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1020h verify configuration (CiA 301, 7.5.2.23), and TIME, which no device has: the conformance slave, node 5, whose
-// 1020h is writable, and the three devices whose 1020h shows the date of their software.
+// 1020h verify configuration (CiA 301, 7.5.2.23), and TIME, which no device has. The tests use the conformance slave,
+// node 5, whose 1020h is writable, and the three devices whose 1020h shows the date of their software.
 #include "devices/catalogue.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Couplings between units, as libclang sees them in the code."""
+"""Reads the couplings between units from the code, with libclang."""
 import collections
 import pathlib
 
@@ -17,8 +17,9 @@ REFERENCES = {"LVALUEREFERENCE", "POINTER"}
 
 
 class Coupling:
-    """By units: calls, with the function and the place of each; who writes and who reads data of another unit. Data are a public member
-    (`Frame::id`), or the state behind a class's functions (`TransmitQueue`): one that is not const writes it."""
+    """The couplings by units: calls, with the function and the place of each, and which units write and read data of
+    another unit. Data are a public member (`Frame::id`), or the state of a class (`TransmitQueue`), which a member
+    function that is not const writes."""
 
     def __init__(self):
         self.calls = collections.defaultdict(set)        # (caller, callee): {(function, file:line)}
@@ -29,7 +30,7 @@ class Coupling:
 
 
 def holder(cursor):
-    """The class that a member belongs to."""
+    """Returns the class that a member belongs to."""
     return cursor.semantic_parent
 
 
@@ -54,7 +55,7 @@ class Reader:
         self.walk_declarations(tree.cursor)
 
     def unit(self, cursor):
-        """The unit that declares it; None outside of the firmware."""
+        """Returns the unit that declares `cursor`; None outside of the firmware."""
         place = cursor.canonical.location.file
         if place is None:
             return None
@@ -97,9 +98,9 @@ class Reader:
                     self.coupling.implemented[base.spelling, unit].add(own)
 
     def note_variable(self, cursor):
-        """A variable of a namespace or a class, or a static one of a function."""
+        """Notes a variable of a namespace or a class, or a static variable of a function, unless it is constant."""
         kind = cursor.type.get_canonical()
-        if kind.kind.name == "LVALUEREFERENCE":  # it refers to the same object for ever
+        if kind.kind.name == "LVALUEREFERENCE":  # a reference always refers to the same object
             kind = kind.get_pointee()
         element = kind
         while element.kind.name in ("CONSTANTARRAY", "INCOMPLETEARRAY"):
@@ -118,7 +119,7 @@ class Reader:
                 self.walk_code(child, unit, False)
 
     def walk_code(self, cursor, unit, written):
-        """`written`: what this expression names is changed by the one around it."""
+        """Notes the couplings of an expression. `written`: the surrounding expression changes what this one names."""
         if cursor.kind == K.CALL_EXPR:
             self.note_call(cursor, unit)
             return
@@ -132,7 +133,7 @@ class Reader:
 
     @staticmethod
     def changes(cursor, number):
-        """Whether an expression changes its child of that number."""
+        """Returns whether an expression changes its child `number`."""
         if cursor.kind in ASSIGNING:
             return number == 0
         if cursor.kind == K.BINARY_OPERATOR:
@@ -177,12 +178,13 @@ class Reader:
 
 
 def passes_on(cursor, number):
-    """Whether a change of an expression is one of its child: the object of a member, an element's array, what is in brackets."""
+    """Returns whether a change of an expression also changes its child `number`: the object of a member, the array of
+    an element, the content of brackets."""
     return number == 0 and cursor.kind in (K.MEMBER_REF_EXPR, K.ARRAY_SUBSCRIPT_EXPR, K.PAREN_EXPR, K.UNEXPOSED_EXPR)
 
 
 def is_output(kind):
-    """Whether a function may change its argument through a parameter of this type."""
+    """Returns whether a function may change its argument through a parameter of this type."""
     kind = kind.get_canonical()
     return kind.kind.name in REFERENCES and not kind.get_pointee().is_const_qualified()
 

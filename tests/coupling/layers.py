@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The layers of the firmware, by the path of a unit from the project's folder: that of a header and its .cpp, without an ending."""
+"""The layers of the firmware. A unit is named by the path of its header and .cpp from the project's folder, without an
+ending."""
 import pathlib
 import re
 
@@ -7,7 +8,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def layer_of(unit):
-    """`base`, `canopen`, `blocks`, `ax188001`, `blocks of ax188001`, `drivers`; None of what is no firmware."""
+    """Returns the layer of a unit: `base`, `canopen`, `blocks`, `ax188001`, `blocks of ax188001` or `drivers`; None for
+    a unit outside the firmware."""
     shared = re.match(r"src/firmware/(\w+)/", unit)
     if shared:
         return shared.group(1)
@@ -19,7 +21,8 @@ def layer_of(unit):
 
 
 def is_downward(upper, lower):
-    """Whether the one may call the other: a device everything that is not another device's, drivers what is shared, the rest base."""
+    """Returns whether `upper` may call `lower`. A device may call everything except another device, a driver the shared
+    firmware, and every layer base."""
     if upper == lower or lower == "base":
         return True
     if upper in ("base", "blocks", "canopen"):

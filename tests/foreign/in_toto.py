@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""in_toto.py PROGRAM: in-toto-verify (Debian's in-toto) accepts a signed pack with the public key alone, and refuses one with a file that is
-altered, missing or more, one by another key, and an altered layout. The keys are made here and thrown away."""
+"""in_toto.py PROGRAM: checks signed packs with in-toto-verify (Debian's in-toto). It accepts a signed pack with the
+public key alone. It refuses a pack with a file that is altered, missing or more, a pack signed by another key, and an
+altered layout. The keys are made here and thrown away."""
 import json
 import os
 import pathlib
@@ -78,7 +79,7 @@ def check(project, kind):
 
 
 def refused(folder, pack, kind):
-    """Each change of a signed pack is refused."""
+    """Checks that each change of a signed pack is refused."""
     changes = {"an altered file": edit("index.html", "canproof", "canprof"), "a missing file": lambda one: (one / "tests.html").unlink(),
                "one more file": lambda one: (one / "more.html").write_text("more"),
                "a later expiry of the layout": edit("in-toto/root.layout", "2033-12-31", "2043-12-31")}

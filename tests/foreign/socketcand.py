@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""socketcand.py PROGRAM: python-can and a second run join a run of two devices as clients of socketcand.
+"""socketcand.py PROGRAM: checks that python-can and a second run can join a run of two devices as clients of
+socketcand.
 
-The kernel chooses the port, which the test reads from the output of the program. Frames are written by hand: CBX-AO412 7.9.2 (device type
-191h with 0008h), CiA 301 for the rest. python-can 4.1 takes every frame of this interface for an extended frame, so the test compares
-identifiers only.
+The kernel chooses the port, which the test reads from the output of the program. Frames are written by hand, after
+CBX-AO412 7.9.2 (device type 191h with 0008h) and CiA 301. python-can 4.1 treats every frame of this interface as an
+extended frame, so the test compares identifiers only.
 """
 import collections
 import re

@@ -28,7 +28,7 @@ def drain(stream):
 
 
 def serve_a_bus():
-    """Another node, node 9, whose process holds the bus; and the port."""
+    """Starts node 9, whose process serves the bus. Returns the process and the port."""
     server = start("run", "cbx-ao412@9", "--bus", "socketcand:127.0.0.1:0", stderr=subprocess.PIPE)
     drain(server.stdout)
     for line in server.stderr:
@@ -39,7 +39,7 @@ def serve_a_bus():
 
 
 class Slave:
-    """The slave's process; off until it is switched on."""
+    """The process of the slave, which is switched off at first."""
 
     def __init__(self, bus, folder):
         self.words = ["run", f"ax188001@{NODE}", "--bus", bus, "--nvm", folder]
@@ -64,7 +64,7 @@ def conform(folder, bus, cases):
 
 
 def obey(test, slave):
-    """Does what the program says until it ends; all that it said."""
+    """Does what the program asks for until it ends. Returns all its output."""
     said = []
     for line in test.stderr:
         said.append(line.strip())
@@ -91,7 +91,7 @@ def check_cases(folder, bus, slave):
 
 
 def check_end_of_input(folder, bus, slave):
-    """Nobody is there to switch the slave: the run ends, and nothing is left behind."""
+    """Checks that the run ends and leaves nothing behind when nobody switches the slave."""
     test = conform(folder, bus, "store-power-cycle-unsaved")
     test.stdin.close()
     report = json.loads(test.stdout.read())

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""conform_report.py PROGRAM: where `canproof conform --report` writes. A relative name works, a second run leaves the same bytes, and a
-folder with files of others is refused before the run and stays as it is."""
+"""conform_report.py PROGRAM: checks where `canproof conform --report` writes. A relative name works, a second run
+leaves the same bytes, and a folder with other files is refused before the run and stays as it is."""
 import json
 import pathlib
 import subprocess

@@ -104,7 +104,7 @@ def one_word_each():
 
 
 def images():
-    """ARM images: one that is not there, and one slave in one place."""
+    """Checks that a missing ARM image, and --arm beside another slave or bus, are refused."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
                        (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm runs the slave in virtual time"),
                        (("run", "--arm", "no.elf", "no-device"), "there is no device `no-device`"),

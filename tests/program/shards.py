@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/shards.py PROGRAM: `canproof mutate --code` in three shards leaves the same bytes as on one machine.
+"""tests/program/shards.py PROGRAM: checks that `canproof mutate --code` in three shards leaves the same bytes as on one
+machine.
 
-A script stands in for the program of mutants: eleven mutants, each third survives. The scripts of fuzz/cluster run the shards.
-Compared are what is printed, the exit status, code_mutation.json and the exhibit."""
+A script stands in for the program of mutants: eleven mutants, of which each third survives. The scripts of fuzz/cluster
+run the shards. Compares the output, the exit status, code_mutation.json and the exhibit."""
 import os
 import pathlib
 import subprocess

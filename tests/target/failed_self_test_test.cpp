@@ -81,13 +81,15 @@ struct ChangingDevice {
 TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
     verifies<req::CO_SELF_001, req::CO_SELF_008>();
     chips_.ram.set_defect({RamModel::Fault::stuck, {40, 7}, true, {0, 0}, false});
-    expect_safe_state(SelfTest::ram, 63);  // 64 words in slices of four that share one: 21, each third pass
+    // 64 words in slices of four that share one: 21 slices, one in every third pass
+    expect_safe_state(SelfTest::ram, 63);
 }
 
 TEST_F(FailedSelfTest, TurnedBitOfFlashEndsInTheSafeState) {
     verifies<req::CO_SELF_002, req::CO_SELF_008>();
     chips_.image.turn(150, 2);
-    // 72 and 204 bytes: 5 and 13 slices, each third pass; the turn may come to the bytes before.
+    // 72 and 204 bytes are 5 and 13 slices, one in every third pass. Two rounds are allowed, because the first may be
+    // past the changed byte.
     expect_safe_state(SelfTest::flash, 2 * 3 * 18);
 }
 
@@ -134,7 +136,7 @@ TEST_F(FailedSelfTest, DoubledStepEndsInTheSafeState) {
     expect_safe_state(SelfTest::flow, 1);
 }
 
-TEST_F(FailedSelfTest, SoundDeviceGoesOn) {
+TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
     verifies<req::CO_SELF_005>();
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);

@@ -135,7 +135,7 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
     EXPECT_EQ(ram.accesses() - before, 13U * 3U);
     EXPECT_EQ(check.passes(), 1U);
     EXPECT_EQ(ram.unmasked(), 0U);
-    core_model().masked = true;  // a caller that has masked them finds them masked
+    core_model().masked = true;  // interrupts that the caller has masked stay masked
     EXPECT_TRUE(check.step());
     EXPECT_TRUE(core_model().masked);
     core_model() = CoreModel{};
@@ -146,7 +146,8 @@ TEST(RamCheck, MarchRunsOnAStackOutsideOfItsSlice) {
     RamModel ram{word_count};
     core_model() = CoreModel{};
     RamCheck check{{ram.words(), 10, 16}};
-    // Words 0 to 3, 3 to 6, 6 to 9; with words of the stack: 9 to 12, 12 to 15, 15 to 18; 18 to 21.
+    // The slices are words 0 to 3, 3 to 6 and 6 to 9. Then 9 to 12, 12 to 15 and 15 to 18 contain words of the other
+    // stack, so that their march does not run on it. The last slice is 18 to 21.
     for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 3U, 4U}) {
         EXPECT_TRUE(check.step());
         EXPECT_EQ(core_model().marches, marches);

@@ -7,8 +7,8 @@ import pathlib
 import re
 import tokenize
 
-# kind: "comment", "prose", "text" (a TOML value), "layout" (a line of a table or list of options) or "test name".
-# line: the number of the first line; text: with the line breaks of the file.
+# kind: "comment", "prose", "text" (a TOML value), "layout" (a line of a table or list of options) or "test name". line:
+# the number of the first line. text: with the line breaks of the file.
 Passage = collections.namedtuple("Passage", "kind line text")
 # A line of a comment or page; `begins` says that it does not continue the line above.
 Line = collections.namedtuple("Line", "number column text begins")

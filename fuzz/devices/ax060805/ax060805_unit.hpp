@@ -18,7 +18,8 @@ struct Ax060805Unit {
     static bool has_values(const Device&) { return true; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
-    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< after a reset of the node
+    /// Returns false: no output keeps its value over a reset of the node.
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }
 
     static void check(const Device& device, const Inputs&, bool) {
         const ObjectDictionary& objects = device.objects();

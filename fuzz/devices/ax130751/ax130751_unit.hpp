@@ -21,7 +21,8 @@ struct Ax130751Unit {
         return entry.is(0x5B51, 0) && objects.read(0x5B51, 0) == unconfigured_node_id;
     }
     static bool may_also_send(const Frame&) { return false; }
-    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< after a reset of the node
+    /// Returns false: no output keeps its value over a reset of the node.
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }
 
     /// Checks that no output leaves the range of any type (1.3 Table 3, section 4), and that nothing is driven without
     /// a supply, the coil of the relay included (AOR-D-283).

@@ -23,7 +23,8 @@ struct Ax188001Unit {
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
     }
-    static bool keeps_outputs(const Device&, const Inputs&) { return false; }  ///< after a reset of the node
+    /// Returns false: no output keeps its value over a reset of the node.
+    static bool keeps_outputs(const Device&, const Inputs&) { return false; }
 
     /// Checks values, faults and limits against 1.1, 3.2.4, 3.3.6 and 3.4.13 to 3.4.19.
     static void check(const Device& device, const Inputs&, bool) {

@@ -33,8 +33,8 @@ class CbxAo412Unit {
         return keeps && (inputs.internal_fault || inputs.hardware_fault);
     }
 
-    /// Checks that no output exceeds 10.205 V (4.3.1), and that during an internal failure an output keeps its value,
-    /// or has 0 V or its error value, whatever is written (7.10.3).
+    /// Checks that no output exceeds 10.205 V (4.3.1). During an internal failure an output keeps its value, or has 0 V
+    /// or its error value, whatever is written (7.10.3).
     void check(const Device& device, const Inputs& inputs, bool) {
         check_leds(device, inputs);
         for (std::uint8_t number = 1; number <= 4; ++number) {

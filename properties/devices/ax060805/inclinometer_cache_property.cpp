@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that everything the AX060805 derives from its parameters follows them: one parameter is changed, and from then
-// on the device behaves like another device that had this value from the start.
+// Checks that everything the AX060805 derives from its parameters follows them. One parameter is changed. From then on
+// the device must behave like another device that had this value from the start.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -91,7 +91,7 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Sets every parameter to the value at this position of its list.
+    /// Makes a device and sets every parameter to the value at this position of its list.
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);

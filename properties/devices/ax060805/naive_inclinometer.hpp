@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole AX060805 according to its manual and the decisions of the register: entries in a map, a
-// clock in milliseconds, every value computed from them each time.
+// Naive model of the whole AX060805 according to its manual and the decisions of the register. It has entries in a map
+// and a clock in milliseconds, and computes every value from them each time.
 #pragma once
 
 #include <cstdint>
@@ -100,7 +100,7 @@ class NaiveInclinometer {
         }
     }
 
-    // The readable values as spans of counts, before rounding.
+    // The functions below return the readable values as spans of counts, before rounding.
     NaiveSpan acceleration_counts(std::size_t axis) const {
         return counts(given_acceleration(axis), entry(0x2010, place(axis)), entry(0x2020, place(axis)));
     }
@@ -128,7 +128,7 @@ class NaiveInclinometer {
     double sensor_temperature() const { return sensor_temperature_; }
     double supply() const { return supply_; }
     double processor_temperature() const { return processor_temperature_; }
-    /// Return the errors 4200h and FF00h, which are raised at a sample.
+    /// The functions below return the errors 4200h and FF00h, which are raised at a sample.
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 

@@ -186,7 +186,8 @@ RC_GTEST_PROP(LogicLaw, LogicBlockSelectsTheSameTableAsTheNaiveModel, ()) {
     RC_ASSERT(select_function([&](std::size_t number) { return functions[number]; }) == naive_blocks::selected(naive));
 }
 
-RC_GTEST_PROP(LogicLaw, LogicBlockOutputIsAPercentage, (std::int16_t value, std::int16_t a, std::int16_t b)) {
+RC_GTEST_PROP(LogicLaw, LogicBlockOutputLiesBetween0And100Percent,
+              (std::int16_t value, std::int16_t a, std::int16_t b)) {
     verifies<req::AOR_LOGIC_007>("property");
     const double percentage = percentage_of_limits({static_cast<double>(value), static_cast<double>(std::min(a, b)),
                                                     static_cast<double>(std::max(a, b)), SignalState::valid});

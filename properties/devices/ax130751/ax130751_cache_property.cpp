@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that values which the AX130751 keeps from an earlier calculation never show: one key, a parameter or an input,
-// is changed and restored while everything else stays, and the device agrees with the naive model, which keeps nothing.
+// Checks that no value which the AX130751 keeps from an earlier calculation shows. One key, a parameter or an input, is
+// changed and restored while everything else stays. The device must agree with the naive model, which keeps nothing.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

@@ -182,7 +182,7 @@ inline void wire_logic_and_math(ModelPair& pair) {
 }
 
 /// Connects a chain in which each block reads one that is evaluated after it, so that a change takes one cycle per
-/// block: table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra values.
+/// block. Table 1 reads logic block 1, logic block 1 reads 2, 2 reads 3, and 3 reads extra values.
 inline void wire_against_the_order(ModelPair& pair) {
     pair.write(0x3010, 0, 5);
     pair.write(0x3011, 0, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive reading of one channel of the AX188001 as in the manual (1.1, 1.3, appendix A): the converter with its gains
-// and its filter, and the temperature of a voltage by bisection. Shares no code with the firmware.
+// Naive reading of one channel of the AX188001 as in the manual (1.1, 1.3, appendix A). It has the converter with its
+// gains and its filter, and finds the temperature of a voltage by bisection. Shares no code with the firmware.
 #pragma once
 
 #include <array>

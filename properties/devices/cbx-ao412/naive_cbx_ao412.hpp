@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, on a clock of milliseconds:
-// outputs, errors and emergency messages, states, self-start, heartbeat and guarding, LEDs, switches, storing. Shares
-// no code with the firmware.
+// Naive model of the whole CAN-CBX-AO412, written from the sentences of the manual, on a clock of milliseconds. It
+// covers outputs, errors and emergency messages, states, self-start, heartbeat and guarding, LEDs, switches and
+// storing. Shares no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>

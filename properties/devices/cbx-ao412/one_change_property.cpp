@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-/// 6411h, 2404h and 2405h of each of the four outputs.
+/// The values of 6411h (output value), 2404h (offset) and 2405h (gain) of each of the four outputs.
 using Ao4Values = std::array<std::array<int, 4>, 3>;
 
 void write_value(CbxBench& bench, std::size_t which, std::size_t output, int value) {

@@ -37,7 +37,7 @@ RC_GTEST_PROP(VoltageOutputLaw, OutputStaysWithinTheRangeOfTheConverter,
     RC_ASSERT(std::fabs(volts) <= 10.2046F);  // 4095 / 4096 of 10.20697 V
 }
 
-RC_GTEST_PROP(VoltageOutputLaw, ALargerValueGivesNoSmallerVoltage, (std::int16_t a, std::int16_t b)) {
+RC_GTEST_PROP(VoltageOutputLaw, LargerValueGivesNoLowerOutputStep, (std::int16_t a, std::int16_t b)) {
     verifies<req::AO4_AOUT_003>("property");
     const auto low = std::min(a, b);
     const auto high = std::max(a, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11): with parameters, values and
+// Checks that the outputs of the CAN-CBX-AO412 are equal and independent (2.4, 7.10, 7.11). With parameters, values and
 // factory calibration of the four outputs exchanged, all frames and values are exchanged, and nothing else changes.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
@@ -36,7 +36,7 @@ Ao4Action exchanged(Ao4Action action, const Places& places) {
     return action;
 }
 
-/// Returns what the device with exchanged outputs sends: the answer to a write, and to a remote frame on RPDO2.
+/// Returns the text that a device with exchanged outputs sends: the answer to a write, or to a remote frame on RPDO2.
 std::string exchanged(const std::string& text, const Places& places) {
     const unsigned id = static_cast<unsigned>(std::stoi(text.substr(0, 3), nullptr, 16));
     std::string result = text;

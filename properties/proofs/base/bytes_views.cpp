@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views of bytes read and write nothing outside, for memory of any size, any position and any count.
+// Proves that views of bytes read and write nothing outside of their bytes, for memory of any size, any position and
+// any count.
 #include "firmware/base/bytes.hpp"
 #include "properties/proofs/support/proof.hpp"
 

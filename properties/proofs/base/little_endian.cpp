@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers in memory, least significant byte first (CiA 301, 7.1.4), for memory of any size and any position.
+// Theorems on numbers in memory, least significant byte first (CiA 301, 7.1.4), for memory of any size and any
+// position.
 #include "firmware/base/bytes.hpp"
 #include "properties/proofs/support/numbers_in_memory.hpp"
 

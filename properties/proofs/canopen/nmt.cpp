@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NMT and COB-IDs for any frame, any node-ID and any value.
+// Theorems on NMT and COB-IDs for any frame, any node-ID and any value.
 #include "firmware/canopen/nmt.hpp"
 
 #include "firmware/canopen/cob_id.hpp"

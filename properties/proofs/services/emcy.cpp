@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors: the register 1001h, the list 1003h and what an emergency message holds, for any table of errors.
+// Theorems on errors, for any table of errors: the register 1001h, the list 1003h and the content of an emergency
+// message.
 #include "firmware/canopen/emcy.hpp"
 
 #include "generated/canopen/index.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heartbeat producer, guarding and life guarding: whatever frame and time come, in any state and with any settings.
+// Theorems on heartbeat producer, guarding and life guarding: whatever frame and time come, in any state and with any
+// settings.
 #include "firmware/canopen/error_control.hpp"
 
 #include "firmware/canopen/cob_id.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 namespace index = generated::canopen::index;
 
-/// Invariant between two calls: times are those of 1017h (heartbeat), 100Ch and 100Dh (guarding); a heartbeat is due
+/// Invariant between two calls: times are those of 1017h (heartbeat), 100Ch and 100Dh (guarding). A heartbeat is due
 /// only with a heartbeat time, and a node with one is not guarded.
 bool is_consistent(const ErrorControl& control, const ObjectDictionary& objects) {
     const bool produces = control.heartbeat_time_.us != 0U;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LSS: any frame of a master, in any NMT state and any state of the slave, for a device with and without LSS.
+// Theorems on LSS: any frame of a master, in any NMT state and any state of the slave, for a device with and without
+// LSS.
 #include "firmware/canopen/lss.hpp"
 
 #include "generated/ax188001/objects.hpp"
@@ -54,7 +55,7 @@ struct Slave {
     }
 };
 
-/// Any frame: decided for each command specifier.
+/// Returns any frame. The theorem is decided for each command specifier.
 Frame any_request() {
     Frame frame = any_frame();
     frame.data[0] = each(256U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fastscan: any request in any state of the scan, for any address.
+// Theorems on Fastscan: any request in any state of the scan, for any address.
 #include "firmware/canopen/lss_fastscan.hpp"
 
 #include "generated/canopen/requirements.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The SDO server without block transfer: any frame of a client in any state, whatever the objects answer.
+// Theorems on the SDO server without block transfer: any frame of a client in any state, whatever the objects answer.
 #include "firmware/canopen/sdo_server.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -50,9 +50,9 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Invariant between two requests, without block transfer: a transfer is at a place within its value, its toggle bit is
-/// 0 or 10h, and without a transfer no time is due. The stored object leaves room for the command of an answer beside
-/// index and sub-index.
+/// Invariant between two requests, without block transfer: a transfer is at a place within its value, and its toggle
+/// bit is 0 or 10h. Without a transfer no time is due. The stored object leaves room for the command of an answer
+/// beside index and sub-index.
 bool is_consistent(const SdoServer& server) {
     const bool is_idle = server.state_ == State::idle;
     const bool goes_down = server.state_ == State::downloading;
@@ -63,7 +63,7 @@ bool is_consistent(const SdoServer& server) {
            ((server.object_.bits & 0xFFU) == 0U);
 }
 
-/// Any frame: decided for each command.
+/// Returns any frame. The theorem is decided for each command.
 Frame any_request() {
     Frame frame = any_frame();
     const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;

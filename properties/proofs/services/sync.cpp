@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SYNC: producer and consumer, whatever frame and time come, in any state and with any settings.
+// Theorems on SYNC: producer and consumer, whatever frame and time come, in any state and with any settings.
 #include "firmware/canopen/sync.hpp"
 
 #include "firmware/canopen/cob_id.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transmit queue: from any consistent state each call leaves a consistent one, and no frame overtakes.
+// Theorems on the transmit queue: from any consistent state each call leaves a consistent one, and no frame overtakes.
 #include "firmware/canopen/transmit_queue.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -9,7 +9,8 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Any consistent queue: decided for each length, and for each place of the ring where it begins.
+/// Returns any consistent queue. The theorem is decided for each length, and for each place of the ring where it
+/// begins.
 TransmitQueue any_queue() {
     TransmitQueue queue{};
     leave_open(queue);
@@ -24,8 +25,8 @@ bool is_same(const Frame& a, const Frame& b) {
     return both(head, field_le<0U, max_frame_length>(a.data) == field_le<0U, max_frame_length>(b.data));
 }
 
-/// Whether the frame at this place goes before a new one with this identifier: the boot-up message, and each whose
-/// identifier is not higher.
+/// Returns whether the frame at this place goes before a new one with this identifier. The boot-up message does, and
+/// each frame whose identifier is not higher.
 bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::uint32_t id) {
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }

@@ -9,7 +9,7 @@
 
 namespace canproof::proofs {
 
-/// Any frame that a controller can deliver: at most eight bytes.
+/// Returns any frame that a controller can deliver: at most eight bytes.
 inline Frame any_frame() {
     const Frame frame = any<Frame>();
     assume(frame.length <= max_frame_length);
@@ -36,13 +36,13 @@ inline const Frame& waiting(const TransmitQueue& queue, const std::size_t at) {
     return queue.frames_[(queue.first_ + at) % TransmitQueue::capacity];
 }
 
-/// Returns `a && b` without a branch, of which a sum of conditions would have one for each.
+/// Returns `a && b` without a branch. The operator && would add a branch for each condition.
 inline bool both(const bool a, const bool b) {
     return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0U;
 }
 
-/// Invariant of a transmit queue between two calls: it is no longer than its bound; closed it is empty; only a frame
-/// that waits can be the boot-up message; identifiers ascend behind it.
+/// Invariant of a transmit queue between two calls: it is no longer than its bound, and empty while it is closed. Only
+/// a frame that waits can be the boot-up message; identifiers ascend behind it.
 inline bool is_consistent(const TransmitQueue& queue) {
     bool sound = (queue.size() <= TransmitQueue::capacity) && (queue.open_ || queue.empty()) &&
                  (!queue.boot_up_waits_ || !queue.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a theorem natively on one counterexample: CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
+// Runs a theorem natively on one counterexample. CANPROOF_COUNTEREXAMPLE names a file with one line for each value that
 // the harness leaves open, its bytes as numbers; -1 leaves a byte unchanged. CANPROOF_SEEDS, when set, names a folder
 // of corpora: a seed goes to TARGET/CANPROOF_SEED there.
 #include <cstdio>

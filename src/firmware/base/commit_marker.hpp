@@ -17,7 +17,7 @@ constexpr std::uint8_t void_marker = 0x2DU;
 enum class BankState : std::uint8_t {
     unused,    ///< marked void, or blank (all bytes 00h or FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
-    sound,     ///<
+    sound,     ///< readable, and its CRC is right
     damaged    ///< committed, but its contents have changed since then
 };
 

@@ -43,8 +43,8 @@ struct ErrorRow {
     std::uint8_t register_bits{0U};  ///< set in 1001h while the error lasts
     bool sent{false};                ///< reported by an emergency message
     bool listed{false};              ///< entered into 1003h
-    std::uint16_t detail{
-        0U};  ///< upper half of the entry in 1003h (error list): Axiomatic's description << 8 | channel
+    /// Upper half of the entry in 1003h (error list). Axiomatic's devices: description << 8 | channel.
+    std::uint16_t detail{0U};
 };
 using ErrorTable = std::array<ErrorRow, max_errors>;
 

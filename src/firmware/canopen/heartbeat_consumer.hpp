@@ -46,8 +46,9 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
-        std::uint32_t identifier{0U};  ///< identifier of the producer's heartbeat; 0 when nobody is watched, because 0
-                                       ///< is the identifier of NMT, which the node serves elsewhere
+        /// Identifier of the producer's heartbeat. 0 when nobody is watched, because 0 is the identifier of NMT, which
+        /// the node serves elsewhere.
+        std::uint32_t identifier{0U};
         Duration time{};
         Instant deadline{never};
     };

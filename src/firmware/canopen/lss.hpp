@@ -29,8 +29,8 @@ bool is_lss_node_id(std::uint8_t node_id) noexcept;
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
-    bool damaged{false};                         ///< the stored settings cannot be read: these are the values as
-                                                 ///< shipped
+    /// The stored settings cannot be read: these are the values as shipped.
+    bool damaged{false};
 };
 
 /// One row of a device's bit timing table.
@@ -107,9 +107,9 @@ class Lss {
     void power_on(const LssConfiguration& stored) noexcept;
     /// Returns whether the stored settings could not be read at power-on and none have been stored since.
     bool is_damaged() const noexcept { return stored_.damaged; }
-    /// Discards settings that were configured and not stored: NMT reset node. take_node_id() follows.
+    /// Discards settings that were configured and not stored, for NMT reset node. A call of take_node_id() must follow.
     void restore(Instant now) noexcept;
-    /// Makes the pending node-ID active and returns it: NMT reset communication. Returns unconfigured_node_id when
+    /// Makes the pending node-ID active and returns it, for NMT reset communication. Returns unconfigured_node_id when
     /// there is none.
     std::uint8_t take_node_id() noexcept;
 

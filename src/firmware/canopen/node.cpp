@@ -99,8 +99,8 @@ void Node::boot_up(const Instant now) noexcept {
     if (node_id_ == unconfigured_node_id) {
         return;
     }
-    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive,
-              now);  // changes during initialising were not reported
+    // Changes during initialising were not reported.
+    emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
     watch_communication(now);

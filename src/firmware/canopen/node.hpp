@@ -149,8 +149,8 @@ class Node final : private ObjectAccess {
     }
     /// Changes the NMT state as 1029h:`subindex` (error behaviour) demands for an error of its class.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Sets the state of the CAN controller as a physical input reports it. `state` is the number of a CanState;
-    /// greater numbers count as bus-off.
+    /// Plans the self-start: the node enters operational at `at`, unless an NMT command or a communication error comes
+    /// first.
     void start_at(Instant at) noexcept;
 
     /// Notifies the TPDOs of a new process value. The frame leaves with the next advance().
@@ -242,8 +242,8 @@ class Node final : private ObjectAccess {
 
     /// The present communication faults, as bits.
     struct CommunicationFaults {
-        static constexpr std::uint32_t silent_producers =
-            0xFFU;  ///< bit n: the heartbeat of the producer in 1016h:n + 1 is missing
+        /// Bit n: the heartbeat of the producer in 1016h:n + 1 is missing.
+        static constexpr std::uint32_t silent_producers = 0xFFU;
         static constexpr std::uint32_t guarding = 0x100U;
         static constexpr std::uint32_t bus_off = 0x400U;
         static constexpr std::uint32_t rpdo_short = 0x800U;

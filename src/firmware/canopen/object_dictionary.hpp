@@ -29,7 +29,7 @@ struct EntryRef {
 /// The abort codes for a value outside its limits; the manuals differ here.
 enum class LimitAbort : std::uint8_t {
     range,    ///< 06090030h for both ends
-    high_low  ///< Returns the entry; its exists() is false when it is absent.
+    high_low  ///< 06090031h above the maximum, 06090032h below the minimum
 };
 
 /// Parameter groups of 1010h and 1011h (CiA 301, 7.5.2.13).
@@ -88,7 +88,7 @@ class ObjectDictionary {
     /// Puts bytes that the caller has checked into the image. A short string is padded with zeros. Returns true when
     /// the value changes.
     bool put(const EntryRef& entry, ByteView value) noexcept;
-    /// The same for an entry of at most eight bytes.
+    /// Does the same as put() for an entry of at most eight bytes, whose value is a number.
     bool put_bits(const EntryRow& row, std::uint64_t bits) noexcept;
 
     /// Returns an entry of at most eight bytes as a number, least significant byte first: the fast access of the PDOs.
@@ -116,7 +116,7 @@ class ObjectDictionary {
     void set(const Field<T> field, const T value) noexcept {
         image_.put_le<sizeof(T)>(field.offset, to_bits(value));
     }
-    /// Sets the value if there is one.
+    /// Sets the value of a field to `value`; without a `value` the field stays unchanged.
     template <typename T>
     void set_given(const Field<T> field, const std::optional<T>& value) noexcept {
         if (value.has_value()) {

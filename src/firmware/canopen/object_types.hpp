@@ -88,8 +88,8 @@ enum class LimitKind : std::uint8_t {
     value_or_zero  ///< (minimum only, integers) like `value`, but 0 is allowed too (it switches a function off)
 };
 
-constexpr std::uint32_t same_subindex = 0xFFU;  ///< as the sub-index of a LimitKind::entry: the sub-index of the
-                                                ///< written entry
+/// As the sub-index of a LimitKind::entry it stands for the sub-index of the written entry.
+constexpr std::uint32_t same_subindex = 0xFFU;
 
 struct Limit {
     LimitKind kind;
@@ -122,13 +122,13 @@ constexpr auto table_view(const Array& rows) noexcept {
 struct DictionaryTables {
     TableView<ObjectRow> objects;       ///< ascending by index
     TableView<EntryRow> entries;        ///< ascending by index, sub-index
-    TableView<LimitRow> limits;         ///<
+    TableView<LimitRow> limits;         ///< limits of entries, by EntryRow::limit
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, before the node-ID is added
-    std::uint32_t layout{0U};           ///< fingerprint of entries and offsets: a stored set is valid for this layout
-                                        ///< only
-    TableView<std::uint16_t> slots;     ///< positions in `objects` by object_slot(); no_object in a free slot
+    /// Fingerprint of entries and offsets: a stored set is valid for this layout only.
+    std::uint32_t layout{0U};
+    TableView<std::uint16_t> slots;  ///< positions in `objects` by object_slot(); no_object in a free slot
     std::uint32_t slot_factor{0U};
 };
 

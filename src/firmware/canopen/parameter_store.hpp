@@ -2,9 +2,10 @@
 // Stored parameters: 1010h store parameters and 1011h restore defaults. A power cut at any byte leaves the old set or
 // the new one (CiA 301, 7.5.2.13).
 //
-// Two banks alternate. A save marks the unused bank void, writes a whole new set with the next sequence number and a
-// CRC into it, commits it by its marker and marks the other bank void. An interrupted save leaves a void bank and has
-// no effect. A bank that is not void and has a wrong CRC is damaged; then no stored set is used.
+// Two banks alternate. A save marks the unused bank void and writes a whole new set into it, with the next sequence
+// number and a CRC. Then it commits the new bank by its marker and marks the other bank void. An interrupted save
+// leaves a void bank and has no effect. A bank that is not void and has a wrong CRC is damaged; then no stored set is
+// used.
 #pragma once
 
 #include "firmware/base/commit_marker.hpp"
@@ -100,8 +101,8 @@ class ParameterStore {
     std::uint8_t tag_{0U};      ///< tag of the next save
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
-    ParameterGroups groups_{
-        no_groups};  ///< saved groups in the low three bits, the tag above them; none when nothing is stored
+    /// The saved groups in the low three bits, the tag above them; no_groups when nothing is stored.
+    ParameterGroups groups_{no_groups};
     std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< node-ID at the save of each group
     bool in_use_{false};
     bool damaged_{false};

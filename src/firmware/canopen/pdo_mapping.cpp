@@ -10,8 +10,8 @@ namespace canproof {
 namespace {
 
 constexpr std::uint32_t max_bits = 64U;
-constexpr std::uint32_t last_dummy_index = 0x0007U;  // indices 0001h (BOOLEAN) … 0007h (UNSIGNED32) are data types and
-                                                     // stand for gaps
+// The indices 0001h (BOOLEAN) … 0007h (UNSIGNED32) are data types. In a mapping they stand for gaps.
+constexpr std::uint32_t last_dummy_index = 0x0007U;
 
 constexpr bool is_dummy(const std::uint16_t index) noexcept {
     return index <= last_dummy_index;
@@ -89,8 +89,8 @@ namespace {
 
 constexpr std::size_t nowhere = SIZE_MAX;
 
-/// Returns where the bytes of a line begin in the image of values; nowhere for a constant, a gap or a value that is not
-/// mapped as 1, 2 or 4 whole bytes.
+/// Returns where the bytes of a line begin in the image of values. Returns `nowhere` for a constant, a gap, or a value
+/// that is not mapped as 1, 2 or 4 whole bytes.
 std::size_t offset_in_image(const PdoLine& line) noexcept {
     const bool lies_there = (line.width != 0U) && !line.row->may(rights::constant);
     return lies_there ? std::size_t{line.row->offset} : nowhere;
@@ -148,8 +148,8 @@ void PdoMapping::resolve(const ObjectDictionary& objects, const std::uint16_t in
     run_ = find_run(objects);
 }
 
-/// Returns the address of the values when those of all lines are adjacent in the image, as the elements of an array
-/// are, and eight bytes can be read there; otherwise nullptr.
+/// Returns the address of the values when those of all lines are adjacent in the image, like the elements of an array.
+/// Returns nullptr when they are not, or when eight bytes cannot be read there.
 const std::uint8_t* PdoMapping::find_run(const ObjectDictionary& objects) const noexcept {
     const std::size_t first = is_usable() ? offset_in_image(*lines_.begin()) : nowhere;
     std::size_t next{first};

@@ -91,8 +91,8 @@ class PdoMapping {
 
     Slots<PdoLine> lines_{};
     std::uint64_t mapped_{0U};  ///< the bits of a frame that a line covers, gaps included
-    const std::uint8_t* run_{
-        nullptr};  ///< where all values are adjacent in frame order, at least eight bytes; nullptr: nowhere
+    /// The place where all values are adjacent in frame order and eight bytes can be read; nullptr when there is none.
+    const std::uint8_t* run_{nullptr};
     std::uint8_t length_{0U};
     bool all_free_{false};
 };

@@ -50,9 +50,9 @@ class Sync {
     ObjectDictionary& objects_;
     TransmitQueue& queue_;
     Instant next_{never};
-    std::uint32_t identifier_{0U};  ///< identifier of the SYNC; zero means no SYNC: 0 is the identifier of NMT and
-                                    ///< never reaches is_sync()
-    std::uint8_t length_{0U};       ///< length of a SYNC in bytes: 1 while 1019h is not zero
+    /// Identifier of the SYNC. Zero means no SYNC: 0 is the identifier of NMT, whose frames never reach is_sync().
+    std::uint32_t identifier_{0U};
+    std::uint8_t length_{0U};  ///< length of a SYNC in bytes: 1 while 1019h is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};
 };

@@ -10,8 +10,8 @@
 
 namespace canproof::target {
 
-/// Powers the device on. Then repeats: read inputs, receive frames, do the work that is due, send frames, write
-/// outputs.
+/// The image's side of the connection. `Inputs` and `Outputs` are the generated signal groups of the device; their
+/// visitors are found in their namespace.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 class Bridge {
   public:
@@ -94,7 +94,7 @@ class Bridge {
     Inputs inputs_{};
 };
 
-/// Makes an image's first message. `name` is the device's, at most 32 characters.
+/// Makes the first message of an image. `name` is the name of the device, at most 32 characters.
 template <typename Inputs, typename Outputs>
 bridge::Message greeting(const char* const name) {
     std::uint8_t inputs{0U};
@@ -115,7 +115,8 @@ bridge::Message greeting(const char* const name) {
     return message;
 }
 
-/// Executes commands until the program has ended or sends an invalid command.
+/// Runs the image: sends the greeting, takes the size of the parameter memory, and serves commands until the program
+/// has ended.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 void serve(Channel& channel, const char* const name) {
     bridge::Message message = greeting<Inputs, Outputs>(name);

@@ -11,9 +11,9 @@ class Channel {
     Channel(const Channel&) = delete;
     Channel& operator=(const Channel&) = delete;
 
-    /// Makes the first message of an image. `name` is the name of the device, at most 32 characters.
+    /// Sends a message. Returns false when the message is unsound or the program has ended.
     bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
-    /// Runs the image: greets the program, takes the size of the parameter memory, and serves commands.
+    /// Waits for the next message. Returns false when the program has ended or sends an invalid message.
     bool receive(bridge::Message& message) {
         message = bridge::Message{};
         bool done = read(message.buffer(), bridge::Message::head);
@@ -26,7 +26,7 @@ class Channel {
     Channel() = default;
     ~Channel() = default;
 
-    /// Sends a message. Returns false when it is unsound or the program has ended.
+    /// Waits until all `count` bytes are read. Returns false when the program has ended.
     virtual bool read(std::uint8_t* to, std::size_t count) = 0;
     virtual bool write(ByteView bytes) = 0;
 };

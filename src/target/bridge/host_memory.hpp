@@ -18,7 +18,8 @@ class HostMemory final : public NonVolatileMemory {
     bool commit() override;
 
   private:
-    /// Waits for the next message. Returns false when the program has ended or sends an invalid message.
+    /// Sends a request and waits for the answer, which replaces `message`. Returns whether the program has done the
+    /// access.
     bool ask(bridge::Message& message) const;
 
     Channel& channel_;

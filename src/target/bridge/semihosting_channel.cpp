@@ -16,7 +16,7 @@ constexpr std::uint32_t mode_write_binary = 5U;
 constexpr std::uint32_t application_exit = 0x20026U;
 constexpr std::uint32_t internal_error = 70U;
 
-/// Of the machine that QEMU runs on: Linux.
+/// Paths on the machine that runs QEMU, which is a Linux machine.
 constexpr char standard_input[] = "/proc/self/fd/0";
 constexpr char standard_output[] = "/proc/self/fd/1";
 
@@ -30,7 +30,7 @@ int open(const char (&name)[Size], const std::uint32_t mode) {
     return semihost(sys_open, &block);
 }
 
-/// Calls SYS_READ or SYS_WRITE, and returns how many bytes are left to do.
+/// Calls SYS_READ or SYS_WRITE, and returns the number of bytes that are left.
 std::size_t transfer(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     const struct {
         int handle;
@@ -40,7 +40,7 @@ std::size_t transfer(const int operation, const int handle, const std::uint8_t* 
     return static_cast<std::size_t>(semihost(operation, &block));
 }
 
-/// Number of a function of the host system on which QEMU runs: Linux.
+/// Transfers all bytes. Returns false at the end of the stream and after an error.
 bool transfer_all(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     std::size_t left{count};
     bool moves{handle >= 0};
@@ -74,7 +74,7 @@ void end_image(const std::uint32_t status) {
 
 }  // namespace canproof::target
 
-/// Calls SYS_READ or SYS_WRITE, and returns the number of bytes that are left.
+/// Handles any exception of the processor: the image ends with the status of an internal software error.
 extern "C" void fault() {
     canproof::target::end_image(canproof::target::internal_error);
 }

@@ -15,7 +15,7 @@ class SemihostingChannel final : public Channel {
     bool write(ByteView bytes) override;
 
   private:
-    int in_;  ///< Transfers all bytes. Returns false at the end of the stream and after an error.
+    int in_;  ///< handle of the stream; negative when it could not be opened
     int out_;
 };
 

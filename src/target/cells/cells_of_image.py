@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cells of one image beside those of the register."""
+"""Compares the cells of one image with those of the requirements register."""
 import struct
 
 from register import CONSTANT, NUMBERS, RIGHTS, Table, bytes_of
@@ -12,8 +12,10 @@ ENDS = {0: None, 1: "value", 2: "entry", 4: "zero"}  # LimitKind
 
 
 class Cells:
-    """`cells`: (name, address, bytes) of each cell; `differences`: a line each; `absent`: tables that are not in the image;
-    `named`: what is compared, as (item, cell) in the words of `canproof mutate`."""
+    """The cells of one image.
+
+    `cells` has (name, address, bytes) of each cell, `differences` has one line each. `absent` are the tables that are
+    not in the image. `named` are the compared items, as (item, cell) in the words of `canproof mutate`."""
 
     def __init__(self, word, part, image):
         self.word, self.image = word, image
@@ -33,7 +35,7 @@ class Cells:
             self.differences.append(f"{name}: {expected!r} in spec/, {found!r} in the image")
 
     def _rows(self, name, form):
-        """(address, members) of each row of a table."""
+        """Returns (address, members) of each row of a table."""
         address, size = self._symbol(name)
         step = struct.calcsize(form)
         return [(at, struct.unpack(form, self.image.read(at, step))) for at in range(address, address + size, step)]
@@ -62,7 +64,7 @@ class Cells:
                 next_entry += 1
 
     def _slots(self, objects):
-        """Positions of the objects that a search by index finds (ObjectDictionary::lookup)."""
+        """Returns the positions of the objects that a search by index finds (ObjectDictionary::lookup)."""
         slots = self._rows("object_slots", "<H")
         tables, _ = self._symbol("tables")
         words = struct.unpack("<16I", self.image.read(tables, 64))
@@ -144,7 +146,7 @@ class Cells:
             self.differences.append(f"{table.item['id']}: {len(rows)} rows of {step} bytes in spec/, {size} bytes in the image")
             return
         for first, last in table.groups():
-            # Rows that one row of the register stands for exclude each other: their order says nothing.
+            # Rows that stand for one row of the register exclude each other, so that their order has no meaning.
             found = sorted((self.image.read(address + at * step, step), address + at * step) for at in range(first, last))
             groups = sorted(self._row_bytes(row, fields, places, step) for row in rows[first:last])
             for (content, place), expected in zip(found, groups):

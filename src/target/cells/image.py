@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bytes of an image for the microcontroller by symbol: what the linker put into flash."""
+"""Reads the bytes of an image for the microcontroller by symbol, as the linker put them into flash."""
 import struct
 import subprocess
 
@@ -7,7 +7,7 @@ LOADED = 1  # PT_LOAD
 
 
 class Image:
-    """`flash`: (address, bytes) of each segment. Symbols by their C++ name."""
+    """An image. `flash` has (address, bytes) of each segment; `symbols` has (address, size) by C++ name."""
 
     def __init__(self, file):
         whole = file.read_bytes()
@@ -34,6 +34,6 @@ class Image:
         return bytes(content[at:at + size])
 
     def flip(self, address, mask):
-        """Turns bits of one byte around."""
+        """Inverts the bits of `mask` in one byte."""
         content, at = self._place(address, 1)
         content[at] ^= mask

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The register as src/target/cells reads it: objects and decision tables of spec/, after spec/README.md. Nothing here comes from
-the compiler of the register."""
+"""The requirements register as src/target/cells reads it: objects and decision tables of spec/, after spec/README.md.
+Nothing here comes from the register's compiler."""
 import itertools
 import math
 import pathlib
@@ -9,7 +9,7 @@ import tomllib
 
 NUMBERS = {"BOOLEAN": (0x01, 1), "INTEGER8": (0x02, 1), "INTEGER16": (0x03, 2), "INTEGER32": (0x04, 4), "UNSIGNED8": (0x05, 1),
            "UNSIGNED16": (0x06, 2), "UNSIGNED32": (0x07, 4), "REAL32": (0x08, 4), "REAL64": (0x11, 8), "INTEGER64": (0x15, 8),
-           "UNSIGNED64": (0x1B, 8)}  # CiA 301's number of a type, and its bytes
+           "UNSIGNED64": (0x1B, 8)}  # the number of a type in CiA 301, and its size in bytes
 TEXTS = {"VISIBLE_STRING": 0x09, "OCTET_STRING": 0x0A, "DOMAIN": 0x0F}
 TYPES = {name: number for name, (number, _) in NUMBERS.items()} | TEXTS
 VAR, ARRAY, RECORD = 7, 8, 9  # object codes of CiA 301
@@ -24,7 +24,7 @@ FIRST_OF_DEVICE = 15
 
 
 def bytes_of(value, kind, size):
-    """A value as it lies in memory, least significant byte first."""
+    """Returns a value as it lies in memory, least significant byte first."""
     if isinstance(value, str):
         return value.encode().ljust(size, b"\0")
     if kind in ("REAL32", "REAL64"):
@@ -52,14 +52,15 @@ class Part:
         return self.tables.get(key) or self.shared.tables[key]
 
     def enumeration(self, key):
-        """Word to number."""
+        """Returns the number of each word."""
         values = self.enumerations.get(key)
         if values is None:
             values = self.shared.enumerations[key]
         return values if isinstance(values, dict) else {word: number for number, word in enumerate(values)}
 
     def errors(self):
-        """The errors of the device, by the order in which its tables name them."""
+        """Returns the number of each error: first those of every node, then the device's in the order in which its
+        tables name them."""
         own = []
         for table in self.tables.values():
             for at, column in enumerate(table["inputs"]):
@@ -68,7 +69,7 @@ class Part:
         return NODE_ERRORS | {word: FIRST_OF_DEVICE + at for at, word in enumerate(dict.fromkeys(own))}
 
     def _members(self, item):
-        """The objects that one [[object]] stands for: a family has several."""
+        """Yields the objects that one [[object]] stands for; a family has several."""
         family = item.get("repeat", {"first": 0, "last": 0, "step": 0})
         for n in range(family["first"], family["last"] + 1):
             entries = [self._entry(one, one["sub"], self._default(one, n)) for one in item.get("entry", [])]
@@ -108,7 +109,8 @@ class Part:
                 "limits": self._limits(item.get("range"), kind)}
 
     def _limits(self, allowed, kind):
-        """None, ("list", values) or ("ends", lowest, highest): an end is None, ("value", bits), ("zero", bits) or ("entry", …)."""
+        """Returns None, ("list", values) or ("ends", lowest, highest). An end is None, ("value", bits), ("zero", bits)
+        or ("entry", …)."""
         if not allowed:
             return None
         if "table" in allowed:
@@ -137,7 +139,7 @@ class Part:
 
 
 class Table:
-    """A decision table: the columns of its rows in memory, and what they hold."""
+    """A decision table: the columns of its rows in memory, and their contents."""
 
     def __init__(self, part, item):
         self.part, self.item = part, item
@@ -169,7 +171,7 @@ class Table:
         return cell, cell
 
     def _kind(self, at):
-        """Type and values of a column: (type of CiA, {word: number} or None, lowest, highest)."""
+        """Returns the type and values of a column: (type of CiA 301, {word: number} or None, lowest, highest)."""
         column = {"name": self.columns[at]} if isinstance(self.columns[at], str) else self.columns[at]
         cells = self._cells(at)
         words = [one for one in cells if isinstance(one, str) and ".." not in one]
@@ -204,7 +206,7 @@ class Table:
                                for row in self.item["rows"])
 
     def choices(self, at, cell):
-        """Returns the values that a cell of an input stands for: (first, last), as often as it stands for several."""
+        """Returns a (first, last) for each value or range that a cell of an input stands for."""
         kind, words, low, high = self.kinds[at]
         if cell == "*":
             if words is not None:
@@ -213,14 +215,14 @@ class Table:
         return [self._ends(one) for one in self.parts(cell)]
 
     def fields(self):
-        """(name, type of CiA, words or None) of each member of a row, in their order."""
+        """Yields (name, type of CiA 301, words or None) of each member of a row, in their order."""
         for at, column in enumerate(self.columns):
             kind, words, _, _ = self.kinds[at]
             for end in ("_first", "_last") if self.is_ranged(at) else ("",):
                 yield self.name(column) + end, kind, words
 
     def groups(self):
-        """First and last + 1 of the rows in memory that each row of the register stands for."""
+        """Yields, for each row of the register, the first row in memory that stands for it, and the last + 1."""
         first = 0
         for row in self.item["rows"]:
             last = first + math.prod(len(self.choices(at, row[at])) for at in range(len(self.item["inputs"])))
@@ -228,7 +230,7 @@ class Table:
             first = last
 
     def rows(self):
-        """The members of each row in memory."""
+        """Yields the members of each row in memory."""
         inputs = len(self.item["inputs"])
         for row in self.item["rows"]:
             for head in itertools.product(*(self.choices(at, row[at]) for at in range(inputs))):

@@ -33,8 +33,9 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
-/// Each register contains each pattern once while the others contain it too, and then a number of its own, so that a
-/// write that reaches another register shows. Flags: all set, then all clear, by their bits and by branches.
+/// Checks that each register can hold each pattern, while all registers hold it. Then each register holds a number of
+/// its own, so that a write that reaches another register is noticed. The flags are all set, then all clear; they are
+/// checked by their bits and by branches.
 [[gnu::naked]] bool core_registers_hold() noexcept {
     asm volatile(R"(
         push {r4-r11, lr}

@@ -24,8 +24,8 @@ class DeviceImage {
   public:
     explicit DeviceImage(const stm32f405::ClockPlan& plan) : chip_{plan} {}
 
-    /// Starts the chip and the device on it, and goes on until power is lost. Returns when the device must not run: the
-    /// image is damaged, or no clock is right.
+    /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
+    /// damaged, or no clock is right.
     void run() {
         if (!stm32f405::is_sound_image(regions_.vectors, regions_.flash)) {
             return;
@@ -38,7 +38,7 @@ class DeviceImage {
         wiring_.start();
         is_wired_ = true;
         memory_.open();
-        static_cast<void>(memory_.prepare());  // without it a commit has to erase, or says that it failed
+        static_cast<void>(memory_.prepare());  // when this fails, a commit has to erase, or reports a failure
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
                                                    chip_.time, chip_.watchdog, tests_};
         loop.power_on(chip_.source == stm32f405::ClockSource::crystal);
@@ -49,8 +49,7 @@ class DeviceImage {
             }
         }
     }
-    /// Starts the chip and its device, and runs until power is lost. Returns when the device must not run: the image is
-    /// damaged, or no clock is right.
+    /// Handles the interrupt of received frames.
     void drain() { chip_.can.drain(); }
     /// Drives the outputs as before power-on and leaves the bus.
     void stop() {

@@ -58,7 +58,7 @@ void runs(unsigned int, void* data) {
         for (const std::uint64_t next : before->nexts) {
             known = known || next == block->first;
         }
-        // Returns have many successors; only branches matter, which have two.
+        // A return has many successors and does not matter; a branch matters, and has at most two.
         if (!known && before->nexts.size() < 4) {
             before->nexts.push_back(block->first);
         }

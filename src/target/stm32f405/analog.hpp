@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog pins of a board: inputs in turn through ADC1; outputs by the two channels of the DAC, and by timers whose
-// filtered pulses make a voltage (RM0090 chapters 13, 14 and 18).
+// Analog pins of a board. The inputs are read in turn through ADC1. The outputs are the two channels of the DAC, and
+// timers whose filtered pulses make a voltage (RM0090 chapters 13, 14 and 18).
 #pragma once
 
 #include "target/stm32f405/time_base.hpp"

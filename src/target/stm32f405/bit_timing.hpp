@@ -29,7 +29,9 @@ enum class BitTimingError : std::uint8_t {
 /// nodes with the jump widths used here.
 constexpr std::uint32_t most_error_ppm = 4100U;
 
-/// no divider of the clock gives the rate within `most_error_ppm`
+/// Returns the timing with the least error for `bit_rate` (bit/s) at an APB1 clock of `clock_hz` (at most 45 MHz). Of
+/// several such timings it returns the one with the sample point nearest to 87.5 % of the bit (CiA 301, 5.2), then with
+/// the most quanta.
 Result<BitTiming, BitTimingError> bit_timing(std::uint32_t clock_hz, std::uint32_t bit_rate) noexcept;
 
 /// Returns the value of CAN_BTR (RM0090 32.9.2) for a timing.

@@ -16,7 +16,7 @@ void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
     } else if (was_on_bus) {
         transmitter_.forget();  // recovery from bus-off has begun: configure() aborts the mailboxes
     } else {
-        // still off the bus
+        // the controller is still off the bus
     }
 }
 

@@ -11,7 +11,7 @@ namespace canproof::stm32f405 {
 
 class Bxcan {
   public:
-    /// the controller is still off the bus
+    /// `clock_hz` is the clock of APB1.
     Bxcan(BxcanRegisters& registers, const std::uint32_t clock_hz) noexcept
         : controller_{registers, clock_hz}, receiver_{registers}, transmitter_{registers} {}
 

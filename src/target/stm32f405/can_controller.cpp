@@ -66,7 +66,7 @@ void CanController::advance(const Instant now) noexcept {
             break;
         case Phase::off:
         default:
-            break;  // nothing to do until the next bit rate
+            break;  // the controller does nothing until the next bit rate is set
     }
 }
 
@@ -84,15 +84,16 @@ void CanController::give_up_waiting(const Instant now) noexcept {
     }
 }
 
-/// nothing is to be done until the next bit rate
+/// Writes bit timing and filters, and aborts the frames of the last configuration. Must be called in initialisation
+/// mode, because CAN_BTR can be written only there.
 void CanController::configure() noexcept {
     registers_.bit_timing.write(bit_timing_register(timing_));
     set_filters();
     registers_.transmit_status.write(tsr::abort | (tsr::abort << tsr::stride) | (tsr::abort << (2U * tsr::stride)));
 }
 
-/// Sets the filters: identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0, those from 400h on (SDO, error
-/// control, LSS) to FIFO 1, so that six places are used. A mask over IDE rejects 29-bit identifiers. All 11-bit
+/// Sets the filters. Identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0. Those from 400h on (SDO, error
+/// control, LSS) go to FIFO 1, so that six places are used. A mask over IDE rejects 29-bit identifiers. All 11-bit
 /// identifiers pass, because the dictionary can change at any time which of them the node uses.
 static_assert(implements<req::CO_CAN_003>);
 void CanController::set_filters() noexcept {

@@ -128,7 +128,7 @@ std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
         } else if (!slot.busy && (found == mailbox_count)) {
             found = mailbox;
         } else {
-            // another frame, or the place is found
+            // a mailbox with another identifier, or the place is already found
         }
     }
     return found;
@@ -155,7 +155,7 @@ bool CanTransmitter::make_room(const std::uint32_t id, TransmitQueue& queue) noe
     return !slots_[mailbox].busy;
 }
 
-/// a frame with another identifier, or the place is found
+/// Aborts all frames. After a reset of the node they must not follow its boot-up message.
 void CanTransmitter::drop_all() noexcept {
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
         if (slots_[mailbox].busy) {

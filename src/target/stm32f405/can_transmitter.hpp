@@ -41,7 +41,7 @@ class CanTransmitter {
 
     BxcanRegisters& registers_;
     std::array<Slot, mailbox_count> slots_{};
-    bool is_alone_{false};  ///< Returns the number of frames in the mailboxes that the hardware has not sent yet.
+    bool is_alone_{false};  ///< the boot-up message is in a mailbox: no frame may overtake it
 };
 
 }  // namespace canproof::stm32f405

@@ -22,7 +22,8 @@ void Flash::begin() noexcept {
     }
 }
 
-/// a wrong period of the watchdog does not stop the device
+/// Locks the flash and clears the data cache, which may hold old words. The cache must be off while it is cleared
+/// (RM0090 3.5.2).
 void Flash::finish() noexcept {
     registers_.control.write(flash_cr::lock);
     registers_.access_control.set(flash_acr::reset_data);

@@ -36,7 +36,7 @@ class ParameterJournal final : public NonVolatileMemory {
     /// Erases the unused sector if necessary, which takes half a second, so that no commit() needs to. Returns false
     /// when the flash fails.
     bool prepare() noexcept;
-    /// Returns how many sectors were started; each of the two was erased half as often.
+    /// Returns how many sectors were started so far; each of the two sectors was erased half as often.
     std::uint32_t generation() const noexcept { return generation_; }
 
     std::size_t size() const override { return bytes_.size(); }
@@ -86,7 +86,7 @@ class ParameterJournal final : public NonVolatileMemory {
     std::uint32_t number_{0U};  ///< number of the last commit, complete or not
 };
 
-/// Returns how many sectors were started so far; each of the two sectors was erased half as often.
+/// The RAM of a journal of `Size` bytes.
 template <std::size_t Size>
 struct JournalRam {
     static_assert(((Size % ParameterJournal::line_size) == 0U) && (Size <= 10240U), "a sector holds every line once");

@@ -25,7 +25,7 @@ class Register {
     void clear(const std::uint32_t mask) noexcept { replace(mask, 0U); }
 
   private:
-    // Unused where a test links its own read() and write().
+    // Not used where a test provides its own read() and write().
     [[maybe_unused]] volatile std::uint32_t bits_{0U};
 };
 
@@ -35,7 +35,7 @@ static_assert(sizeof(Register) == sizeof(std::uint32_t), "registers lie one behi
 template <std::size_t Count>
 using Reserved = std::array<std::uint32_t, Count>;
 
-/// Not used where a test provides its own read() and write().
+/// Returns a number in which only bit `position` (0…31) is set.
 constexpr std::uint32_t bit(const std::uint32_t position) noexcept {
     return std::uint32_t{1U} << position;
 }

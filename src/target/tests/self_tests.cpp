@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the self-tests of a flashed device on QEMU's processor, flash and RAM, with the device's linker script, and says
-// what each finds and how many instructions a pass of the main loop spends on it. run_self_tests reads it. QEMU's TIM5
+// Runs the self-tests of a flashed device on QEMU's processor, flash and RAM, with the device's linker script. Prints
+// what each test finds and how many instructions a pass of the main loop spends on it, for run_self_tests. QEMU's TIM5
 // captures nothing, so the check of the clock is not here.
 #include "target/stm32f405/selftest/self_tests.hpp"
 
@@ -27,7 +27,7 @@ void say(const char* text) {
     target::semihost(sys_write0, text);
 }
 
-/// Prints a line `NAME ok INSTRUCTIONS`, or with `failed`.
+/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`.
 void say(const char* name, bool ok, std::uint32_t instructions) {
     std::array<char, 12> digits{};
     std::size_t first = digits.size() - 1;
@@ -41,7 +41,7 @@ void say(const char* name, bool ok, std::uint32_t instructions) {
     say("\n");
 }
 
-/// Prints the instructions of a step, at most, and whether each of `steps` steps succeeded.
+/// Runs `steps` steps. Prints whether all of them succeeded, and the instructions of the longest.
 template <typename Step>
 void measure(const char* name, std::uint32_t steps, const Step& step) {
     const target::InstructionClock clock;
@@ -73,7 +73,7 @@ bool keeps_content(RamCheck& ram) {
 
 extern "C" void can_received() {}
 
-/// The last test: an exception comes here.
+/// The last test: the image must come here because of the exception at the end of image_main().
 extern "C" void device_failed() {
     say("exception", true, 0);
     const std::array<std::uint32_t, 2> exit{0x20026U, 0};
@@ -106,7 +106,8 @@ extern "C" void image_main() {
         return copy.matches(outputs) && copy.matches(outputs);
     });
 
-    // All of a pass but the outputs; time stands still, because QEMU's timer captures nothing.
+    // Measures all self-tests of a pass except those of the outputs. Time stands still, because QEMU's timer captures
+    // nothing.
     SelfTests tests{memory, registers_at<CaptureRegisters>(tim5_address), 84};
     const Instant now{};
     const bool starts = tests.start(now) == SelfTest::none;

@@ -20,7 +20,7 @@ host::GenericDescription make_slave() {
     slave.rows.layout.fingerprint = tables.layout;
     slave.rows.slots.assign(tables.slots.begin(), tables.slots.end());
     slave.rows.slot_factor = tables.slot_factor;
-    // [services] of tests/support/slave/spec/devices/slave/device.toml
+    // The values below are those of [services] in tests/support/slave/spec/devices/slave/device.toml.
     slave.profile.limit_abort = LimitAbort::high_low;
     slave.profile.error_list = ErrorList::history;
     slave.profile.block_sdo = true;

@@ -12,18 +12,19 @@ namespace canproof::target {
 /// Also writes each piece of work from now on as a line `kind 1 instructions bits what where` to `path`.
 void write_every_work(const std::string& path);
 void work_begins();
-/// Stops counting. Call it first: the naming of the work must not count.
-void work_stops();
-/// Names the work that has stopped: `what` is a frame or "-", `where` the test or input that it belongs to.
-void note_work(test::Work work, const std::string& what, const std::string& where);
 /// Stops counting. Call it first, so that the naming of the work is not counted.
-void note_frame(const Frame& frame, const std::string& what, const std::string& where);
+void work_stops();
 /// Gives a name to the work that was stopped: `what` is a frame or "-", `where` the test or input to which it belongs.
+void note_work(test::Work work, const std::string& what, const std::string& where);
+/// Gives a name to the work of a received frame, as note_work() does.
+void note_frame(const Frame& frame, const std::string& what, const std::string& where);
+/// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against the next such
+/// frame, its bits are added.
 void note_answer(const Frame& frame);
 /// Writes lines `kind count instructions bits what where` to `path`. For power-ons, frames, ticks and commands (frames
-/// that reset the node or store its parameters) it is the one with most instructions; for `share` it is the frame with
-/// most instructions per bit, including the bits of its answers. Returns false when the file cannot be written or
-/// nothing was counted.
+/// that reset the node or store its parameters) a line shows the work with most instructions. For `share` it shows the
+/// frame with most instructions per bit, including the bits of its answers. Returns false when the file cannot be
+/// written or nothing was counted.
 bool write_work(const std::string& path);
 
 }  // namespace canproof::target

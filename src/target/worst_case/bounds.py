@@ -82,7 +82,7 @@ class Names:
 
 
 class Bounds:
-    """`files`: the first that has a loop bounds it."""
+    """The bounds of loops and the limits of calls, from several files; the first file that has a loop bounds it."""
 
     def __init__(self, root, generated, files, values):
         tables = [tomllib.loads(file.read_text()) for file in files if file.exists()]

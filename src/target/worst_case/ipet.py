@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The most instructions that an entry function can run: a linear program over how often each edge runs (implicit path enumeration,
-IPET), which glpsol solves. Its optimum over all real numbers is at least that over whole numbers, and so is a bound."""
+"""Computes the most instructions that an entry function can run. Solves a linear program over how often each edge runs
+(implicit path enumeration, IPET) with glpsol. Its optimum over all real numbers is at least that over whole numbers,
+and so is a bound."""
 import collections
 import fnmatch
 import math
@@ -59,7 +60,7 @@ class Flow:
         self.program, self.lp = program, LinearProgram()
         self.functions = program.below(entry)
         self.calls = {key: self.lp.variable() for key in self.functions}
-        self.sites = collections.defaultdict(list)  # by callee, the variables of its calls
+        self.sites = collections.defaultdict(list)  # the variables of the calls of each callee
         self.blocks, self.edges = {}, {}
         for key, calls in self.functions.items():
             self._add(key, calls)

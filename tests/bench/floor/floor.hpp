@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The floor: the minimum that any server must do for the transactions, written by hand for this purpose only. It has a
-// hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time; no
-// services, no states, no limits, no time. Counted in the same run with the same flags, it shows which part of a figure
-// is due to the node.
+// hash table of all entries, access rights, lengths, toggle bits, sequence numbers and a CRC of two bytes at a time. It
+// has no services, no states, no limits and no time. It is counted in the same run with the same flags, and shows which
+// part of a figure is due to the node.
 #pragma once
 
 #include <array>

@@ -22,7 +22,8 @@ bool is_count(std::uint16_t index, std::uint8_t sub) {
     return is_mapping(index) && sub == 0;
 }
 
-/// Confirms a change of the mapping that is refused, either of a valid PDO or of one whose count is not 0.
+/// Makes the slave confirm a mapping change that a correct slave refuses: a change of a valid PDO, or of one whose
+/// count is not 0.
 Distortion confirms_locked(bool of_valid) {
     return answers_otherwise([of_valid](WrongSlave& slave, const Frame& frame) {
         const std::uint16_t index = index_of(frame);
@@ -61,8 +62,8 @@ Distortion packs(Packing packing) {
     });
 }
 
-/// After a change of the mapping, sends the bytes of the previous mapping in the first TPDO. `bytes` are those of that
-/// TPDO.
+/// Makes the slave send the first TPDO with the bytes of the previous mapping after a change of the mapping.
+/// WrongSlave::bytes contains them.
 Distortion sends_stale_data() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         const bool maps =

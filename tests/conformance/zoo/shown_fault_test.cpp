@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that each fault of the zoo has exactly the effect of its entry: an exchange with the correct slave and one
+// Checks that each fault of the zoo has exactly the effect of its entry. An exchange with the correct slave and one
 // with the wrong slave differ by the frames of the entry.
 #include <gtest/gtest.h>
 

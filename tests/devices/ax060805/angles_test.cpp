@@ -48,7 +48,7 @@ TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
     EXPECT_EQ(angles_at(0.0, -0.5, -0.8660254), (Row{0, 3000, 3000}));
 }
 
-TEST_F(Angles, AngleTypeIsTiltAsShippedAndEulerAtOnceBy2100h) {
+TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
     verifies<req::INC_ANGLE_009, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -82,7 +82,7 @@ TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
     // The same attitude with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical, and a turn about the
-    // vertical does not change the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    // vertical does not change the vertical. sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
 }
 
@@ -100,8 +100,8 @@ TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
     write_real(0x2210, 0, 90.0F);
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     EXPECT_EQ(accelerations(), (Row{0, 0, -1000}));
-    // The X axis of the unit points where the forward axis of the machine would point after the pitch: 1 g along it is
-    // (cos 30, 0, -sin 30) in the machine frame.
+    // The X axis of the unit points where the forward axis of the machine would point after the pitch. So 1 g along it
+    // is (cos 30, 0, -sin 30) in the machine frame.
     feel(1.0, 0.0, 0.0);
     pass(5);
     EXPECT_EQ(accelerations(), (Row{866, 0, -500}));

@@ -264,8 +264,8 @@ TEST_F(InclinometerDictionary, OnlyTheObjectsOfTheManualExist) {
         found += send("67F#40" + hex_le(index, 2) + "0000000000").at(0).substr(12) == "00000206" ? 0 : 1;
     }
     EXPECT_EQ(found, listed);
-    // 13 objects of 4.2 and 16 of PDOs; of 4.3: 18 up to 2401h, 3 up to 2502h, 4 arrays and 60 parameters of functions,
-    // 11 up to 5030h, 2 switches
+    // 13 objects of 4.2 and 16 of PDOs. Of 4.3: 18 up to 2401h, 3 up to 2502h, 4 arrays and 60 parameters of functions,
+    // 11 up to 5030h, 2 switches.
     EXPECT_EQ(found, 13U + 16U + 18U + 3U + 4U + 60U + 11U + 2U);
 }
 

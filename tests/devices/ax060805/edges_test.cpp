@@ -56,7 +56,7 @@ TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees exceed 16 bits
     angle_digits(100);
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the last roll
-    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll of the formula
+    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll by the formula
 }
 
 TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
@@ -66,7 +66,7 @@ TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
     EXPECT_EQ(roll(), -32768);  // -90 degrees
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
-    EXPECT_EQ(roll(), -32768);  // the roll of the last direction
+    EXPECT_EQ(roll(), -32768);  // the roll of the last direction with enough gravity
 }
 
 TEST_F(InclinometerEdges, SensorMeasuresUpTo16gOnEachAxis) {

@@ -90,7 +90,7 @@ TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
     EXPECT_EQ(read(0x4020), 0U);
 }
 
-TEST_F(Ax060805Errors, ValuesOfAFailedSensorStay) {
+TEST_F(Ax060805Errors, FailedSensorFreezesAnglesAndAccelerations) {
     verifies<req::INC_FV_007>();
     turn(30.0, 0.0);
     pass(1000);
@@ -110,7 +110,7 @@ TEST_F(Ax060805Errors, ResetWithAFailedSensorGivesTheSameValuesAsPowerOn) {
     pass(1000);
     fail_accelerometer();
     send("000#8100");
-    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no sample has been taken since then
+    EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));  // no valid sample since the reset
     EXPECT_EQ(accelerations(), (std::vector<int>{0, 0, 0}));
     power_on();
     EXPECT_EQ(angles(), (std::vector<int>{0, 0, 0}));
@@ -187,7 +187,7 @@ TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     pass(6);
     inputs.sensor_temperature = 130.0F;
     set_inputs();
-    EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10, not at 7
+    EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10 ms with the sample, not at 7 ms with the filter
 }
 
 TEST_F(Ax060805Errors, ErrorThatOutlastsAResetIsReportedAgain) {
@@ -215,7 +215,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
     send("731#05");
     pass(60);  // RPDO timeout
     EXPECT_EQ(listed(), (List{0x00008250, 0x00008110, 0x00004200, 0x0000FF00}));
-    pass(50);  // heartbeat of node 31h
+    pass(50);  // the heartbeat of node 31h is missing
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
     heat(25.0F);
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
@@ -351,7 +351,7 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// 4.2.13: "this fault is detected" for each of them
+// 4.2.13 applies to each of these faults.
 TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLasts) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // node 22h, 100 ms

@@ -73,7 +73,7 @@ TEST_F(Filters, StepResponseFollowsTheLowPassCoefficient) {
     EXPECT_EQ(value(0x4000, 1), 848);  // 1 - 0.7304 * 0.20788 = 0.8482
 }
 
-TEST_F(Filters, InputFilterTakes1To50Hz) {
+TEST_F(Filters, InputFilterAccepts1To50Hz) {
     verifies<req::INC_FILTER_006, req::INC_OD_2003, req::INC_FILTER_002>();
     EXPECT_EQ(refusal(0x2003, 0, 0, 1), "06090032");
     EXPECT_EQ(refusal(0x2003, 0, 51, 1), "06090031");
@@ -174,7 +174,8 @@ TEST_F(Filters, RepeatingFilterGivesOneMeanPerBlock) {
     switch_filter_off();
     set_filter(1, 2, 3);
     pass(2);
-    EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));  // 0 3 6 · 9 12 15
+    // the blocks are 0 3 6, then 9 12 15
+    EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
 TEST_F(Filters, AdditionalFiltersSampleAtTheCommonRate) {
@@ -271,10 +272,10 @@ TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
     EXPECT_EQ(pitch(), 0);
     turn(45.0, 0.0);
     pass(5);
-    EXPECT_EQ(pitch(), 4500);  // at the rate of the sensor
+    EXPECT_EQ(pitch(), 4500);  // without a filter the angle follows each sample of the sensor
 }
 
-TEST_F(Filters, WindowOf60000NeedsNoMoreTimeOrMemory) {
+TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     verifies<req::INC_AVG_002>();
     switch_filter_off();
     set_filter(1, 1, 60000);

@@ -83,7 +83,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
     /// Returns `base` plus the node-ID, and `#`.
     std::string id(unsigned base) const { return fmt::format("{:03X}#", base + node); }
 
-    // Read pitch, roll and gravity angle, and accelerations, as counts.
+    // The functions below return pitch, roll, gravity angle and accelerations in counts.
     int pitch() { return value(0x4030); }
     int roll() { return value(0x4040); }
     int gravity_angle() { return value(0x4050); }

@@ -10,7 +10,8 @@ TEST_F(Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
     verifies<req::INC_PDO_002, req::INC_OD_1800, req::INC_OD_1A00>();
     turn(0.0, -20.0);
     pass(1000);
-    EXPECT_EQ(send("000#0100"), (Frames{"1FF#0000ECFF140000"}));  // 0, -20, 20, good
+    // pitch 0, roll -20, gravity angle 20, figure of merit 0 (good)
+    EXPECT_EQ(send("000#0100"), (Frames{"1FF#0000ECFF140000"}));
     EXPECT_EQ(pass(700), (Frames{"250:1FF#0000ECFF140000", "500:1FF#0000ECFF140000"}));
     inputs.sensor_temperature = 130.0F;
     write(0x1029, 2, 1, 1);
@@ -42,7 +43,7 @@ TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     EXPECT_EQ(pass(100), (Frames{"100:3FF#00004041000020C0"}));
 }
 
-TEST_F(Network, Tpdo4IsNotValidAndEmpty) {
+TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
     verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
     EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
     EXPECT_EQ(read(0x1A03, 0), 0U);
@@ -72,7 +73,7 @@ TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
     EXPECT_EQ(value(0x2500, 1), 0x0201);
 }
 
-TEST_F(Network, Rpdo2To4AreNotValidAndEmpty) {
+TEST_F(Network, Rpdo2To4AreInvalidAndEmpty) {
     verifies<req::INC_PDO_001, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602,
              req::INC_OD_1603>();
     const std::vector<std::uint32_t> cob_ids{0xC000037FU, 0xC000047FU, 0xC000057FU};
@@ -98,7 +99,7 @@ TEST_F(Network, TransmissionTypesCannotBeWritten) {
 
 TEST_F(Network, PdoIsRemappedInFiveSteps) {
     verifies<req::INC_PDO_006, req::INC_OD_1601, req::INC_OD_1A03>();
-    EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // while it is valid
+    EXPECT_EQ(refusal(0x1A00, 0, 0, 1), "08000022");  // refused while TPDO1 is valid
     write(0x1803, 1, 0xC00004FF, 4);
     write(0x1A03, 0, 0, 1);
     write(0x1A03, 1, 0x40100010, 4);

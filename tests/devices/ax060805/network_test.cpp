@@ -34,7 +34,7 @@ TEST_F(Network, SessionOfTheManualSetsTheNodeId) {
     EXPECT_EQ(send("7E5#1180"), (Frames{"7E4#110100"}));  // 128 is no node-ID
 }
 
-TEST_F(Network, CobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
+TEST_F(Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     verifies<req::INC_LSS_005>();
     write(0x1801, 1, 0xC00002FF, 4);
     write(0x1801, 1, 0x40000123 + 0x200, 4);  // 323h: not its default
@@ -64,7 +64,7 @@ TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(Network, LssTakesTheBitRatesOfTable21) {
+TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
     verifies<req::INC_LSS_004, req::INC_T21>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000, 0, 0};
     configure_lss();
@@ -77,7 +77,7 @@ TEST_F(Network, LssTakesTheBitRatesOfTable21) {
             EXPECT_EQ(device->bit_rate(), rates[index]);
         }
     }
-    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // another table does not exist
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // there is no table 1
 }
 
 TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
@@ -114,7 +114,7 @@ TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     EXPECT_EQ(read(0x1017), 500U);
     EXPECT_EQ(read(0x2003), 20U);
     write(0x1011, 2, 0x64616F6C, 4);
-    EXPECT_EQ(read(0x1017), 500U);  // not before the reset
+    EXPECT_EQ(read(0x1017), 500U);  // the default applies at the next reset only
     reset();
     EXPECT_EQ(read(0x1017), 0U);
     EXPECT_EQ(read(0x2003), 20U);
@@ -139,7 +139,7 @@ TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     }
 }
 
-TEST_F(Network, EveryParameterIsStoredAndNoMeasuredValueIs) {
+TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     verifies<req::INC_STORE_002, req::INC_OD_2500, req::INC_OD_2300>();
     write(0x2051, 3, 1234, 2);
     write_real(0x3095, 2, 1.5F);
@@ -194,7 +194,7 @@ TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
     EXPECT_EQ(pass(100), (Frames{}));
 }
 
-TEST_F(Network, HeartbeatConsumerTakesNodeIdsUpTo127AndNoReservedBits) {
+TEST_F(Network, HeartbeatConsumerAcceptsNodeIdsUpTo127AndNoReservedBits) {
     verifies<req::INC_OD_1016>();
     EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
@@ -261,7 +261,7 @@ TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
     EXPECT_EQ(state_after_power_on_in_bus_off(), NmtState::operational);
 }
 
-TEST_F(Network, SensorErrorPreventsTheSelfStartAtEitherReset) {
+TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     verifies<req::INC_START_001, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();

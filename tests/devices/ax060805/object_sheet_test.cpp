@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every object of the AX060805 by chapter 4 of its manual and the decisions of the register: type, access, mapping,
-// default at node 127 and limits of each entry, taken by hand from the object page.
+// Checks every object of the AX060805 against chapter 4 of its manual and the decisions of the register: type, access,
+// mapping, default at node 127 and limits of each entry. The values are taken by hand from the object page.
 #include "generated/ax060805/objects.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"

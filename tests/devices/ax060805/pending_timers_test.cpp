@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pending activities of an AX060805 and each event that can end, keep, force or restart them: the next sample (5.1.2),
-// the next sample of the additional filters and their blocks (4.3.10 to 4.3.12), received values until their RPDO is
-// late (3.10.1, 4.2.15). Node 127; the input filter is off, everything is stored.
+// Pending activities of an AX060805 and each event that can end, keep, force or restart them. They are the next sample
+// (5.1.2), the next sample of the additional filters and their blocks (4.3.10 to 4.3.12), and received values until
+// their RPDO is late (3.10.1, 4.2.15). Node 127; the input filter is off, everything is stored.
 #include <functional>
 #include <utility>
 
@@ -27,8 +27,8 @@ class IncPending : public testing::Test, public InclinometerBench {
         Shown shown;  ///< each value and the time in ms, from the event on
     };
 
-    /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters, which
-    /// samples from 2 ms on every 40 ms: at 42, 82, 122…; the sensor is sampled at multiples of 5 ms.
+    /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters. The
+    /// filter samples every 40 ms from 2 ms on: at 42, 82, 122 ms. The sensor is sampled at multiples of 5 ms.
     void begin(std::uint32_t filter, std::uint32_t constant) {
         memory.bytes().assign(4096, 0xFF);
         inputs = ax060805::Inputs{};

@@ -36,7 +36,7 @@ class TwoSenders : public ReceivedValues {
 TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_SIG_005>();
     send("000#0100");
-    send("27F#2D0000000000");  // 2Dh = 45 for the first
+    send("27F#2D0000000000");  // received value 1 is 2Dh = 45
     EXPECT_EQ(taken_from(20, 1.0F), 45);
     operate(1, 10);  // pitch > limit
     connect(1, 1, 5);
@@ -101,7 +101,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     verifies<req::INC_RPDO_002, req::INC_SIG_002, req::INC_OD_2500>();
     EXPECT_EQ(taken_from(21, 1.0F), undefined);
     send("000#0100");
-    send("27F#0000D0070000");  // 7D0h = 2000 for the second
+    send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
     EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
     send("000#8100");
@@ -159,7 +159,7 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
 }
 
 // RPDO1 is late at 102 ms and comes at 103 ms, between the samples at 100 and 105 ms
-TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheOtherValues) {
+TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 100, 2);
     send("37F#D007");
@@ -178,23 +178,23 @@ TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late
-    send("37F#D007");  // RPDO2 brings 2000 while it is
+    send("37F#D007");  // RPDO2 brings 2000 while RPDO1 is late
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#00");
-    pass(4);  // late again 3 ms after the sample
+    pass(4);  // RPDO1 is late again 3 ms after the sample
     EXPECT_EQ(taken_from(22, 1.0F), undefined);
 }
 
-// The frame comes before the device was asked about the time at which it was due.
-TEST_F(TwoSenders, LateFrameThatTellsItsOwnLatenessInvalidatesTheOtherValues) {
+// The frame arrives before the device is called for the time-out of RPDO1.
+TEST_F(TwoSenders, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_002>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#E803");
-    now = now + milliseconds(21);  // nothing was done at 20 ms
+    now = now + milliseconds(21);  // the device is not called at 20 ms, when RPDO1 is late
     send("27F#E803");
     EXPECT_EQ(taken_from(22, 1.0F), undefined);
     EXPECT_EQ(taken_from(20, 1.0F), 1000);

@@ -69,8 +69,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     write_real(0x2200, 0, 90.0F);  // the machine is level
     EXPECT_EQ(angles(), (Row{0, 0, 0}));
     write_real(0x2200, 0, 0.0F);
-    EXPECT_EQ(angles(),
-              (Row{9000, 0, 9000}));  // the last direction with a defined roll is this one, which has none here
+    EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
 }
 
 /// The only direction so far is vertical in the new frame, except for a hundred-thousandth of a degree.

@@ -37,12 +37,13 @@ class Ax130751Blocks : public Ax130751Test {
         set16(0x2330, output, 0);
         set16(0x2331, output, 0);
     }
-    /// Scales one of the sources 2500h to 0 to 100 without digits, which also makes it a digital input at 0 and 100.
+    /// Scales 2500h:`number` from 0 to 100 without decimal digits. Read as a digital input it is then OFF at 0 and ON
+    /// at 100.
     void extra_as_percent(int number) {
         set8(0x2502, number, 0);
         set16(0x2522, number, 100);
     }
-    /// Sets the extra value of source 1, number 3 + `number`.
+    /// Sets 2500h:`number`, which is number 3 + `number` of control source 1.
     void extra(int number, int value) {
         set16(0x2500, number, value);
         pass(1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every object of the AX130751 by chapter 3 of its manual: type, access, mapping, default and limits of each entry,
-// taken by hand from the object page. The tables are read directly; access over the bus has its own tests.
+// Checks every object of the AX130751 against chapter 3 of its manual: type, access, mapping, default and limits of
+// each entry. The values are taken by hand from the object page. The tests read the tables directly; other tests cover
+// the access over the bus.
 #include "generated/ax130751/objects.hpp"
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"
@@ -359,7 +360,7 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
         {0x5B51, 0, u8, Access::rw, {127}, 1, 127, Map::no, false},
     });
     EXPECT_EQ(writing(0x5555, 0, 2), AbortCode::value_range);
-    // 125 kbit/s; Table 22 without the reserved index
+    // The default is 125 kbit/s; the choices are those of Table 22 without the reserved index.
     check_choice({0x5B50, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 4, {0, 1, 2, 3, 4, 6, 7, 8});
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }
@@ -367,8 +368,8 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
 TEST_F(Ax130751Dictionary, OnlyTheObjectsOfTheManualExist) {
     verifies<req::AOR_OD_1000>();
     // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects. 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
-    // outputs, 4 of extra values; 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math; 11 of
-    // diagnostics, 4 of the system
+    // outputs, 4 of extra values. 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math. 11 of
+    // diagnostics, 4 of the system.
     EXPECT_EQ(objects_.tables().objects.count,
               13U + 16U + 7U + 16U + 11U + 14U + 4U + 10U * 9U + 3U + 3U * 11U + 5U + 4U * 8U + 11U + 4U);
     // 6 variables; then 1003h, 1010h, 1011h, 1016h, 1018h, 1020h and 1029h with their sub-index 0

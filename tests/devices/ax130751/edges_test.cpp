@@ -92,7 +92,7 @@ class Ax130751Edges : public Ax130751Blocks {
 
 // --- supply and temperature (1.8, chapter 4) -----------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, UnderVoltageLastsFromBelow8VoltsTo13) {
+TEST_F(Ax130751Edges, UnderVoltageBeginsBelow8VoltsAndEndsAt13Volts) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_OD_5022, req::AOR_OD_5024>();
     EXPECT_EQ(supply(8.0F), "");
     EXPECT_EQ(supply(next_below(8.0F)), "3100");
@@ -101,7 +101,7 @@ TEST_F(Ax130751Edges, UnderVoltageLastsFromBelow8VoltsTo13) {
     EXPECT_EQ(supply(13.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, OverVoltageLastsFromAbove35VoltsTo30) {
+TEST_F(Ax130751Edges, OverVoltageBeginsAbove35VoltsAndEndsAt30Volts) {
     verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_OD_5023, req::AOR_OD_5024>();
     EXPECT_EQ(supply(35.0F), "");
     EXPECT_EQ(supply(next_above(35.0F)), "3100");
@@ -110,7 +110,7 @@ TEST_F(Ax130751Edges, OverVoltageLastsFromAbove35VoltsTo30) {
     EXPECT_EQ(supply(30.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, OverTemperatureLastsFromAbove85DegreesTo60) {
+TEST_F(Ax130751Edges, OverTemperatureBeginsAbove85DegreesAndEndsAt60Degrees) {
     verifies<req::AOR_DIAG_004, req::AOR_DIAG_007, req::AOR_OD_5032, req::AOR_OD_5033>();
     EXPECT_EQ(temperature(85.0F), "");
     EXPECT_EQ(temperature(next_above(85.0F)), "4200");
@@ -381,7 +381,7 @@ TEST_F(Ax130751Edges, GainOfOneIsWrittenAs100) {
     EXPECT_EQ(math_of(10000, 0), 100);
 }
 
-TEST_F(Ax130751Edges, FractionsAreClampedAtTheirScalings) {
+TEST_F(Ax130751Edges, MathInputsAreClampedAtTheirScalings) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_008>();
     make_math(17);  // maximum
     set16(0x4120, 1, 2000);

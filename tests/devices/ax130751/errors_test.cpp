@@ -158,7 +158,7 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
     }
 }
 
-// 3.2.9: the answer to each of the four modules that falls silent
+// 3.2.9: each of the four modules that falls silent changes the state.
 TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");

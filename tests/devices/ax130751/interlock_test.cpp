@@ -25,7 +25,7 @@ class Ax130751Interlock : public Ax130751Blocks {
     void connect(std::uint16_t source_index, int output, int number) {
         choose(source_index, output, canopen, 3 + number);
     }
-    /// Makes output 1 a voltage of 4 V.
+    /// Makes output 1 a voltage output at 4 V.
     void make_voltage() {
         no_ramps(1);
         command(1, 4000);
@@ -45,7 +45,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         pass(1);
         EXPECT_TRUE(relay_on());
     }
-    /// Sets a time-out of 100 ms for RPDO2, 2500h:1 to 2500h:3.
+    /// Sets a time-out of 100 ms for RPDO2, which maps 2500h:1 to 2500h:3.
     void watch_extra() {
         set32(0x1401, 1, 0x4000037F);
         set16(0x1401, 5, 100);
@@ -257,7 +257,7 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
     EXPECT_FALSE(contact(24.0F));
 }
 
-// 1.8, 3.4.86: with 5555h a unit without a master drives its outputs
+// 1.8, 3.4.86: outputs run in operational only; 5555h lets a unit without a master enter it.
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
     make_voltage();
@@ -293,7 +293,7 @@ TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
     EXPECT_TRUE(device->outputs().relay_no);
 }
 
-TEST_F(Ax130751Interlock, ASecondSilentProducerShutsOutputsOffToo) {
+TEST_F(Ax130751Interlock, SecondSilentProducerShutsOutputsOffToo) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

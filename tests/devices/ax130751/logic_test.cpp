@@ -312,7 +312,7 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
         pass(1);
         return get16(0x3320, 1);
     };
-    EXPECT_EQ(at(15), 150);  // up to 30 at 30
+    EXPECT_EQ(at(15), 150);  // table 1 rises to 30 at 30
     EXPECT_EQ(at(30), 300);
     EXPECT_EQ(at(45), 450);  // table 2 falls from 60 at 30 to 30 at 60
     EXPECT_EQ(at(33), 570);

@@ -93,9 +93,9 @@ TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
     EXPECT_EQ(x(1, 1), -500) << "7322h lies above 7320h";
     set16(0x7323, 1, 4000);
     EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
-    set16(0x6310, 1, 20);  // 5550h: 7320h is 0 again
+    set16(0x6310, 1, 20);  // by 5550h (automatic updates) the new type sets 7320h to 0
     EXPECT_EQ(x(1, 1), 0) << "6310h";
-    // the smaller of 7321h and 7323h
+    // The minimum of sources 6 and 7 is the smaller of 7321h and 7323h.
     for (const int source : {6, 7}) {
         choose(2, source, 2);
         set8(0x3023, 0, 3);
@@ -106,7 +106,7 @@ TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
         EXPECT_EQ(x(2, 1), -2000) << "7321h";
         set8(0x6332, 2, 4);
         EXPECT_EQ(x(2, 1), -200) << "6332h";
-        set16(0x6310, 2, 20);  // 5550h: 7321h is 0 again
+        set16(0x6310, 2, 20);  // by 5550h (automatic updates) the new type sets 7321h to 0
         EXPECT_EQ(x(2, 1), 0) << "6310h";
         set16(0x6310, 2, 10);
         set16(0x7321, 2, -200);
@@ -115,7 +115,7 @@ TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
         EXPECT_EQ(x(2, 1), 0);
         set8(0x3023, 0, 0);
     }
-    // 4021h and 4023h in hundredths
+    // The minimum of a math block is the smaller of 4021h and 4023h, in hundredths.
     choose(3, math_source, 2);
     set16(0x4021, 2, -3000);
     EXPECT_EQ(x(3, 1), -30) << "4021h";
@@ -123,14 +123,14 @@ TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // 5032h minus 5033h
+    // The minimum of source 9 is 5032h minus 5033h.
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // a source that is never below 0
+    // These sources are never below 0.
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);

@@ -155,7 +155,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     set32(0x3016, 5, 40000);
     set8(0x3015, 1, 0);
     extra(1, 4);
-    EXPECT_EQ(output(1), 2);  // 4 of 20, to 10
+    EXPECT_EQ(output(1), 2);  // 4 / 20 of the way from 0 to 10
     extra(1, 20);
     EXPECT_EQ(output(1), 10) << "point 3 lies behind";
     extra(1, 25);

@@ -11,7 +11,7 @@ namespace canproof::test {
 TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
-    set16(0x2331, 1, 500);  // down; up 1000 as shipped
+    set16(0x2331, 1, 500);  // 1000 ms up as shipped, 500 ms down
     command(1, 5000);       // the previous cycle began the ramp
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
@@ -30,7 +30,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     EXPECT_FLOAT_EQ(volts(1), 4.99F) << "from where it stood";
 }
 
-TEST_F(Ax130751Output, RampUpIsARisingFieldValueWithAnInverseSlopeToo) {
+TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo) {
     verifies<req::AOR_OUT_012>();
     make(10);
     set16(0x7321, 1, 5000);
@@ -229,7 +229,7 @@ TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
 }
 
-TEST_F(Ax130751Output, EnableOrOverrideInErrorIsAFaultToo) {
+TEST_F(Ax130751Output, OverrideInErrorIsAFaultToo) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

@@ -154,7 +154,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
     EXPECT_FLOAT_EQ(level(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, TypeNotUsedDrivesNothing) {
+TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
     verifies<req::AOR_OUT_025>();
     make(10);
     command(1, 3000);
@@ -165,7 +165,7 @@ TEST_F(Ax130751Output, TypeNotUsedDrivesNothing) {
     EXPECT_EQ(get16(0x2370, 1), 0);
 }
 
-TEST_F(Ax130751Output, TypeNotUsedDrivesNothingWhateverActsOnTheOutput) {
+TEST_F(Ax130751Output, OutputOfType0IgnoresOverrideAndFaultValue) {
     verifies<req::AOR_OUT_025>();
     make(10);
     set16(0x2300, 1, 3000);
@@ -250,7 +250,7 @@ TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
     EXPECT_EQ(get16(0x7322, 1), 5000) << "the other output is not concerned";
 }
 
-TEST_F(Ax130751Output, NothingIsWrittenWithoutAutomaticUpdates) {
+TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
     verifies<req::AOR_OUT_022>();
     set8(0x5550, 0, 0);
     set16(0x7341, 1, 1000);
@@ -260,7 +260,7 @@ TEST_F(Ax130751Output, NothingIsWrittenWithoutAutomaticUpdates) {
     EXPECT_EQ(get16(0x7341, 1), 1000);
 }
 
-TEST_F(Ax130751Output, SameTypeOrTypeNotUsedWritesNothing) {
+TEST_F(Ax130751Output, SameTypeOrType0WritesNoDefaults) {
     verifies<req::AOR_OUT_022>();
     set16(0x7323, 1, 4000);
     set16(0x6310, 1, 10);
@@ -285,7 +285,7 @@ TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
 }
 
 // The control is source 6, the target of the output itself. Its value under the old type is cleared before it is read.
-TEST_F(Ax130751Output, AnOutputThatFollowsItselfStartsFromOffAfterATypeChange) {
+TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023>();
     set8(0x5550, 0, 0);
     make(10);

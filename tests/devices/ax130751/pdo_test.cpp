@@ -111,7 +111,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
 TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
     verifies<req::AOR_PDO_006>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
-    EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // the event timer is 0
+    EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // valid, but its event timer is 0
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");
     start();
     send("27F#E803D00700");
@@ -195,7 +195,7 @@ TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
-    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // not used, despite 3.2.14
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 is not used, despite 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
     EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored

@@ -113,8 +113,8 @@ TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
 TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
     verifies<req::AOR_RELAY_009, req::AOR_T11>();
     connect(0x2280, 1);
-    // Returns, with the control ON, the state of the relay while enable is OFF and while it is ON, starting from
-    // either.
+    // Returns two states of the relay while the control is ON: first with enable ON when `on_first` is true, otherwise
+    // OFF; then with the opposite enable.
     const auto answers = [this](int response, bool on_first) {
         set8(0x2280, 1, not_used);
         set8(0x2282, 1, response);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
 
 TEST_F(Ax130751Relay, OverridePrecedesEnable) {
     verifies<req::AOR_RELAY_010, req::AOR_OUT_007>();
-    connect(0x2280, 1);  // response 0, OFF: disabled
+    connect(0x2280, 1);  // enable response 0 with its input OFF: the relay is disabled
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
     extra(2, 100);
@@ -197,7 +197,7 @@ TEST_F(Ax130751Relay, InputInErrorPutsTheRelayOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, AnyInputInErrorButAnUnusedUnlatchPutsTheRelayOff) {
+TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     struct Case {
         std::uint16_t source;

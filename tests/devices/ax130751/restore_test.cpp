@@ -34,7 +34,7 @@ class Ax130751Restore : public Ax130751Test {
         EXPECT_EQ(values(), changed);
     }
     Values values() { return {read(0x1017, 0), read(0x6340, 2), read(0x5032, 0)}; }
-    /// The values after the next power-on with the defaults of `group`.
+    /// Returns the values expected after power-on when the defaults of `group` were restored.
     static Values restored(int group) {
         return {group == 1 || group == 2 ? defaults.heartbeat : changed.heartbeat,
                 group == 1 || group == 3 ? defaults.fault_mode : changed.fault_mode,

@@ -29,7 +29,7 @@ class Ax130751Sources : public Ax130751Blocks {
         pass(2);
         return get16(0x3018, 0);
     }
-    /// Returns whether a pair counts as not used: output 1, otherwise at least at its scaling 1 of 1 V, is then OFF.
+    /// Returns whether a pair counts as not used. Output 1 is OFF then; otherwise it has at least 1 V, its scaling 1.
     bool is_not_used(int source, int number) {
         set8(0x2340, 1, source);
         set8(0x2341, 1, number);
@@ -290,7 +290,7 @@ TEST_F(Ax130751Sources, OnlyObjectsOfTheOverdueRpdoAreInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, EachRpdoIsOverdueAtItsOwnTime) {
+TEST_F(Ax130751Sources, EachRpdoIsOverdueAfterItsOwnEventTime) {
     verifies<req::AOR_SRC_004>();
     control_by_two_rpdos();
     set32(0x1402, 1, 0x4000047F);
@@ -331,7 +331,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     EXPECT_FLOAT_EQ(volts(2), 3.0F) << "101 ms after the heartbeat";
 }
 
-TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
+TEST_F(Ax130751Sources, LostHeartbeatPutsAReceivedCommandInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);
@@ -352,7 +352,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAllReceivedValuesInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
 }
 
-TEST_F(Ax130751Sources, LostLifeGuardingPutsAllReceivedValuesInError) {
+TEST_F(Ax130751Sources, LostLifeGuardingPutsAReceivedCommandInError) {
     verifies<req::AOR_SRC_005>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

@@ -62,7 +62,7 @@ TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysSendsBootUp) {
 }
 
 // Table 22, by the index of configure bit timing
-TEST_F(Ax130751Storage, LssTakesTheBitRatesOfTable22) {
+TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     verifies<req::AOR_T22, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B50>();
     const std::vector<std::pair<int, std::uint32_t>> rates{{0, 1000000}, {1, 666667}, {2, 500000}, {3, 250000},
                                                            {4, 125000},  {6, 50000},  {7, 20000},  {8, 10000}};

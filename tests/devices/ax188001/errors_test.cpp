@@ -148,7 +148,7 @@ TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80328130}));
 }
 
-TEST_F(Ax188001Errors, LifeGuardingErrorHasItsOwnField) {
+TEST_F(Ax188001Errors, LifeGuardingErrorIsDistinguishedFromAHeartbeatErrorByItsField) {
     verifies<req::TCS_ERR_007, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);
@@ -338,7 +338,7 @@ TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
 
 TEST_F(Ax188001Errors, ErrorsActiveAtBootUpAreReportedAfterTheBootUpMessage) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_011>();
-    write(0x1010, 1, 4, 0x65766173);  // with the delays of 0
+    write(0x1010, 1, 4, 0x65766173);  // stores the set, whose delays are 0
     heat(1, 130.0);
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#11F0010110000000"}));
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
@@ -356,7 +356,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
 TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
-    run(20.0F, 55.0F);  // detected at 165, reported at 265
+    run(20.0F, 55.0F);  // detected at 165 ms, reported at 265 ms
     inputs.supply = 24.0F;
     set_inputs();
     now = now + milliseconds(period_ms);

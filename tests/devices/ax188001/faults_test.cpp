@@ -61,7 +61,7 @@ TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
     set_inputs();
     EXPECT_EQ(pass(1000), Frames{});
     inputs.supply = 8.5F;
-    set_inputs();  // at 1000; read at 1155
+    set_inputs();  // applied at 1000 ms, read at 1155 ms
     EXPECT_EQ(pass(6000), (Frames{"5155:0FF#0031010320000000"}));
     inputs.supply = 11.9F;
     set_inputs();
@@ -114,7 +114,7 @@ TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Faults, SetAndClearThresholdsLimitEachOther) {
+TEST_F(Faults, SetAndClearThresholdsAreLimitsOfEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

@@ -12,7 +12,7 @@ namespace canproof::test {
 struct Polynomial {
     long double from;
     long double to;
-    std::vector<long double> coefficients;  ///< from the constant up
+    std::vector<long double> coefficients;  ///< in ascending order of their power of the temperature
 
     long double at(long double x) const {
         long double sum = 0.0L;

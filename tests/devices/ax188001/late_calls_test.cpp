@@ -33,7 +33,7 @@ TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
 TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     verifies<req::TCS_LIM_003>();
     write(0x4030, 1, 2, 400);
-    heat(1, 130.0);  // read at 165: due at 565
+    heat(1, 130.0);  // read at 165 ms; the fault is due at 565 ms
     pass(400);
     heat(1, 20.0);
     EXPECT_EQ(come_late(200), Frames{});  // the reading at 495 ends it
@@ -50,10 +50,10 @@ TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
 TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
     verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
-    EXPECT_EQ(next_in_ms(), 60U);  // 660 is the fourth
-    come_late(7 * 165);            // 1755: 660 to 1650 are seven
-    EXPECT_EQ(next_in_ms(), 60U);  // 1815 is the eleventh
-    come_late(20 * 165);           // more than are performed later: the schedule restarts here
+    EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms
+    come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed
+    EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading is at 1815 ms
+    come_late(20 * 165);           // more readings than are performed later: the schedule restarts here
     EXPECT_EQ(next_in_ms(), 165U);
 }
 

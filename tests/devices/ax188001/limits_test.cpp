@@ -81,7 +81,7 @@ TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     pass(3000);  // the reading at 165 ms was the first above the limit
     heat(1, 124.9);
     pass(1000);
-    heat(1, 130.0);  // at 4000; read at 4125
+    heat(1, 130.0);  // applied at 4000 ms, read at 4125 ms
     EXPECT_EQ(pass(5124), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
 }
@@ -89,7 +89,7 @@ TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
 TEST_F(Limits, LimitFaultsClearWithTheReadingThatShowsIt) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
-    pass(5165);  // now at 5165; readings at 5115, 5280
+    pass(5165);  // now 5165 ms; the readings are at 5115 and 5280 ms
     ASSERT_EQ(status(1), 0x02);
     heat(1, 20.0);
     EXPECT_EQ(pass(200), (Frames{"115:0FF#0000000000000000"}));
@@ -100,7 +100,7 @@ TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009>();
     heat(1, 130.0);  // read at 165
     pass(2000);
-    heat(1, 260.0);  // at 2000; read at 2145
+    heat(1, 260.0);  // applied at 2000 ms, read at 2145 ms
     EXPECT_EQ(pass(3000 + 2300), (Frames{"3165:0FF#11F0010110000000", "5145:0FF#11F0010140000000"}));
     EXPECT_EQ(status(1), 0x03);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x4001F011, 0x1001F011}));
@@ -135,7 +135,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_007>();
     heat(1, 130.0);
     pass(4000);  // pending since 165
-    cut(1);      // at 4000; read at 4125, open at 4125 + 1320 = 5445
+    cut(1);      // cut at 4000 ms, read at 4125 ms, open at 4125 + 1320 = 5445 ms
     EXPECT_EQ(pass(1164), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the open circuit is detected
     cut(1, false);

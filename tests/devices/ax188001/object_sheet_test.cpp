@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every object of the AX188001 by chapters 3.2 to 3.4 of its manual: type, access, mapping, default at node 127 and
-// limits of each entry, taken by hand from the object page.
+// Checks every object of the AX188001 against chapters 3.2 to 3.4 of its manual: type, access, mapping, default at node
+// 127 and limits of each entry. The values are taken by hand from the object page.
 #include "generated/ax188001/objects.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "tests/support/axiomatic_sheet.hpp"

@@ -13,7 +13,7 @@ using Values = TcsTest;
 
 }  // namespace
 
-TEST_F(Values, LargeVoltageIsReadAtTheBootUpMessage) {
+TEST_F(Values, LargeVoltageIsReadDuringBootUp) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -44,7 +44,7 @@ TEST_F(Values, TypeJIsReadToAHundredthOfADegreeAtItsHighestGain) {
     }
 }
 
-TEST_F(Values, ConverterHas32768StepsOnEitherSide) {
+TEST_F(Values, StepOfTheConverterIsFullScaleDividedBy32768) {
     verifies<req::TCS_K_CODES, req::TCS_IN_002>();
     write(0x2000, 1, 1, 0);
     // Steps of 19531.25 / 32768 = 0.596046 uV: 25187 of them are 15012.62, 25180 are 15008.45.
@@ -56,7 +56,7 @@ TEST_F(Values, ConverterHas32768StepsOnEitherSide) {
     EXPECT_EQ(read(0x2010, 1).value, 15008U);
 }
 
-TEST_F(Values, AnyVoltageIsReadWithin1500Milliseconds) {
+TEST_F(Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_005, req::TCS_K_SETTLING, req::TCS_K_GAIN_BACK,
              req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
     write(0x2000, 1, 1, 0);
@@ -149,7 +149,7 @@ TEST_F(Values, HumAddsAndSubtractsInTurn) {
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
 }
 
-TEST_F(Values, FilterTakesFiftyAndSixtyHertzOnly) {
+TEST_F(Values, FilterAccepts50And60HertzOnly) {
     verifies<req::TCS_IN_008, req::TCS_OD_2020>();
     EXPECT_EQ(read(0x2020).value, 60U);
     for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
@@ -175,7 +175,7 @@ TEST_F(Values, LateCallPerformsEightMissedReadings) {
     EXPECT_NEAR(read(0x2010, 1).value, 60000, 2);
 }
 
-TEST_F(Values, LateCallPerformsABoundedNumberOfMissedReadings) {
+TEST_F(Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
     verifies<req::TCS_IN_001>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);

@@ -89,7 +89,7 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     }
 }
 
-TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndItsCommand) {
+TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes) {
     verifies<req::TCS_START_005>();
     write(0x5051, 1, 2, 0);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
@@ -211,7 +211,7 @@ TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, LssTakesTheBitRatesOfTable4) {
+TEST_F(LssSession, LssAcceptsTheBitRatesOfTable4) {
     verifies<req::TCS_LSS_003, req::TCS_T4>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000};
     for (std::size_t index = 0; index < 12; ++index) {

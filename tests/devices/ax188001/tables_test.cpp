@@ -87,8 +87,8 @@ TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
     EXPECT_EQ(left(t::FilterHz::hz_60, t::MainsHz::none), 0.0F);
 }
 
-// 1.1: harmonics are also rejected. Of x times its own frequency a sinc filter of fourth order passes (sin(pi x) / (pi
-// x))^4.
+// 1.1: harmonics are also rejected. A sinc filter of fourth order passes (sin(pi x) / (pi x))^4 of a hum at x times its
+// own frequency.
 TEST(Ax188001Tables, HarmonicsAreRejectedAtLeastLikeTheirFundamental) {
     verifies<req::TCS_T_REJECTION>();
     namespace t = own::hum_rejection;

@@ -207,7 +207,7 @@ TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
     EXPECT_EQ(process_value(1), 4768);
 }
 
-TEST_F(Values, ThermocoupleTypesOfTable1ApplyAtOnceAndNoOthers) {
+TEST_F(Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
     verifies<req::TCS_IN_014, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
     EXPECT_EQ(read(0x6110, 1).value, 1U);
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {

@@ -12,7 +12,7 @@ class Leds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
-        pass(4000);  // not at the first moment
+        pass(4000);  // the pattern has run for some time when it is sampled
     }
     /// Returns the LED over time, one character per 100 ms: # lit, . dark. Sampled after 50 ms of each.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
@@ -25,7 +25,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Returns whether the pattern repeats the given round, whatever its phase.
+    /// Returns whether `seen` repeats the pattern `round`, whatever its phase.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {

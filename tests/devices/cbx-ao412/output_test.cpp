@@ -283,7 +283,7 @@ TEST_F(Output, PowerOnStartsWithNoVoltage) {
             set(output, "0020");  // 2000h = 8192: 1024 steps
             expect_steps(output, 1024);
         }
-        inputs.hardware_fault = has_node_id;  // prevents the stored values
+        inputs.hardware_fault = has_node_id;  // a hardware failure keeps the stored values from being set
         inputs.switch_high = has_node_id ? 0 : 8;
         device->power_on(inputs, now);
         sent();
@@ -325,7 +325,7 @@ TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     expect_steps(2, 0);
 }
 
-/// Whatever happens at the terminals afterwards: the reset has cleared the producer.
+/// After reset node no producer is monitored, so the missing heartbeat is no error any more.
 TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     verifies<req::AO4_AOUT_006, req::CO_NMT_005>();
     write("603#23161001C8003100");

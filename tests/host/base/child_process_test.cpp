@@ -44,7 +44,7 @@ TEST(ChildProcess, WaitForAProcessThatIsNoChildIsRefused) {
     EXPECT_THROW(host::wait_for_process(1), host::InputError);
 }
 
-TEST(ChildProcess, ReapingAProcessThatIsNoChildReturnsInADestructor) {
+TEST(ChildProcess, ReapingAProcessThatIsNoChildThrowsNothing) {
     host::reap_process(1);
     const pid_t child = host::start_process({"true"}, {}, {});
     host::reap_process(child);

@@ -125,7 +125,7 @@ TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
                 HasSubstr("AO4-T1 name field is taken by the compiler"));
 }
 
-TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndDeviceErrorsFollow) {
+TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
     const std::string items = table("id = \"AO4-T1\"\nname = \"codes\"\nerrors = \"error\"\ntitle = \"Codes\"\n",
                                     "[\"can_overrun\", 0x8110], [\"hardware\", 0x5000], [\"hot\", 16896]");
     const LoadResult loaded = load_register(with(items_file, items));
@@ -145,7 +145,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndDeviceErrorsFollow) {
                 HasSubstr("AO4-T1 errors fault is no input of words"));
 }
 
-TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectWithFamiliesAsOne) {
+TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectAndAFamilyHasOneName) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +

@@ -67,8 +67,8 @@ TEST_F(Generated, EntryRowsHaveOffsetLimitTypeRightsAndService) {
     const std::string text = write_objects(box());
     const std::string rw = "rights::read | rights::write";
     // Constants: 1000h at 0, 1018h:0 at 4, 1018h:1 at 5, 2000h:0 at 9, 2001h:0 at 10. Image: 1001h at 0 (maintained by
-    // emcy), 1014h at 1, 1018h:4 at 5 (factory), 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21, 22,
-    // 23, 27.
+    // emcy), 1014h at 1, 1018h:4 at 5 (factory). Then 2000h at 9 and 11, 2001h at 13 and 15, 2100h at 17, 2200h at 21,
+    // 22, 23, 27.
     for (const std::string& row : {
              std::string{
                  "{0U, 4U, no_limit, 0U, DataType::unsigned32, rights::read | rights::constant, Service::none},"},

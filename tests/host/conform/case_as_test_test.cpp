@@ -2,8 +2,8 @@
 // Conformance cases that stand in place of a test of their own: each runs on the conformance slave, and its verdict
 // counts for the requirements that it names.
 //
-// A test of tests/conformance stays a test while it holds more than a case can: it runs on the microcontroller as well,
-// where no case runs, or it wants one exact abort code, time or frame where CiA 301 leaves a slave the choice.
+// A test of tests/conformance stays a test while it contains more than a case can. It runs on the microcontroller as
+// well, where no case runs. Or it requires one exact abort code, time or frame where CiA 301 leaves a slave the choice.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -104,7 +104,7 @@ TEST(ConformRun, ValuesWrittenByACaseAreRestored) {
 }
 
 TEST(ConformRun, MappingIsRestoredInTheOrderThatASlaveAccepts) {
-    // Saved and restarted, the value would stay: only the way back through COB-ID and count restores it.
+    // After save and restart the changed value would stay. Only the steps through COB-ID and count restore it.
     const std::string steps =
         "read 1800:01 -> cob\nwrite 1800:01 = $cob | 0x80000000\nwrite 1A00:00 = 0\nwrite 1010:01 = \"save\"\n"
         "write 1800:02 = 254";
@@ -207,7 +207,7 @@ TEST(ConformRun, CaseWithARiskNeedsItsPermission) {
     EXPECT_EQ(report.results.at(3).verdict, Verdict::passed);
 }
 
-TEST(ConformRun, InterruptionRestoresEverything) {
+TEST(ConformRun, InterruptionRestoresTheWrittenValues) {
     BusLikeTarget target{sound_slave()};
     target.interrupt_at(Instant{20'000'000});
     const ConformReport report =

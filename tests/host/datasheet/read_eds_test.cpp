@@ -87,7 +87,7 @@ TEST(ReadEds, CompactSubObjectsHaveTheirOwnNamesAndValues) {
     EXPECT_EQ(entry(read.part, 0x6200, 2).access, "rw");
 }
 
-TEST(ReadEds, AccessAndMappingAreReadTogether) {
+TEST(ReadEds, AccessTypeSelectsTheDirectionOfMappingToo) {
     const auto mapping = [](const std::string& access) {
         const EdsResult read = read_eds(replaced(box, "AccessType=rww", "AccessType=" + access), "box.eds");
         EXPECT_EQ(texts(read.faults), "");

@@ -111,7 +111,7 @@ TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEveryFormat) {
 }
 
 // CiA 301, 7.5.2.4: a write of 0 empties the list, any other value is refused.
-TEST_F(ToolSheet, ErrorListOfADataSheetTakesAWriteOfZeroOnly) {
+TEST_F(ToolSheet, ErrorListOfADataSheetAcceptsAWriteOfZeroOnly) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     for (const Object& object : read.part.objects) {
@@ -129,7 +129,7 @@ TEST_F(ToolSheet, Real32IsWrittenAsDecimalWithoutLimitsOrAsBitsWithLimits) {
                                                  "LowLimit=0xC0000000\nHighLimit=0x41000000\nPDOMapping=0\n")));
 }
 
-TEST_F(ToolSheet, Real32WithoutLimitsTakesEveryNumber) {
+TEST_F(ToolSheet, Real32WithoutLimitsAcceptsEveryNumber) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     EXPECT_TRUE(read.part.objects.back().entries.front().range.empty());

@@ -13,7 +13,7 @@ LONGEST_WAIT = 120.0  # reached only by a program that hangs
 
 
 class Broken(Exception):
-    """`kind` is the counter: lost, unusable or other."""
+    """A check that failed. `kind` names its counter: lost, unusable or other."""
 
     def __init__(self, kind, text):
         super().__init__(text)
@@ -105,7 +105,7 @@ class Running:
 
 
 class Model:
-    """A state is (node-ID, values of the objects)."""
+    """The states that the device may have stored. A state is (node-ID, values of the objects)."""
 
     def __init__(self, device, seed):
         self.device = device

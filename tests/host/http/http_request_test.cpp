@@ -105,7 +105,7 @@ TEST(HttpRequest, ChunkedBodyAndExpectHeaderAreRefused) {
     EXPECT_EQ(status(start + "Expect: 100-continue\r\n\r\n"), 417);
 }
 
-TEST(HttpRequest, DecisiveHeaderMayOccurOnce) {
+TEST(HttpRequest, HeaderThatDecidesOnARequestMayOccurOnceOnly) {
     for (const char* name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Length"}) {
         const std::string header = std::string{name} + ": 1\r\n";
         EXPECT_EQ(status("GET / HTTP/1.1\r\n" + header + header + "\r\n"), 400) << name;

@@ -49,7 +49,7 @@ class Function:
         return f"{stem}{self.count}"
 
     def begin(self):
-        """Declares what the statements use: numbers, an array, and what else comes by chance."""
+        """Declares the variables of the statements: numbers, an array, and others by chance."""
         for _ in range(2):
             kind, name = self.rng.choice(("std::uint8_t", "std::int8_t", "int", "std::uint16_t")), self.new("x")
             self.line(f"{kind} {name} = static_cast<{kind}>({self.number(1)});")
@@ -68,12 +68,14 @@ class Function:
         self.conditions += ["one.flag", "in.c"]
 
     def index(self, size):
-        """An index of an array: mostly within it, now and then possibly behind it. INDEX checks it where a compiler does not: for a reference."""
+        """Returns an index of an array, mostly within the array, sometimes possibly behind it. INDEX checks an index
+        where a compiler does not: for a reference."""
         over = 1 if self.rng.random() < 0.03 else 0
         return f"INDEX(static_cast<std::uint8_t>({self.number(0)}) % {size + over}U, {size}U)"
 
     def number(self, depth):
-        """An expression of any arithmetic type; what is not 64 bits wide is far from the limits of its type, mostly."""
+        """Returns an expression of any arithmetic type. Except with 64 bits, its values are mostly far from the limits
+        of the type."""
         rng = self.rng
         if depth == 0 or rng.random() < 0.2:
             return rng.choice(self.numbers) if rng.random() < 0.75 else f"({rng.choice((-128, -3, -1, 0, 1, 2, 7, 8, 127, 128, 255, 256))})"
@@ -177,7 +179,7 @@ class Function:
         self.numbers, self.in_loop = before, outside
 
     def halving(self, depth):
-        """A loop whose number of passes depends on the inputs: at most eight."""
+        """Returns a loop whose number of passes depends on the inputs: at most eight."""
         if self.in_loop:
             self.assign()
             return

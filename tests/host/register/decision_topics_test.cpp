@@ -91,7 +91,7 @@ TEST(DecisionTopics, DevicesOfTwoMakersMayHaveDifferentAnswers) {
         << "a reason that explains nothing misleads";
 }
 
-TEST(DecisionTopics, DeviceAgainstASharedRequirementIsReported) {
+TEST(DecisionTopics, DeviceThatContradictsASharedRequirementIsReported) {
     EXPECT_EQ(
         all_faults(loaded(of_box("any"), of_lid("some"), of_all("any"), "Somebody")),
         "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1 "
@@ -99,12 +99,12 @@ TEST(DecisionTopics, DeviceAgainstASharedRequirementIsReported) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"), "Somebody")), "");
 }
 
-TEST(DecisionTopics, ReasonAgainstTheMakersOtherDevicesDoesNotOverrideASharedRequirement) {
+TEST(DecisionTopics, ReasonToDifferFromOtherDevicesDoesNotOverrideASharedRequirement) {
     EXPECT_THAT(all_faults(loaded(of_box("any"), of_lid("some", differs), of_all("any"))),
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1"));
 }
 
-TEST(DecisionTopics, OverrideExplainsADifferenceToADeviceThatFollowsTheSharedRequirement) {
+TEST(DecisionTopics, OverrideExplainsADifferenceFromADeviceThatFollowsTheSharedRequirement) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"))), "");
     EXPECT_THAT(all_faults(loaded(of_box("none", overrides), of_lid("some", overrides), of_all("any"))),
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1"))
@@ -136,7 +136,7 @@ TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
 }
 
 /// The built-in register of the program has no decisions of devices.
-TEST(DecisionTopics, WithoutDeviceDecisionsNoAnswerIsReportedMissing) {
+TEST(DecisionTopics, MissingAnswerIsNotReportedWithoutDeviceDecisions) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),
                 HasSubstr("items.toml:7: topic heartbeat.range has this one answer"));

@@ -15,12 +15,12 @@ SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"),
           ("ax130751", 7, "can0", "can1")]
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # for one run on a slow machine
-# The only expected differences: what nobody can do there.
+# The only reasons for which a case may be skipped here and not in virtual time, or the other way round.
 ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switch the slave off to the millisecond here"}
 
 
 def frames_of(interface):
-    """Returns the options for what an interface carries."""
+    """Returns the options of `canproof conform` for the frames that an interface carries."""
     return ["--no-remote-frames"] if interface.startswith("can") else []
 
 

@@ -18,8 +18,10 @@ def wait_all(ear, patterns):
 
 
 def error_frames(ear):
-    """linux/can/error.h: class 004h controller, with 10h receive passive, 40h active, 01h receive overflow in byte 1; class 040h bus-off,
-    class 100h restarted. Emergency codes: CBX-AO412 7.9.4; AX188001 Table 5; AX060805 4.2.4."""
+    """Sends error frames and checks the emergency messages of the devices.
+
+    linux/can/error.h: class 004h controller, with 10h receive passive, 40h active, 01h receive overflow in byte 1;
+    class 040h bus-off, class 100h restarted. Emergency codes: CBX-AO412 7.9.4; AX188001 Table 5; AX060805 4.2.4."""
     sh("cansend", "vcan0", "20000004#0010000000000000")
     ear.wait("083#2081110100000000")  # error passive, one entry in the error list
     sh("cansend", "vcan0", "20000004#0040000000000000")

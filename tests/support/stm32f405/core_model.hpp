@@ -10,7 +10,7 @@ struct CoreModel {
     bool registers_hold{true};
     bool masked{false};              ///< interrupts
     std::uint32_t marches{0};        ///< slices of RAM that were tested on the other stack
-    const void* stack_end{nullptr};  ///< of the last of them
+    const void* stack_end{nullptr};  ///< end of the other stack in the last of these tests
 };
 
 /// Returns the core. A test that alters it sets it back to CoreModel{}.

@@ -37,7 +37,7 @@ struct TestBoard {
     }
     Outputs driven{};
     std::size_t drives{0};
-    std::function<void()> on_read{};  ///< done once, in the next read
+    std::function<void()> on_read{};  ///< called once, in the next read
 };
 
 /// The models of the chip, with the self-tests' view of it.

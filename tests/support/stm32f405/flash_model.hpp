@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of the flash controller and two sectors for their driver (RM0090 chapter 3): the unlock sequence, busy times,
-// errors, bits that only an erase sets, and a power cut during a programming or an erase.
+// Models of the flash controller and two sectors for their driver (RM0090 chapter 3). They have the unlock sequence,
+// busy times, errors, bits that only an erase sets, and a power cut during a programming or an erase.
 #pragma once
 
 #include <limits>

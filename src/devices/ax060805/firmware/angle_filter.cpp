@@ -13,8 +13,8 @@ namespace {
 constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
-// With half a turn per sample, a machine turns 30,000 times in 60,000 samples. So no sample exceeds 30,064 turns and no
-// sum exceeds 60,000 times that, 6.5e17 microdegrees, which 63 bits hold.
+// A sample adds at most half a turn, so 60,000 samples add at most 30,000 turns to these 64. No sample then exceeds
+// 30,064 turns, and no sum exceeds 60,000 times that: 6.5e17 microdegrees, which 63 bits hold.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {
@@ -30,7 +30,7 @@ std::int64_t wrapped(const std::int64_t units) noexcept {
     } else if (rest <= -half_turn) {
         rest += full_turn;
     } else {
-        // in range
+        // the angle is in this range already
     }
     return rest;
 }
@@ -57,7 +57,7 @@ void AngleFilter::restart(const AngleFilterKind kind, const std::uint16_t sample
     samples_ = (samples == 0U) ? 1 : static_cast<std::int32_t>(samples);
     constexpr std::int32_t capacity = static_cast<std::int32_t>(run_capacity);
     run_length_ = ((samples_ + capacity) - 1) / capacity;
-    seen_ = 0;  // mean_of_window() then ignores all sums in runs_ from before
+    seen_ = 0;  // mean_of_window() then uses no sum that was stored before
     sum_ = 0;
     collected_ = 0;
     turned_ = 0;

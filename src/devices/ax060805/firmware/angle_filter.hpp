@@ -54,8 +54,8 @@ class AngleFilter {
     bool block_complete_{false};
 };
 
-/// Returns the delay of slow changes in milliseconds: half the window; the repeating filter adds the mean time of
-/// repetition.
+/// Returns the delay of slow changes in milliseconds: half the time from the first to the last sample of a window. The
+/// repeating filter adds half the time of a block, because its output keeps one value for a block.
 float angle_filter_delay_ms(AngleFilterKind kind, std::uint16_t samples, std::uint16_t period_ms) noexcept;
 
 }  // namespace canproof::ax060805

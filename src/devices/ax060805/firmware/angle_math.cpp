@@ -31,7 +31,7 @@ float arctangent_of_ratio(const float ratio) noexcept {
     if (ratio <= tangent_of_22_5) {
         return arctangent_of_small(ratio) * degrees_per_radian;
     }
-    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // the angle less 45°
+    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // tangent of the angle less 45°
     return eighth_turn + (arctangent_of_small(turned) * degrees_per_radian);
 }
 
@@ -91,7 +91,7 @@ float cosine_of_degrees(const float degrees) noexcept {
 }
 
 float exp_of_negative(const float x) noexcept {
-    // e^-x = (e^(-x/8))^8. The series of e^(-x/8), with x/8 up to 0.5, runs to the seventh power.
+    // e^-x = (e^(-x/8))^8. The series of e^(-x/8), with x/8 up to 0.5, is used up to the seventh power.
     constexpr std::int32_t terms = 7;
     const float part = -x / 8.0F;
     float sum{1.0F};

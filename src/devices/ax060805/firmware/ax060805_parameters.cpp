@@ -64,7 +64,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
         case Parameter::sensor_input_filter_enabled:
         case Parameter::input_filter_cut_off_frequency:
             take_input_filter();
-            publish();  // because the delay of the filter has changed
+            publish();  // publishes again, because the delay of the filter has changed
             break;
         case Parameter::binary_function_operation:
         case Parameter::binary_function_output_scaling:

@@ -38,7 +38,7 @@ void Device::run_functions() noexcept {
 }
 
 static_assert(implements<req::INC_RPDO_002>);
-/// Forgets the received values once for each RPDO that becomes late; values written afterwards count again.
+/// When an RPDO becomes late, forgets all received values once. The functions use values that are written afterwards.
 void Device::forget_overdue() noexcept {
     const std::uint32_t overdue = node_.overdue_rpdos();
     if ((overdue & ~overdue_) != 0U) {

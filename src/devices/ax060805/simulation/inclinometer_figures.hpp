@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Plots one turn about Y, one about X and one about the line between them, 20 s each: pitch, roll and gravity angle as
-/// TPDO1 carries them, with tilt angles as shipped.
+/// Plots pitch, roll and gravity angle as TPDO1 carries them, with tilt angles as shipped. The unit makes one turn
+/// about Y, one about X and one about the line between them, 20 s each.
 LinePlot tumble_plot();
 
 /// Plots the same tumble with Euler angles: pitch stays within 90 degrees, and roll jumps by half a turn at the

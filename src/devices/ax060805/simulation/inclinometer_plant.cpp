@@ -59,8 +59,8 @@ double sample_noise(double resolution_deg) {
     const double angle_deg = resolution_deg / static_cast<double>(own::resolution_factor);
     const auto share =
         static_cast<double>(low_pass_coefficient(own::rated_cut_off, microseconds(own::sample_period_us)));
-    // A first-order filter leaves share / (2 - share) of the variance of white noise; 1 g across the axis is one
-    // radian.
+    // A first-order filter leaves share / (2 - share) of the variance of white noise. Near level, an acceleration of 1
+    // g across the axis corresponds to an angle of one radian.
     return angle_deg * pi / 180.0 / std::sqrt(share / (2.0 - share));
 }
 
@@ -81,7 +81,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     add_noise(inputs);
 }
 
-/// Takes the acceleration of one axis; the other axes keep their values without noise.
+/// Takes over the acceleration of one axis. The other axes keep their last values, without noise.
 void InclinometerPlant::take_axis(char axis, const ax060805::Inputs& inputs) {
     if (axis == 'x') {
         rest_.x = inputs.acceleration_x;

@@ -110,14 +110,14 @@ static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
     const bool quiet = !run_blocks(now);
     tell_errors(now);
-    // After two such cycles in a row, all further cycles would have the same result until a new event.
+    // After two cycles in a row without a change, all further cycles would have the same result until a new event.
     const bool rests = quiet && was_quiet_;
     was_quiet_ = quiet;
     next_cycle_ = rests ? next_change() : (now + cycle_time);
 }
 
-/// Returns when a block at rest changes by itself. Each such delay began with a cycle and lasts whole milliseconds, so
-/// it also ends with a cycle.
+/// Returns when a block at rest changes by itself: at the end of a delay. Each delay began with a cycle and lasts whole
+/// milliseconds, so it also ends with a cycle.
 Instant Device::next_change() const noexcept {
     return earliest(relay_.next_change(), earliest(universal_[0U].next_change(), universal_[1U].next_change()));
 }
@@ -154,8 +154,9 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Observes the causes of errors in CANopen messages as sources, and the NMT state, because outputs work in operational
-/// only. A second fault can change the state although the sources stay the same.
+/// Wakes the blocks when the faults that put received values into error change, or when the NMT state changes, because
+/// outputs work in operational only. A second fault can change the state although the faults of the values stay the
+/// same.
 static_assert(implements<req::AOR_OUT_026>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);

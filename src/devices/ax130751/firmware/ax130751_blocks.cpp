@@ -57,7 +57,7 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
     if (timed) {
-        config.points.y[0U] = 0.0;  // lookup_in_time() sets its X to 0
+        config.points.y[0U] = 0.0;  // a profile starts at (0, 0): lookup_in_time() sets the X to 0
     }
     return config;
 }

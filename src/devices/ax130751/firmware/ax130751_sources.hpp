@@ -77,7 +77,7 @@ class Sources {
     using Upper = generated::ax130751::value_limits::Upper;
     using Digits = generated::ax130751::value_limits::Digits;
 
-    /// The place in Table 5 from which a reference reads.
+    /// A source with its row in Table 5 and its decimal digits.
     struct Place {
         SourceRef ref{};
         const generated::ax130751::value_limits::Row* row{nullptr};

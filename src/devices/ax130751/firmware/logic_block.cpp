@@ -22,7 +22,7 @@ bool holds(const LogicCondition& condition) noexcept {
     } else if (condition.first.value > condition.second.value) {
         relation = table::Relation::greater;
     } else {
-        // equal
+        // the values are equal
     }
     return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
 }

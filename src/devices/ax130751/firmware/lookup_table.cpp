@@ -44,7 +44,8 @@ Duration profile_length(const LookupPoints& profile) noexcept {
 
 static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && implements<req::AOR_LT_013>);
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
-    // Ten times 24 hours are 8.64e11 µs. A double holds every sum of whole microseconds below 9e15 exactly.
+    // A profile lasts at most ten times 24 hours, which is 8.64e11 µs. A double holds every sum of whole microseconds
+    // below 9e15 exactly.
     LookupPoints since_start{profile};
     since_start.x[0U] = 0.0;
     for (std::size_t point = 1U; point < lookup_points; ++point) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// operators of Table 21
+// Math blocks: three functions, chained over four inputs (AX130751, 1.7). The operators of Table 21 come from the
+// requirements register.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ struct MathInput {
 
 struct MathConfig {
     std::array<MathInput, math_inputs> inputs{};
-    std::array<std::uint8_t, math_functions> operators{};  ///< Table 21
+    std::array<std::uint8_t, math_functions> operators{};  ///< operators of Table 21
 };
 
 /// Returns a signal as a fraction of its scaling, 0…1, in steps of a millionth, before the gain.

@@ -18,7 +18,7 @@ struct OutputConditions {
     bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off
     bool input_in_error{false};  ///< the control, enable or override input is in error
     FaultAction on_error{FaultAction::fault_value};
-    bool overridden{false};                  ///< by a valid override input
+    bool overridden{false};                  ///< a valid override input is active
     EnableAction enable{EnableAction::run};  ///< the action that a valid enable input demands
 };
 

@@ -59,7 +59,7 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     } else if (latch_ != Latch::latching) {
         latch_ = (control == rest) ? Latch::latching : Latch::waiting;
     } else {
-        // latching continues
+        // the latch stays in latching
     }
 }
 

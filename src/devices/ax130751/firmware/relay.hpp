@@ -9,7 +9,8 @@
 
 namespace canproof::ax130751 {
 
-/// The effect of the unlatch input on a relay by its polarity, which includes the rest state of its latch.
+/// The effect of the unlatch input, which the polarity of the relay determines. It also determines the rest state of
+/// the latch.
 using UnlatchEffect = generated::ax130751::relay_polarity::Unlatch;
 
 struct RelayPolarity {

@@ -11,9 +11,10 @@ namespace canproof::ax130751 {
 
 using SwitchDrive = generated::ax130751::digital_polarity::Drive;
 
-/// The drive for the present logic state and that of the cycle before.
+/// The drive of an output by its logic state in the cycle before and its present one. Position 0 of each array is for a
+/// present OFF, position 1 for a present ON.
 struct SwitchPolarity {
-    std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};  ///< for a present state of OFF, ON
+    std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};
     std::array<SwitchDrive, 2U> was_on{{SwitchDrive::off, SwitchDrive::on}};
 
     constexpr SwitchDrive drive(const bool before, const bool state) const noexcept {

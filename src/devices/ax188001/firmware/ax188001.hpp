@@ -15,7 +15,7 @@ namespace canproof::ax188001 {
 
 using Outputs = generated::ax188001::Outputs;
 
-/// Values of one unit, set in the factory. 3.2.11.
+/// Values of one unit, set in the factory (3.2.11).
 struct FactoryData {
     std::uint32_t revision{0x00010000U};  ///< 1018h:3 revision number
     std::uint32_t serial_number{1U};      ///< 1018h:4 serial number

@@ -39,7 +39,7 @@ constexpr ConverterCircuit make_circuit() noexcept {
 }
 const ConverterCircuit circuit = make_circuit();
 
-// Conversions for the way from the highest gain to the lowest, with settling after each change; the module waits for
+// The number of conversions from the highest gain to the lowest, with settling after each change. The module waits for
 // them at start.
 const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
@@ -54,7 +54,7 @@ double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
     } else if (mains == filter_60_hz) {
         frequency = table::MainsHz::hz_60;
     } else {
-        // no hum
+        // every other value means that there is no hum
     }
     return static_cast<double>(cell_or(table::find(selected, frequency), &table::Row::left, 0.0F));
 }

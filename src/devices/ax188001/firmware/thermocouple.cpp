@@ -38,7 +38,7 @@ Fixed exponential(const ExponentialTerm& term, const Fixed celsius) noexcept {
     constexpr std::uint32_t reach = 10U;  // 1024 °C
     constexpr std::uint32_t whole_place = 56U;
     constexpr std::uint64_t whole_unit = std::uint64_t{1U} << whole_place;
-    constexpr std::uint32_t negligible = 40U;  // smaller than one unit
+    constexpr std::uint32_t negligible = 40U;  // after this many halvings the term is smaller than one unit
     const std::uint64_t distance = magnitude(celsius - term.centre);
     if ((distance >> (fixed_places + reach)) != 0U) {
         return 0;
@@ -103,7 +103,7 @@ Fixed clamped(const Fixed value, const Fixed low, const Fixed high) noexcept {
     return (raised > high) ? high : raised;
 }
 
-/// Returns the temperature by the inverse function.
+/// Returns the temperature by the inverse function, from which the search starts.
 Fixed first_guess(const ThermocoupleCurve& curve, const Fixed mv) noexcept {
     std::size_t at{0U};
     while (((at + 1U) < curve.inverse_count) && (mv > curve.inverse[at].end)) {

@@ -100,8 +100,8 @@ struct ThermocoupleCurve {
     std::size_t reference_count{0U};
     std::array<InversePiece, most_inverse_pieces> inverse{};
     std::size_t inverse_count{0U};
-    Fixed lowest{0};   ///< °C; from here to `highest` the voltage increases with the temperature
-    Fixed highest{0};  ///<
+    Fixed lowest{0};   ///< °C; up to `highest` the voltage increases with the temperature
+    Fixed highest{0};  ///< °C
 
     constexpr double lowest_c() const noexcept { return from_fixed(lowest); }
     constexpr double highest_c() const noexcept { return from_fixed(highest); }

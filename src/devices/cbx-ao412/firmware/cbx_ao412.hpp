@@ -21,7 +21,7 @@ constexpr std::uint32_t output_count = 4U;
 /// A version string of a unit in ASCII, padded with zeros.
 using VersionText = std::array<std::uint8_t, 8U>;
 
-/// Values of one unit, set in the factory. 7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2.
+/// Values of one unit, set in the factory (7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2).
 struct FactoryData {
     VersionText hardware_version{};            ///< 1009h hardware version; empty: as in the requirements register
     VersionText software_version{};            ///< 100Ah software version; empty: as in the requirements register

@@ -17,11 +17,12 @@ struct CaptureRegisters {
 
 static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
 
-/// The oscillator's frequency differs from chip to chip and with the temperature, from 17 to 47 kHz (data sheet). So a
-/// clock below 0.36 or above 2.77 times its plan is noticed on each chip, and a smaller error on none for certain.
+/// The oscillator's frequency differs from chip to chip and with the temperature, from 17 to 47 kHz (data sheet). So
+/// every chip notices a clock below 0.36 or above 2.77 times its plan. Whether it notices a smaller error depends on
+/// its oscillator.
 class ClockCheck {
   public:
-    static constexpr std::uint32_t periods = 8U;  ///< of the oscillator, between two captures
+    static constexpr std::uint32_t periods = 8U;  ///< periods of the oscillator between two captures
     /// Limits of `periods` in µs, at 47 and at 17 kHz, rounded away from each other.
     static constexpr std::uint32_t shortest_us = 170U;
     static constexpr std::uint32_t longest_us = 471U;

@@ -25,8 +25,8 @@ class FlowMonitor {
   private:
     static constexpr std::uint32_t start = 0x811C9DC5U;
 
-    /// Multiplying by an odd number keeps different signatures different. The test tries all sequences of up to six
-    /// steps, and a pass with each step more: one sequence has the signature of a pass.
+    /// Multiplying by an odd number keeps different signatures different. A test tries all sequences of up to six
+    /// steps, and a correct pass with one additional step: only the correct pass has its signature.
     static constexpr std::uint32_t add(const std::uint32_t signature, const Step step) noexcept {
         return (signature ^ static_cast<std::uint32_t>(step)) * 0x01000193U;
     }

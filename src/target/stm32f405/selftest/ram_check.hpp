@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test of RAM that keeps its contents: March C- over slices of a few words. Its elements, with a background b:
-// write b to each word; upwards read b, write ~b; upwards read ~b, write b; the same two downwards; read b.
+// A test of RAM that keeps its contents: March C- over slices of a few words. The elements of the march, with a
+// background b: write b to each word; upwards read b, write ~b; upwards read ~b, write b; the same two downwards; read
+// b.
 #pragma once
 
 #include "firmware/base/slots.hpp"
@@ -11,8 +12,8 @@ namespace canproof::stm32f405 {
 /// Words of a slice. Interrupts are masked while one is tested.
 constexpr std::uint32_t ram_slice = 4U;
 
-/// RAM that is tested. `stack` is the part of `words` that holds no variable: the march over the other words runs on
-/// it, so that it can alter the words of the stack that calls it.
+/// RAM that is tested. `stack` is the part of `words` that holds no variable. The march over the other words runs on
+/// this stack, so that it can alter the words of the stack that calls it.
 struct RamUnderTest {
     Slots<Register> words;
     std::size_t stack_begin{0U};  ///< position in `words`
@@ -20,7 +21,7 @@ struct RamUnderTest {
 };
 
 /// One pass over the words finds each bit that is stuck or makes no transition, each word that another address reaches,
-/// and the coupling between neighbouring words. Passes alternate between six backgrounds; each two bits of a word
+/// and the coupling between neighbouring words. Passes alternate between six backgrounds. Each two bits of a word
 /// differ in one of them, so that six passes also find the coupling between the bits of a word.
 class RamCheck {
   public:

@@ -131,7 +131,8 @@ TEST(AngleFilter, AverageOfHalfATurnIsPlus180Degrees) {
     AngleFilter one = filter_of(AngleFilterKind::moving_average, 1);
     EXPECT_EQ(outputs(one, {-180.0F, 180.0F}), (std::vector<float>{180.0F, 180.0F}));
     AngleFilter two = filter_of(AngleFilterKind::moving_average, 2);
-    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);  // both ways are equally short: by +180, 90 to 270
+    // 90 and -90 are half a turn apart; the mean is that of 90 and 270
+    EXPECT_EQ(outputs(two, {90.0F, -90.0F}).back(), 180.0F);
 }
 
 TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
@@ -140,7 +141,8 @@ TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
     for (int sample = 0; sample < 20000; ++sample) {
         const int turned = (100 * sample) % 360;
         filter.add(static_cast<float>(turned > 180 ? turned - 360 : turned));
-        const int middle = (100 * (sample + 359)) % 360;  // one sample before: mean of three steps of 100
+        // the mean of the last three samples, 100 degrees apart, is the one before the latest
+        const int middle = (100 * (sample + 359)) % 360;
         const float expected = static_cast<float>(middle > 180 ? middle - 360 : middle);
         if (sample >= 2) {
             ASSERT_NEAR(filter.output(), expected, 2e-5F) << sample;
@@ -160,7 +162,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     }
 }
 
-TEST(AngleFilter, WindowOf64DropsTheSampleBeforeIt) {
+TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     verifies<req::INC_AVG_001, req::INC_AVG_002>();
     for (const int samples : {63, 64}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -236,7 +238,7 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, LongWindowNeedsNoMoreMemory) {
+TEST(AngleFilter, FilterOfAnyWindowNeedsAtMost592Bytes) {
     verifies<req::INC_AVG_002>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
 }
@@ -274,8 +276,8 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
     }
 }
 
-/// After 1,400,000 samples of a third of a turn the sum of a block of 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19
-/// microdegrees, which exceeds 63 bits: whole turns are removed before.
+/// The filter must remove whole turns. Otherwise, after 1,400,000 samples of a third of a turn, the sum of a block of
+/// 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19 microdegrees, which exceeds 63 bits.
 TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {

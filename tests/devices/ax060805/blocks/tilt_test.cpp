@@ -97,7 +97,7 @@ TEST(Tilt, TiltAngleJumpsToItsSupplementWhereGzChangesItsSign) {
     expect_near(tilt_angles({-0.5F, half_root_3, -1e-6F}), {150.0F, 120.0F}, "just below");
 }
 
-// 0.00005 degrees are 8.7e-7 of gravity
+// sin 0.00005 degrees is 8.7e-7
 TEST(Tilt, HalfATurnIsPlus180DegreesFromEitherSide) {
     verifies<req::INC_ANGLE_014, req::INC_K_EXACT_ANGLE>();
     for (const float across : {0.0F, -0.0F, 1e-10F, -1e-10F, 8e-7F, -8e-7F}) {
@@ -108,7 +108,7 @@ TEST(Tilt, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_NEAR(tilt_angles({1e-5F, 0.0F, -1.0F}).pitch, -179.99943F, close);
     EXPECT_NEAR(tilt_angles({0.0F, -1e-5F, -1.0F}).roll, -179.99943F, close);
     EXPECT_NEAR(euler_angles({0.0F, -1e-5F, -1.0F}).roll, -179.99943F, close);
-    EXPECT_LT(euler_angles({0.0F, -1e-6F, -1.0F}).roll, -179.9F);  // 0.000057 degrees beyond it
+    EXPECT_LT(euler_angles({0.0F, -1e-6F, -1.0F}).roll, -179.9F);  // 0.000057 degrees beyond half a turn
     EXPECT_LT(euler_angles({0.0F, 1e-6F, -1.0F}).roll, 180.0F);
 }
 

@@ -74,7 +74,7 @@ TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
     EXPECT_EQ(output.next_change(), never);
 }
 
-TEST_F(DigitalOutputTest, LogicStateIsBeforePolarity) {
+TEST_F(DigitalOutputTest, LogicStateIgnoresThePolarity) {
     verifies<req::AOR_DO_007>();
     EXPECT_TRUE(logic(true, inverse));
     EXPECT_FALSE(logic(false, inverse));

@@ -113,7 +113,7 @@ TEST(MathBlock, InputFractionHasStepsOfAMillionth) {
 
 TEST(MathBlock, ResultIsClampedAtABillion) {
     verifies<req::AOR_MATH_002, req::AOR_MATH_004>();
-    // 1 / 0.000001 / d, with a sign: an input of 1 / a million is 0.0001 percent.
+    // Returns 1 / 0.000001 / `divisor` with the sign of `gain`: an input of 0.0001 percent is a millionth.
     const auto quotient = [](double divisor, double gain) {
         return run({percent(100, gain), percent(0.0001), percent(100 * divisor), unused},
                    {divided_by, divided_by, plus});

@@ -46,7 +46,7 @@ class RelayTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(RelayTest, RelayFollowsThePolaritiesNotImplementedNormalAndInverse) {
+TEST_F(RelayTest, RelayFollowsNormalAndInversePolarityAndStaysOffWhenNotImplemented) {
     verifies<req::AOR_RELAY_002>();
     EXPECT_EQ(run(".##.", not_implemented), "....");
     EXPECT_EQ(run(".##.", normal), ".##.");
@@ -82,7 +82,7 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
     EXPECT_EQ(run("#......", latched, "...##.."), "###....");
 }
 
-TEST_F(RelayTest, AfterUnlatchingTheControlHasToGoOffFirst) {
+TEST_F(RelayTest, AfterUnlatchingTheControlMustGoOffBeforeItLatchesAgain) {
     verifies<req::AOR_RELAY_005>();
     // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
     // latches again.
@@ -113,9 +113,10 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
-TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
+TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
-    // Unlatched when another polarity is chosen; chosen again, the latch accepts the first edge.
+    // The relay is unlatched when another polarity is selected. When the latch is selected again, it accepts the first
+    // edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -124,7 +125,7 @@ TEST_F(RelayTest, LatchChosenAgainAcceptsTheFirstEdge) {
     EXPECT_EQ(run(".", latched), ".") << "and the latch OFF";
 }
 
-TEST_F(RelayTest, LatchChosenDuringUnlatchingIgnoresEdges) {
+TEST_F(RelayTest, LatchSelectedDuringUnlatchingIgnoresEdges) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006>();
     EXPECT_EQ(run(".", normal, "#"), ".");
     EXPECT_EQ(run("#.#", latched, "###"), "...");
@@ -218,7 +219,7 @@ TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
 TEST_F(RelayTest, DelaysShiftTogglingAsAWhole) {
     verifies<req::AOR_RELAY_015>();
     times = {milliseconds(4), milliseconds(4), milliseconds(1)};
-    // control ON at 0: starts at 4; OFF at 8: continues to 12
+    // The control is ON from 0 to 8 ms; with delays of 4 ms the relay toggles from 4 to 12 ms.
     EXPECT_EQ(run("########......", toggle), "....#.#.#.#...");
 }
 

@@ -46,8 +46,9 @@ TEST_F(Ax130751Eds, EdsHasASectionForEachObjectAndEntry) {
         objects += section.size() == 4 ? 1 : 0;
         entries += section.size() > 4 && section.substr(4, 3) == "sub" ? 1 : 0;
     }
-    // 13 objects of 3.2.1 to 3.2.13, 16 of PDOs, 14 of 3.3. 7 - 3 of digital outputs in 3.4, 16 of the relay, 14 of
-    // analogue outputs, 4 of extra values, 90 of lookup tables, 36 of logic, 37 of math, 15 of diagnostics and system
+    // 13 objects of 3.2.1 to 3.2.13, 16 of PDOs, 14 of 3.3. Of 3.4: 7 - 3 of digital outputs, 16 of the relay, 14 of
+    // analogue outputs, 4 of extra values. Then 90 of lookup tables, 36 of logic, 37 of math, 15 of diagnostics and
+    // system.
     EXPECT_EQ(objects, 13U + 16U + 14U + 4U + 16U + 14U + 4U + 90U + 36U + 37U + 15U);
     // all 1099 entries except the 6 + 60 + 15 variables, which are entries of their own object
     EXPECT_EQ(entries, 1099U - (6U + 60U + 15U));

@@ -89,7 +89,7 @@ TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
     EXPECT_FALSE(fault.told());
 }
 
-TEST(LimitCondition, ConditionSetsBeyondAndClearsAtTheThreshold) {
+TEST(LimitCondition, ConditionIsSetBeyondAndClearedAtTheThreshold) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_003>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);
     EXPECT_TRUE(high_limit(125.001, 125.0, 124.0).begins);

@@ -72,12 +72,12 @@ TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_EQ(adc.gain(circuit), 32);
     convert(35156.25);
     EXPECT_EQ(adc.gain(circuit), 64);
-    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that shows this is used
+    EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);  // the reading that raises the gain is valid
     convert(5.0, 3);
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
     EXPECT_NEAR(adc.microvolts(), 5.0, 1.2);
-    EXPECT_EQ(adc.gain(circuit), 128);  // from 64 on: 5 uV fit the highest gain
+    EXPECT_EQ(adc.gain(circuit), 128);  // raised again from 64: 5 uV fit the highest gain
 }
 
 TEST_F(Converter, GainRisesToTheHighestInOneStep) {

@@ -123,8 +123,8 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
 
 TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     verifies<req::TCS_CONV_002>();
-    // 0.02 degC are required. The two published functions of type J are 7.5e-8 mV apart where they meet, at 760 degC:
-    // with a slope of 0.0639 mV/degC that is 1.17e-6 degC, and rounding decides which of them a voltage comes from.
+    // 0.02 degC are required. The two published functions of type J are 7.5e-8 mV apart where they meet, at 760 degC.
+    // With a slope of 0.0639 mV/degC that is 1.17e-6 degC, and rounding decides which of them a voltage comes from.
     constexpr double most = 1.18e-6;
     for (const auto& type : its90_types()) {
         double worst = 0.0;
@@ -136,9 +136,10 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     }
 }
 
-TEST(Thermocouple, LowestTemperaturesAreFoundFromEveryVoltage) {
+TEST(Thermocouple, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
-    // There the curves are flat and the inverse functions are not defined, so the search starts from outside.
+    // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts
+    // outside.
     for (const auto& type : its90_types()) {
         for (int step = 0; step <= 2000; ++step) {
             const long double celsius = lowest_convertible(type) + step * 0.001L;

@@ -83,7 +83,7 @@ TEST(ChosenDevices, NodeIdsFrom1To127AreAccepted) {
     EXPECT_EQ(choose_device("ax188001@255").notice, "");
 }
 
-TEST(ChosenDevices, CodingSwitchesTakeAnyValue_AndAnInvalidNodeIdIsReported) {
+TEST(ChosenDevices, CodingSwitchesAcceptAnyValue_AndAnInvalidNodeIdIsReported) {
     for (int value = 0; value <= 255; ++value) {
         ChosenDevice chosen = choose_device("cbx-ao412@" + std::to_string(value));
         if (value >= 1 && value <= 127) {

@@ -204,7 +204,7 @@ TEST_F(PanelOverHttp, PageIsServedWithItsContentSecurityPolicy) {
     EXPECT_THAT(get("/nothing"), StartsWith("HTTP/1.1 404 "));
 }
 
-TEST_F(PanelOverHttp, RangeHeadersGetThePageOnce) {
+TEST_F(PanelOverHttp, PageIsSentOnceWhateverRangesTheRequestNames) {
     std::string ranges = "Host: localhost\r\nRange: bytes=0-";
     while (ranges.size() < 7900) {
         ranges += ",0-";
@@ -231,7 +231,7 @@ TEST_F(PanelOverHttp, ForeignOriginAndHostAreRefused) {
     EXPECT_THAT(bench.log.str(), Not(HasSubstr("000#0103")));
 }
 
-TEST_F(PanelOverHttp, OversizeIsRefused_AnnouncedOrNot) {
+TEST_F(PanelOverHttp, OversizedBodiesAreRefused_AnnouncedOrChunked) {
     const std::string long_body(5000, ' ');
     EXPECT_THAT(post(long_body, own_page()), StartsWith("HTTP/1.1 413 "));
     // Chunked: 1388h is 5000.

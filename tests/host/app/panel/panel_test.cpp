@@ -31,7 +31,7 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 
 }  // namespace
 
-TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
+TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1: no delay
@@ -47,7 +47,7 @@ TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
     EXPECT_EQ(device.at("error_register"), 1);
     EXPECT_EQ(device.at("lamps").at("error"), "on");
     const nlohmann::json frames = frames_of(bench, "EMCY");
-    ASSERT_EQ(frames.size(), 2U);  // also above the high warning limit
+    ASSERT_EQ(frames.size(), 2U);  // the temperature is also above the high warning limit
     EXPECT_EQ(frames.at(1).at("id"), "082");
     EXPECT_EQ(frames.at(1).at("from"), "ax188001@2");
 
@@ -58,7 +58,7 @@ TEST(Panel, OverTheShutdownLimit_EmcyFrameAndLampAreShown) {
     EXPECT_EQ(healed.at("lamps").at("error"), "off");
 }
 
-TEST(Panel, LedChangesComeFromTheDevice_EdgeByEdge) {
+TEST(Panel, EachEdgeOfABlinkingLedIsListedWithItsTime) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(2000);
     // Pre-operational: the green status LED blinks, 200 ms on and 200 ms off (manual, Tables 5 and 7).
@@ -74,7 +74,7 @@ TEST(Panel, LedChangesComeFromTheDevice_EdgeByEdge) {
     EXPECT_EQ(bench.get("/api/state").at("devices").at(0).at("state"), "operational");
 }
 
-TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_WithRarePolling) {
+TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_EvenWhenRarelyPolled) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("000#0202"), 200);
@@ -206,7 +206,7 @@ TEST(Panel, ActionsOnThePageReplayToTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, SeveralDevices_StimuliNameTheirDevice) {
+TEST(Panel, StimuliNameTheirDeviceWhenThereAreSeveral) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");
@@ -301,7 +301,7 @@ TEST(Panel, PageLoadsNothingFromOtherHosts) {
     EXPECT_EQ(bench.panel.answer(request).status, 404);
 }
 
-TEST(Panel, TwentyFirstNoticeIsDelivered) {
+TEST(Panel, TwentyLatestNoticesAreDelivered) {
     PanelBench bench{{"cbx-ao412@3"}};
     for (int i = 0; i < 21; ++i) {
         bench.panel.notice(std::to_string(i));

@@ -220,7 +220,7 @@ TEST_F(Documents, SafetyManualListsHazardsThatTheDeviceDoesNotPrevent) {
                 ElementsAre(ElementsAre("AO4-K-LIMIT", "9 V", "Least supply.", "M1:1")));
 }
 
-TEST_F(Documents, HardwareInterfaceListsEachSignalAsTheSignalsCommand) {
+TEST_F(Documents, HardwareInterfaceListsEachSignalAsTheSignalsCommandDoes) {
     const Document interface = hardware_interface(box());
     EXPECT_THAT(rows_of(interface, "Inputs"), ElementsAre(ElementsAre("supply", "REAL32", "V", "0 … 60 V", "12",
                                                                       "Supply voltage.", "", "AO4-S-SUPPLY", "M1:1")));

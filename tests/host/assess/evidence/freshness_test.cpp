@@ -137,7 +137,7 @@ TEST(ArgumentFile, ProjectArgumentIsValidAndInvalidOnesAreReportedWithTheirLine)
     std::filesystem::remove(file);
 }
 
-TEST(Techniques, TechniquesAreReadFromAFolderAndInvalidRowsReportedWithTheirLine) {
+TEST(Techniques, TechniquesAreReadFromAFolderAndInvalidRowsAreReportedWithTheirLine) {
     const auto folder = std::filesystem::path{::testing::TempDir()} / "techniques";
     std::filesystem::create_directories(folder);
     const auto told = [&](const char* row) {

@@ -29,7 +29,7 @@ std::vector<std::string> keys_of(const std::vector<ExpectedEvidence>& all) {
 
 }  // namespace
 
-TEST(MakeEvidence, EvidenceIsMadeWhereAbsentOrStaleWithACommand) {
+TEST(MakeEvidence, AbsentOrStaleEvidenceIsMadeWhenItHasACommand) {
     Argument argument;
     argument.evidence = {{"coverage", "", "", "true", 1},
                          {"fuzz", "", "", "true", 1},

@@ -95,7 +95,7 @@ class ShardedCampaign : public testing::Test {
         }
         return "";
     }
-    /// The report without the times at which something happened, how long it took, and where it lies.
+    /// Returns the report without dates, durations and places.
     nlohmann::json report(const std::string& place) const {
         auto report = read_json(folder / (place + "-out") / "report.json");
         report.erase("started");

@@ -35,7 +35,7 @@ FaultEffect effect(const std::string& faulty_frames, const std::string& faulty_o
 
 }  // namespace
 
-TEST(FaultEffect, EqualRunsAreMasked) {
+TEST(FaultEffect, FaultThatChangesNothingIsMasked) {
     EXPECT_EQ(effect(frames, outputs), FaultEffect::masked);
 }
 

@@ -103,7 +103,7 @@ TEST(RunFaults, EachByteOfTheMadeUpDeviceHasItsEffect) {
     EXPECT_EQ(hit.size(), static_cast<std::size_t>(places));
 }
 
-TEST(RunFaults, CallWithoutEndIsTheWatchdogs) {
+TEST(RunFaults, EndlessCallCountsAsAWatchdogReset) {
     InjectionOptions options = faults(1);
     options.most_seconds = 0.0;
     const auto campaign = run_faults([] { return std::make_unique<MadeUpDevice>(true); }, hundred_milliseconds(),

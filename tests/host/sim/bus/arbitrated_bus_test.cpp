@@ -385,7 +385,7 @@ TEST_F(ArbitratedBusTest, SameSeedGivesTheSameTrafficAndAnotherSeedDoesNot) {
     EXPECT_NE(traffic(7), traffic(8));
 }
 
-TEST(BusFaultText, EachFaultRateIsReadAndOtherTextRefused) {
+TEST(BusFaultText, EachFaultRateIsReadAndOtherTextIsRefused) {
     const BusFaultRates rates = parse_bus_faults("corrupted=0.25,lost=0.5,bus-off=0.125,seed=42");
     EXPECT_DOUBLE_EQ(rates.corrupted, 0.25);
     EXPECT_DOUBLE_EQ(rates.lost, 0.5);

@@ -68,7 +68,7 @@ TEST(ArrivalClock, RealTimeThatWasSetIsFollowed) {
     EXPECT_EQ(clock.at(5051001 * ns, Instant{}), Instant{2000});
 }
 
-TEST(ArrivalClock, WithoutAClockOfTheRunDataArriveWhenTheyAreRead) {
+TEST(ArrivalClock, DataArriveWhenTheyAreReadIfTheRunHasNoClock) {
     ArrivalClock clock;
     clock.compare(Instant{1000}, [] { return 5000000 * ns; });
     EXPECT_EQ(clock.of_read(4999900 * ns, Instant{1000}), Instant{1000});

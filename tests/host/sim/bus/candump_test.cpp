@@ -161,7 +161,7 @@ TEST(Replay, LogWithClockTimesStartsAtItsFirstFrame) {
     EXPECT_EQ(outputs.rfind("seconds,signal,value\n1436509052.249713,", 0), 0U);
 }
 
-TEST(Replay, StartIsPowerOn_FramesBeforeItAreLeftOut) {
+TEST(Replay, StartIsThePowerOn_AndEarlierFramesAreLeftOut) {
     const auto device = make_device("cbx-ao412");
     device->set_node_id(3);
     std::istringstream log{"(1.0) can0 603#4000100000000000\n(3.0) can0 603#4000100000000000\n"};

@@ -330,7 +330,7 @@ TEST_F(SocketCan, UnchangedFiltersAreNotSetAgain) {
     EXPECT_THAT(system.sockets[first].filters, IsEmpty());
 }
 
-TEST_F(SocketCan, MissingRightsAreReportedWithWhatToCheck) {
+TEST_F(SocketCan, MissingRightsAreReportedWithTheRemedy) {
     system.open_error = EPERM;
     try {
         SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};

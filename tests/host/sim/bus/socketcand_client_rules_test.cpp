@@ -95,7 +95,7 @@ TEST_F(ScriptedBus, ClientJoinsStepByStep) {
     EXPECT_EQ(bus->interface(), "vcan0");
 }
 
-TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnceAndADifferentOneToo) {
+TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnceAndADifferentErrorToo) {
     join();
     say("< error no such thing >");
     say("< error no such thing >");
@@ -145,7 +145,7 @@ TEST_F(ScriptedBus, NodeFramePrecedesTheUserFrameOfTheSameIdentifier) {
     EXPECT_THAT(log, ElementsAre("1000000 a 181#01"));
 }
 
-TEST_F(ScriptedBus, FrameFollowsAfterTheBitTimesOfThePreviousRoundedUp) {
+TEST_F(ScriptedBus, NextFrameFollowsAfterTheBitTimesOfThePreviousFrameRoundedUp) {
     join(300000);
     a.send("703#05");
     a.send("704#05");

@@ -66,7 +66,7 @@ TEST(SocketcandText, IdentifierOfEightDigitsHas29Bits) {
     EXPECT_EQ(format_identifier(frame), "00000012");
 }
 
-TEST(SocketcandText, BytesHaveTwoDigitsEachAndAreUpToEight) {
+TEST(SocketcandText, UpToEightBytesOfTwoDigitsEachAreRead) {
     Frame frame{};
     EXPECT_TRUE(read_bytes("0102a5ff0506b7c8", frame));
     EXPECT_EQ(frame.length, 8U);
@@ -279,7 +279,7 @@ TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
     EXPECT_EQ(client.output().front(), ' ');  // the first character was removed
 }
 
-TEST(SocketcandClientLimits, ServerErrorIsTheLatestAndRefusesOnlyBeforeJoining) {
+TEST(SocketcandClientLimits, LatestServerErrorIsKeptAndIsARefusalBeforeJoiningOnly) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     EXPECT_FALSE(client.is_refused());
     client.take("< hi >< error >");

@@ -131,9 +131,9 @@ TEST(ImageDevice, FramesLeaveInTheOrderOfTheImage) {
     EXPECT_EQ(ao412.sent(), (Frames{"703#00", "583#4300100091010800"}));
 }
 
-// The thermocouple is of the type that 6110h is set to (AX188001 3.3.2), J as shipped. Its voltage at 100 degC with the
-// terminals at 25 degC: by the tables of ITS-90 J has 5.269 mV - 1.277 mV, K 4.096 mV - 1.000 mV. Either is read as
-// 100 degC: 7130h:1 is 16 a degree (3.3.4) and 4368 more (3.3.5).
+// The thermocouple has the type in 6110h (AX188001 3.3.2), J as shipped. By the tables of ITS-90 its voltage at 100
+// degC, with the terminals at 25 degC, is 5.269 mV - 1.277 mV for J and 4.096 mV - 1.000 mV for K. Both are read as 100
+// degC: 7130h:1 has 16 counts per degree (3.3.4) and an offset of 4368 (3.3.5).
 TEST(ImageDevice, SimulatedPlantFollowsTheObjectsOfTheImage) {
     Bridged tcs{be_ax188001};
     EXPECT_EQ(tcs.power_on(5), Frames{"705#00"});

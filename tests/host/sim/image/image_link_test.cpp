@@ -91,12 +91,13 @@ TEST(ImageMessage, ReadPastTheEndMakesTheMessageUnsound) {
 TEST(ImageLink, InvalidGreetingIsRefused) {
     const std::string misunderstood =
         "box.elf sent a message that this program does not understand; build both from the same sources";
-    EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state
+    EXPECT_EQ(why(saying(std::string{"\x01\x00\x01", 3})), misunderstood);      // a state, not a greeting
     EXPECT_EQ(why(saying(std::string{"\x05\x00\x00XXXX", 7})), misunderstood);  // greeting of another protocol
+    // a greeting that announces a name of 9 characters, which does not follow
     EXPECT_EQ(why(saying(std::string{"\x08\x00\x00"
                                      "CBP1\x01\x01\x09",
                                      10})),
-              misunderstood);                                           // no name of 9
+              misunderstood);
     EXPECT_EQ(why(saying(std::string{"\xff\xff", 2})), misunderstood);  // longer than any message
     EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // without a kind
 }

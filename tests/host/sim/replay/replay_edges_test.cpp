@@ -48,7 +48,7 @@ TEST_F(ReplayEdges, EmptyReplayIsPowerOnAtZero) {
     EXPECT_THAT(notices, IsEmpty());
 }
 
-TEST_F(ReplayEdges, LastLineEndsTheReplay_AfterWorkDueThen) {
+TEST_F(ReplayEdges, ReplayEndsAtItsLastLine_AfterTheWorkDueAtThatTime) {
     RecordingDevice device{milliseconds(10)};
     play(device, "(0.020000) can0 080#\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due", "0.020000 due", "0.020000 080#"));
@@ -85,7 +85,7 @@ TEST_F(ReplayEdges, OptionUntilMayEqualTheStartButNotPrecedeIt) {
     }
 }
 
-TEST_F(ReplayEdges, LogStartsAtZeroUpToAnHour_AndAtItsFirstFrameBeyond) {
+TEST_F(ReplayEdges, PowerOnIsAtZero_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
     RecordingDevice early;
     play(early, "(3600.000000) can0 080#\n");
     EXPECT_THAT(early.told, ElementsAre("0.000000 on", "3600.000000 080#"));
@@ -254,7 +254,7 @@ TEST_F(ReplayEdges, WaitingFramesAreWrittenBeforeASkippedSilence) {
     EXPECT_THAT(notices, SizeIs(1));
 }
 
-TEST_F(ReplayEdges, AtEqualTimesDueWorkPrecedesStimuliAndTheseFrames) {
+TEST_F(ReplayEdges, AtEqualTimesDueWorkPrecedesStimuliAndStimuliPrecedeFrames) {
     RecordingDevice device{milliseconds(10)};
     play(device, "(0.010000) can0 081#\n(0.010000) can0 080#\n", "0.010000,two,1\n0.010000,one,1\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due", "0.010000 two=1", "0.010000 one=1",

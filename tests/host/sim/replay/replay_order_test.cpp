@@ -39,7 +39,7 @@ TEST(ReplayOrder, DueWorkPrecedesTheStimulusOfTheSameTime) {
               "(0.150000) can0 083#1061010100000000\n");
 }
 
-TEST(ReplayOrder, WaitingFrameIsWrittenAtItsPlaceInTheLog_WhicheverCameFirst) {
+TEST(ReplayOrder, AnswersAreWrittenInTheOrderOfTheLog_NotOfTheDevice) {
     // The device gives both answers at once; the log contains the second before the first.
     const std::string log =
         "(0.010000) can0 603#4000100000000000 R\n(0.010000) can0 603#4001100000000000 R\n"
