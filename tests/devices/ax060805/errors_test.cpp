@@ -382,7 +382,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::INC_ERR_012, req::CO_EMCY_017>();
+    verifies<req::INC_ERR_012, req::CO_EMCY_031>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;
     inputs.can_state = 3;

@@ -286,7 +286,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::AOR_ERR_009, req::CO_EMCY_017>();
+    verifies<req::AOR_ERR_009, req::CO_EMCY_031>();
     store();
     memory.bytes()[100] ^= 0x01;
     inputs.can_state = 3;

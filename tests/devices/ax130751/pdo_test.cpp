@@ -290,7 +290,7 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
 }
 
 TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
-    verifies<req::CO_EMCY_006>();
+    verifies<req::CO_EMCY_022>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");
     start();
