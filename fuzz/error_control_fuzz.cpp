@@ -103,8 +103,8 @@ class Both {
 
 CANPROOF_FUZZ_REPLAYS_AS_PART(test::slave_part(), "--node 5")
 CANPROOF_FUZZ_RECORDS(record_size)
-CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_HB_001, req::CO_HB_002,
-                     req::CO_GUARD_001, req::CO_GUARD_002)
+CANPROOF_FUZZ_CLAIMS(req::CO_NMT_001, req::CO_NMT_002, req::CO_NMT_003, req::CO_NMT_009, req::CO_HB_001, req::CO_HB_002,
+                     req::CO_HB_004, req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_007)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Both both;  // made once, because making a slave takes longer than an input

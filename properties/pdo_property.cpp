@@ -133,7 +133,7 @@ std::uint64_t put_random(SlaveBench& bench, const Mappable& line) {
 // For any mapping and any frames of any length the mapped part sets all of its objects or none of them, and no other
 // object changes.
 RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
-    verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_005, req::CO_PDO_012>("property");
+    verifies<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_037, req::CO_PDO_005, req::CO_PDO_012>("property");
     SlaveBench bench;
     const auto mapping = *mappings(true);
     map_pdo3(bench, true, mapping);
@@ -149,7 +149,7 @@ RC_GTEST_PROP(PdoLaw, ReceivedPdoSetsItsObjectsBitByBit, ()) {
 }
 
 RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
-    verifies<req::CO_PDO_028>("property");
+    verifies<req::CO_PDO_028, req::CO_PDO_053>("property");
     SlaveBench bench;
     const auto mapping = *mappings(false);
     map_pdo3(bench, false, mapping);
@@ -198,7 +198,7 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
 // For any changes at any times, transmissions are at least the inhibit time and at most the event timer apart, and the
 // last value is always sent.
 RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
-    verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_018>("property");
+    verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_047, req::CO_PDO_048, req::CO_PDO_018>("property");
     SlaveBench bench;
     const auto inhibit = static_cast<std::uint64_t>(*rc::gen::inRange(0, 20));  // ms
     const auto event = static_cast<std::uint64_t>(*rc::gen::inRange(0, 30));    // ms

@@ -129,7 +129,8 @@ class Happens : public rc::state::Command<Model, Sut> {
 }  // namespace
 
 RC_GTEST_PROP(StoreLaw, SavesRestoresAndPowerCutsMatchTheModel, ()) {
-    verifies<req::CO_STORE_001, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_004, req::CO_STORE_005>("property");
+    verifies<req::CO_STORE_001, req::CO_STORE_011, req::CO_STORE_002, req::CO_STORE_003, req::CO_STORE_012,
+             req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>("property");
     Sut device;
     rc::state::check(Model{}, device, [](const Model&) {
         const auto event = rc::gen::build<Event>(

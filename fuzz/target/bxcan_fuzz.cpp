@@ -247,7 +247,8 @@ void World::settle() {
 
 }  // namespace
 
-CANPROOF_FUZZ_CLAIMS(req::CO_CAN_003, req::CO_CAN_004, req::CO_CAN_005, req::CO_CAN_006)
+CANPROOF_FUZZ_CLAIMS(req::CO_CAN_003, req::CO_CAN_004, req::CO_CAN_005, req::CO_CAN_006, req::CO_CAN_012,
+                     req::CO_CAN_013)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     World world;

@@ -24,7 +24,7 @@ class AlteredDictionary : public testing::Test, public AlteredSlaveBench {};
 }  // namespace
 
 TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
-    verifies<req::CO_HB_002>();
+    verifies<req::CO_HB_004>();
     renumber(0x1029, 0x102A);
     EXPECT_EQ(power_on(), Frames{"705#00"});
     send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
@@ -59,7 +59,7 @@ TEST_F(AlteredDictionary, LongestErrorListHolds254Errors) {
 }
 
 TEST_F(AlteredDictionary, FifthHeartbeatConsumerMonitorsNoNode) {
-    verifies<req::CO_HB_002>();
+    verifies<req::CO_HB_002, req::CO_HB_004>();
     entry(0x1016, 4).subindex = 5;
     power_on();
     EXPECT_EQ(send("605#2316100564001000"), Frames{"585#6016100500000000"});
@@ -146,7 +146,7 @@ TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
 }
 
 TEST_F(AlteredDictionary, DefaultMappingOfAnEmptyEntryMapsNothing) {
-    verifies<req::CO_PDO_028>();
+    verifies<req::CO_PDO_053>();
     ship(0x1A00, 0, 1);
     ship(0x1A00, 1, 0);
     power_on();

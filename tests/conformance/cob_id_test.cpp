@@ -27,7 +27,7 @@ class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
 }  // namespace
 
 TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
-    verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
+    verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_006>();
     EXPECT_EQ(as_shipped & 0x7FU, 3U);
     ASSERT_TRUE(unit.save());
     unit.move_to(9);
@@ -41,7 +41,7 @@ TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
 }
 
 TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
-    verifies<req::CO_PDO_030, req::CO_PDO_035, req::AO4_STORE_004>();
+    verifies<req::CO_PDO_030, req::CO_PDO_060, req::AO4_STORE_004>();
     set_cob_id(as_shipped + 0x40);
     unit.power_cycle();
     EXPECT_EQ(cob_id(), as_shipped);  // not stored
@@ -54,7 +54,7 @@ TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
 }
 
 TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAnotherGroup) {
-    verifies<req::CO_PDO_035, req::CO_STORE_001>();
+    verifies<req::CO_PDO_060, req::CO_STORE_011>();
     set_cob_id(as_shipped + 6);  // the default COB-ID of node 9
     ASSERT_TRUE(unit.save(2));
     unit.move_to(9);

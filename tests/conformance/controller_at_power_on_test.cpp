@@ -22,7 +22,7 @@ class ControllerAtPowerOn : public testing::Test, public LssBench {
 
 /// The boot-up message is lost, but the errors found at boot-up are reported.
 TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::CO_EMCY_017>();
+    verifies<req::CO_EMCY_017, req::CO_EMCY_031>();
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
     EXPECT_EQ(pass(1000), Frames{});

@@ -65,7 +65,7 @@ TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
 }
 
 TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
-    verifies<req::CO_EMCY_008>();
+    verifies<req::CO_EMCY_008, req::CO_EMCY_023>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));  // description 10h, channel 02h
@@ -86,7 +86,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
 }
 
 TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
-    verifies<req::CO_EMCY_006>();
+    verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
     emcy.set(channel_1, false, Instant{});
@@ -161,7 +161,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
 }
 
 TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
-    verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
+    verifies<req::CO_EMCY_001, req::CO_EMCY_012, req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
     emcy.set(channel_2, true, Instant{});  // 81h, as the first
@@ -175,7 +175,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
 }
 
 TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
-    verifies<req::CO_EMCY_012>();
+    verifies<req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     sent();
     emcy.reset();

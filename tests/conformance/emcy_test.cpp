@@ -34,7 +34,8 @@ TEST_F(Errors, EmcyMessageHoldsCodeErrorRegisterAndCount) {
 }
 
 TEST_F(Errors, ErrorIsSentOnceAtItsStartAndOnceAtItsEnd) {
-    verifies<req::CO_EMCY_015, req::AO4_ERR_002>();
+    verifies<req::CO_EMCY_015, req::CO_EMCY_028, req::CO_EMCY_029, req::AO4_ERR_002, req::AO4_ERR_013,
+             req::AO4_ERR_014>();
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(pass(10000).empty());
@@ -43,7 +44,7 @@ TEST_F(Errors, ErrorIsSentOnceAtItsStartAndOnceAtItsEnd) {
 }
 
 TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
-    verifies<req::CO_EMCY_012, req::AO4_ERR_006, req::AO4_OD_1001>();
+    verifies<req::CO_EMCY_012, req::CO_EMCY_025, req::AO4_ERR_006, req::AO4_ERR_017, req::AO4_OD_1001>();
     EXPECT_EQ(error_register(), "00");
     overrun(true);
     EXPECT_EQ(error_register(), "11");
@@ -70,7 +71,7 @@ TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
 
 // 7.9.4 lists 5000h beside 6110h: two separate failures
 TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
-    verifies<req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
+    verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
     EXPECT_TRUE(set_inputs().empty());
@@ -87,7 +88,8 @@ TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
 }
 
 TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
-    verifies<req::CO_EMCY_013, req::AO4_ERR_003, req::AO4_ERR_005, req::AO4_OD_1003>();
+    verifies<req::CO_EMCY_013, req::CO_EMCY_026, req::AO4_ERR_003, req::AO4_ERR_015, req::AO4_ERR_005,
+             req::AO4_OD_1003>();
     can_state(2);
     EXPECT_EQ(listed(0), "01000000");
     EXPECT_EQ(listed(1), "20810000");
@@ -105,7 +107,7 @@ TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
 }
 
 TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
-    verifies<req::CO_EMCY_014, req::AO4_ERR_004>();
+    verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
     EXPECT_EQ(listed(0), "01000000");
@@ -132,7 +134,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
 }
 
 TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
-    verifies<req::CO_EMCY_003>();
+    verifies<req::CO_EMCY_020>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
@@ -141,7 +143,7 @@ TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
 }
 
 TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
-    verifies<req::CO_EMCY_002>();
+    verifies<req::CO_EMCY_002, req::CO_EMCY_019>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(listed(1), "10810000");
@@ -161,7 +163,7 @@ TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
 }
 
 TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
-    verifies<req::CO_EMCY_003, req::AO4_OD_1015>();
+    verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::AO4_OD_1015>();
     write("603#2B15100064000000");  // 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
@@ -205,7 +207,7 @@ TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
 }
 
 TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
-    verifies<req::CO_EMCY_005>();
+    verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
     EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
@@ -229,7 +231,8 @@ TEST_F(Errors, ResetCommunicationEmptiesTheErrorHistory) {
 }
 
 TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
-    verifies<req::CO_EMCY_016, req::CO_EMCY_017, req::AO4_ERR_008, req::AO4_ERR_011>();
+    verifies<req::CO_EMCY_030, req::CO_EMCY_017, req::CO_EMCY_031, req::AO4_ERR_008, req::AO4_ERR_011,
+             req::AO4_ERR_019>();
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
@@ -281,7 +284,7 @@ TEST_F(Errors, ErrorThatOutlastsAResetIsReportedAgain) {
 }
 
 TEST_F(Errors, HardwareFailureThatOutlastsAResetIsReportedAgain) {
-    verifies<req::AO4_ERR_010, req::AO4_ERR_012>();
+    verifies<req::AO4_ERR_018, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#0050010100000000"}));
@@ -290,7 +293,7 @@ TEST_F(Errors, HardwareFailureThatOutlastsAResetIsReportedAgain) {
 }
 
 TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
-    verifies<req::CO_EMCY_006>();
+    verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {
         overrun(true);

@@ -55,7 +55,7 @@ TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
 }
 
 TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero) {
-    verifies<req::CO_GUARD_002>();
+    verifies<req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
     send("703#R1");
@@ -78,7 +78,7 @@ TEST_F(ErrorControlService, HeartbeatSentLateDoesNotDelayTheNextOnes) {
 }
 
 TEST_F(ErrorControlService, NewLifeTimeFactorRestartsLifeGuarding) {
-    verifies<req::CO_GUARD_002>();
+    verifies<req::CO_GUARD_007>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
     send("703#R1");
@@ -89,7 +89,7 @@ TEST_F(ErrorControlService, NewLifeTimeFactorRestartsLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
-    verifies<req::CO_GUARD_002, req::CO_GUARD_003>();
+    verifies<req::CO_GUARD_007, req::CO_GUARD_008>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
     send("703#R1");
@@ -101,7 +101,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
-    verifies<req::CO_EMCY_016, req::CO_HB_002, req::AO4_ERR_007>();
+    verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_007>();
     write("603#23161001C8003100");    // node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
@@ -114,7 +114,7 @@ TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
 }
 
 TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
-    verifies<req::CO_HB_002, req::CO_HB_003>();
+    verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
     write("603#23161001C8000100");  // node 1, 200 ms
     send("701#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
@@ -160,7 +160,7 @@ TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
 }
 
 TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
-    verifies<req::CO_HB_002, req::CO_NMT_006>();
+    verifies<req::CO_HB_002, req::CO_HB_004, req::CO_NMT_006>();
     write("603#23161001C8003100");
     send("731#05");
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
@@ -169,7 +169,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
 }
 
 TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
-    verifies<req::CO_HB_002>();
+    verifies<req::CO_HB_004>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     send("731#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
@@ -180,7 +180,7 @@ TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
 }
 
 TEST_F(ErrorControlService, ResetEndsTheHeartbeatError) {
-    verifies<req::CO_HB_002, req::CO_NMT_006>();
+    verifies<req::CO_HB_004, req::CO_NMT_006>();
     write("603#23161001C8003100");  // node 31h, 200 ms
     send("731#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
@@ -200,7 +200,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
-    verifies<req::CO_GUARD_002, req::CO_EMCY_016, req::AO4_ERR_007>();
+    verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_007>();
     write("603#2B0C100064000000");  // 100 ms …
     write("603#2F0D100003000000");  // … times 3
     EXPECT_TRUE(pass(1000).empty());
@@ -229,7 +229,7 @@ TEST_F(ErrorControlService, ResetEndsAFailedLifeGuardingAndClearsTheToggleBit) {
 }
 
 TEST_F(ErrorControlService, StartingTheHeartbeatEndsAFailedLifeGuarding) {
-    verifies<req::CO_GUARD_003>();
+    verifies<req::CO_GUARD_008>();
     write("603#2B0C100064000000");
     write("603#2F0D100001000000");
     send("703#R1");
@@ -252,7 +252,7 @@ TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
-    verifies<req::CO_GUARD_003>();
+    verifies<req::CO_GUARD_003, req::CO_GUARD_008>();
     write("603#2B0C100064000000");
     write("603#2F0D100001000000");
     send("703#R1");
@@ -284,7 +284,7 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
 }
 
 TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrestrictedOnes) {
-    verifies<req::CO_GUARD_005, req::AO4_GUARD_002>();
+    verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {

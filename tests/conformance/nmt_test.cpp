@@ -52,7 +52,7 @@ TEST_F(Nmt, CommandsReachEachStateFromEachOtherState) {
 }
 
 TEST_F(Nmt, NodeObeysACommandToAllAndIgnoresOneToAnotherNode) {
-    verifies<req::CO_NMT_003, req::CO_K_NMT_ID>();
+    verifies<req::CO_NMT_003, req::CO_NMT_009, req::CO_K_NMT_ID>();
     send("000#0104");
     EXPECT_EQ(state(), "pre-operational");
     send("000#0100");

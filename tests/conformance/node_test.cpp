@@ -45,7 +45,7 @@ class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 }  // namespace
 
 TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
-    verifies<req::CO_NMT_007, req::CO_HB_002>();
+    verifies<req::CO_NMT_007, req::CO_HB_004>();
     for (int round = 1; round <= 3; ++round) {
         lose_producer();
         EXPECT_EQ(state(), NmtState::pre_operational) << round;
@@ -167,7 +167,7 @@ TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
 }
 
 TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
-    verifies<req::CO_HB_002>();
+    verifies<req::CO_HB_004>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     lose_producer();
     EXPECT_EQ(send("710#05"), Frames{"085#0000000100000000"});
@@ -176,7 +176,7 @@ TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
 }
 
 TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
-    verifies<req::CO_HB_002, req::CO_HB_003>();
+    verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
     send("605#2316100164001000");  // node 10h, 100 ms
     send("605#2316100264001100");  // node 11h, 100 ms
     for (const char* entry : {"605#2316100164001000", "605#2316100100000000"}) {
@@ -233,7 +233,7 @@ TEST_F(AlteredNode, RefusedValueAtAnyPlaceDiscardsTheWholePdo) {
 }
 
 TEST_F(AlteredNode, ErrorListOfOneEntryHoldsTheLatestError) {
-    verifies<req::CO_EMCY_008, req::CO_EMCY_013>();
+    verifies<req::CO_EMCY_008, req::CO_EMCY_026>();
     const auto is_list = [](const ObjectRow& row) { return row.index == 0x1003; };
     auto& objects = description.rows.objects;
     std::find_if(objects.begin(), objects.end(), is_list)->count = 2;  // sub-indices 0 and 1

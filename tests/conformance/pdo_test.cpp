@@ -56,7 +56,7 @@ TEST_F(Pdo, SynchronousRpdosWaitForTheSyncAndUseTheLastValues) {
 }
 
 TEST_F(Pdo, OutsideOperationalNoRpdoIsAppliedOrWaits) {
-    verifies<req::CO_PDO_003>();
+    verifies<req::CO_PDO_003, req::CO_PDO_036>();
     send("000#8003");
     send("303#0100000000000000");
     EXPECT_EQ(output(1), "0000");
@@ -70,7 +70,7 @@ TEST_F(Pdo, OutsideOperationalNoRpdoIsAppliedOrWaits) {
 }
 
 TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
-    verifies<req::CO_PDO_004>();
+    verifies<req::CO_PDO_004, req::CO_PDO_037>();
     send("303#01000200030004");
     EXPECT_EQ(output(1), "0000");
     disable_rpdo2();
@@ -93,7 +93,7 @@ TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
 }
 
 TEST_F(Pdo, IdentifierChangesOnlyWhileThePdoIsNotValid) {
-    verifies<req::CO_PDO_007, req::CO_T_RESTRICTED_COB_ID>();
+    verifies<req::CO_PDO_007, req::CO_PDO_054, req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
     EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // bit 29
     EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // bit 12
@@ -124,7 +124,7 @@ TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
 }
 
 TEST_F(Pdo, RemappingIsAcceptedInItsOrderOnly) {
-    verifies<req::CO_PDO_009>();
+    verifies<req::CO_PDO_009, req::CO_PDO_056>();
     EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // still valid
     disable_rpdo2();
     EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // sub 0 still 4

@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 // -- The procedure ----------------------------------------------------------------------------------------------------
 
 TEST_P(Remapping, RemappingStepsInTheirOrderAreAccepted) {
-    verifies<req::CO_PDO_009>();
+    verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
         {parameter("01"), not_valid(), ""},  // a) destroy
         {line("00"), "00", ""},              // b) disable the mapping
@@ -78,7 +78,7 @@ TEST_P(Remapping, RemappingStepsInTheirOrderAreAccepted) {
 }
 
 TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
-    verifies<req::CO_PDO_009>();
+    verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
         {line("00"), "00", present_state},              // b) before a)
         {line("01"), GetParam().entry, present_state},  // c) before a)
@@ -98,7 +98,7 @@ TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
 }
 
 TEST_P(Remapping, RefusedStepChangesNothing) {
-    verifies<req::CO_PDO_009, req::CO_SDO_011>();
+    verifies<req::CO_PDO_009, req::CO_PDO_056, req::CO_SDO_011>();
     const std::string first = GetParam().mapping == "0016" ? "08010020" : "08010120";
     hold({{line("01"), GetParam().entry, present_state}, {line("00"), "01", present_state}});
     EXPECT_EQ(send("605#40" + line("00") + "00000000"), (Frames{"585#4F" + line("00") + "02000000"}));
@@ -129,7 +129,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
 }
 
 TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
-    verifies<req::CO_PDO_012>();
+    verifies<req::CO_PDO_012, req::CO_PDO_057>();
     const std::string expected = GetParam().mapping == "0016" ? "" : cannot_be_mapped;
     hold({
         {parameter("01"), not_valid(), ""},
@@ -186,7 +186,7 @@ TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
 }
 
 TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
-    verifies<req::CO_PDO_007>();
+    verifies<req::CO_PDO_054>();
     const std::string id = GetParam().cob_id;
     hold({
         {parameter("01"), id + "0020", out_of_range},                 // bit 29: 29-bit identifiers
@@ -198,7 +198,7 @@ TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
 }
 
 TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
-    verifies<req::CO_PDO_007, req::CO_T_RESTRICTED_COB_ID>();
+    verifies<req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     hold({{parameter("01"), not_valid(), ""}});
     // CiA 301, 7.3.5: 000h, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-77Fh, 780h-7FFh
     for (const char* id : {"0000", "0100", "7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06",
@@ -259,7 +259,7 @@ TEST_P(Remapping, InhibitTimeIsLockedWhileThePdoIsValid) {
 }
 
 TEST_P(Remapping, EventTimerCanChangeAtAnyTime) {
-    verifies<req::CO_PDO_025, req::CO_PDO_022>();
+    verifies<req::CO_PDO_051, req::CO_PDO_039>();
     hold({
         {parameter("05"), "6400", ""},
         {parameter("05"), "0000", ""},
@@ -270,7 +270,7 @@ TEST_P(Remapping, EventTimerCanChangeAtAnyTime) {
 class StartValue : public testing::Test, public SlaveBench {};
 
 TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
-    verifies<req::CO_PDO_024>();
+    verifies<req::CO_PDO_024, req::CO_PDO_058>();
     talk(*this, {
                     {"605#2F00180601000000", {"585#8000180622000008"}},
                     {"605#2F00180600000000", {"585#8000180622000008"}},  // not even the value that it has

@@ -7,7 +7,7 @@
 namespace canproof::test {
 
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
-    verifies<req::CO_PDO_020, req::CO_PDO_022>();
+    verifies<req::CO_PDO_020, req::CO_PDO_039>();
     talk(*this, {
                     {"205#11", {"085#1082110100000000"}},
                     {"605#2F011402FE000000", {"585#6001140200000000"}},  // 1401h:2, type 254
@@ -18,7 +18,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
 }
 
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
-    verifies<req::CO_PDO_034, req::CO_PDO_022>();
+    verifies<req::CO_PDO_034, req::CO_PDO_039>();
     map_rpdo3({"10000022"});  // 2200h, at most 100
     talk(*this, {
                     {"405#6500", {"085#0082110100000000"}},
@@ -28,7 +28,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
 }
 
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
-    verifies<req::CO_PDO_021, req::CO_PDO_022>();
+    verifies<req::CO_PDO_021, req::CO_PDO_039>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     send("605#2B0014050A000000");  // RPDO1: 10 ms
     send("205#1122");
@@ -61,7 +61,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
 }
 
 TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
-    verifies<req::CO_PDO_021, req::CO_PDO_022>();
+    verifies<req::CO_PDO_021, req::CO_PDO_039>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
         send("605#2B0014050A000000");
         EXPECT_EQ(device->next_deadline().us, never.us) << end;

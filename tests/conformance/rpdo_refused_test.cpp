@@ -48,7 +48,7 @@ TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
 }
 
 TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
-    verifies<req::CO_PDO_034>();
+    verifies<req::CO_PDO_034, req::CO_PDO_038>();
     map_rpdo3({"10000022"});
     talk(*this, {
                     {"605#2303140105050080", {"585#6003140100000000"}},  // RPDO4 on 505h maps 2202h

@@ -48,7 +48,7 @@ TEST_F(Rpdo, RpdosOfTypes0To240WaitForTheSyncAndUseTheLastValues) {
 }
 
 TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
-    verifies<req::CO_PDO_003>();
+    verifies<req::CO_PDO_003, req::CO_PDO_036>();
     talk(*this, {
                     {"605#2F00140201000000", {"585#6000140200000000"}},  // RPDO1: type 1
                     {"205#1122", {}},
@@ -102,7 +102,7 @@ TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
 }
 
 TEST_F(Rpdo, LongerFrameSetsTheMappedPart) {
-    verifies<req::CO_PDO_004>();
+    verifies<req::CO_PDO_037>();
     talk(*this, {
                     {"205#112233", {}},
                     {"605#4000200100000000", {"585#4F00200111000000"}},
@@ -226,7 +226,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
 }
 
 TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
-    verifies<req::CO_PDO_026>();
+    verifies<req::CO_PDO_059>();
     map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
     talk(*this, {
                     {"605#2302140105020080", {"585#6002140100000000"}},
@@ -333,7 +333,7 @@ TEST_F(Rpdo, RpdoTimersEndWithOperational) {
 }
 
 TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
-    verifies<req::CO_PDO_022>();
+    verifies<req::CO_PDO_022, req::CO_PDO_039>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");
     send("205#1122");

@@ -72,13 +72,13 @@ TEST_F(SmallStore, BytesBehindTheTwoBanksAreIgnored) {
 }
 
 TEST_F(SmallStore, HeaderOfBytes55hIsCorruptAndNotBlank) {
-    verifies<req::CO_STORE_005>();
+    verifies<req::CO_STORE_013>();
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0x55});
     EXPECT_EQ(power_on(), (Frames{"705#00", corrupt}));
 }
 
 TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
-    verifies<req::CO_STORE_005>();
+    verifies<req::CO_STORE_013>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
     set_value("11223344");
@@ -163,7 +163,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
 }
 
 TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
-    verifies<req::CO_STORE_001>();
+    verifies<req::CO_STORE_011>();
     keep(0x2300);  // 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));
     EXPECT_EQ(power_on(), Frames{"705#00"});

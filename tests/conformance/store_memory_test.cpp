@@ -81,7 +81,7 @@ TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
 }
 
 TEST_F(Store, FailingMemoryIsReportedAndLosesNothing) {
-    verifies<req::CO_STORE_005>();
+    verifies<req::CO_STORE_005, req::CO_STORE_013>();
     set_values("1111");
     write("603#2310100173617665");
     set_values("2222");
@@ -159,7 +159,7 @@ TEST_F(Store, MemoryThatDoesNotKeepWrittenBytesIsDetected) {
 }
 
 TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
     set_values("1111");
@@ -173,7 +173,7 @@ TEST_F(Store, SaveThatTheMemoryDoesNotCommitIsRefused) {
 }
 
 TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
     set_values("1111");
@@ -196,7 +196,7 @@ TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
 }
 
 TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
-    verifies<req::CO_STORE_004, req::CO_STORE_005>();
+    verifies<req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
     set_values("1111");

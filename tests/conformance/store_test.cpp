@@ -23,7 +23,7 @@ TEST_F(Store, WithoutASaveNothingIsStored) {
 }
 
 TEST_F(Store, EachSubIndexSavesItsGroupAndLeavesTheOthersAsStored) {
-    verifies<req::CO_STORE_001>();
+    verifies<req::CO_STORE_001, req::CO_STORE_011>();
     const std::vector<std::pair<const char*, const char*>> groups{
         {"02", "2222 1111 1111 "}, {"03", "1111 1111 2222 "}, {"04", "1111 2222 1111 "}};
     for (const auto& [sub, expected] : groups) {
@@ -48,7 +48,7 @@ TEST_F(Store, OnlyTheRightSignatureSavesOrRestores) {
 }
 
 TEST_F(Store, RestoredDefaultsApplyAtTheNextReset) {
-    verifies<req::CO_STORE_003, req::CO_K_RESTORE_SIGNATURE, req::AO4_OD_1011>();
+    verifies<req::CO_STORE_003, req::CO_STORE_012, req::CO_K_RESTORE_SIGNATURE, req::AO4_OD_1011>();
     set_values("3412");
     write("603#2310100173617665");
     EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
@@ -139,7 +139,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
 }
 
 TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
-    verifies<req::AO4_STORE_004, req::CO_PDO_035>();
+    verifies<req::AO4_STORE_004, req::AO4_STORE_006, req::CO_PDO_035, req::CO_PDO_060>();
     write("603#2314100083000080");  // 1014h = 93h
     write("603#2314100093000000");
     write("603#2310100273617665");
@@ -154,7 +154,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
 }
 
 TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
-    verifies<req::AO4_STORE_004>();
+    verifies<req::AO4_STORE_006>();
     write("603#2310100373617665");  // application only
     inputs.switch_low = 5;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));

@@ -56,7 +56,7 @@ TEST_F(SyncService, SyncHasTheIdentifierOf1005h) {
 }
 
 TEST_F(SyncService, SyncOfWrongLengthIsAnErrorUntilAValidSyncArrives) {
-    verifies<req::CO_SYNC_002>();
+    verifies<req::CO_SYNC_002, req::CO_SYNC_009>();
     make_rpdo2_synchronous();
     send("303#1100000000000000");
     EXPECT_EQ(send("080#01"), (Frames{"083#4082110100000000"}));
@@ -157,7 +157,7 @@ TEST_F(SyncService, ProducedSyncTakesEffectInTheProducer) {
 }
 
 TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
-    verifies<req::CO_SYNC_006>();
+    verifies<req::CO_SYNC_006, req::CO_SYNC_010>();
     write("603#2306100010270000");
     EXPECT_EQ(send("603#2F1910000A000000"), (Frames{"583#8019100022000008"}));
     EXPECT_EQ(send("603#2F19100000000000"), (Frames{"583#8019100022000008"})) << "not even the value that it has";
@@ -173,7 +173,7 @@ TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
 }
 
 TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
-    verifies<req::CO_SYNC_006, req::CO_SYNC_008, req::AO4_OD_1005>();
+    verifies<req::CO_SYNC_010, req::CO_SYNC_008, req::AO4_OD_1005>();
     EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
     EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
     EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11

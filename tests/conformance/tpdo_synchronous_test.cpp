@@ -99,7 +99,7 @@ TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
 }
 
 TEST_F(Tpdo, WithoutASyncCounterTheStartValueHasNoEffect) {
-    verifies<req::CO_PDO_019>();
+    verifies<req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
                     {"605#2300180185010080", {"585#6000180100000000"}},
@@ -130,7 +130,7 @@ TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
 }
 
 TEST_F(Tpdo, ProducedSyncWithoutACounterIgnoresTheStartValue) {
-    verifies<req::CO_SYNC_005, req::CO_PDO_019>();
+    verifies<req::CO_SYNC_005, req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
                     {"605#2300180185010080", {"585#6000180100000000"}},
@@ -153,7 +153,7 @@ TEST_F(Tpdo, EventTimerSendsNoSynchronousTpdo) {
 }
 
 TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
-    verifies<req::CO_SYNC_002>();
+    verifies<req::CO_SYNC_009>();
     start();
     EXPECT_EQ(send("080#01"), (Frames{"085#4082110100000000"}));  // 8240h
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
@@ -180,7 +180,7 @@ TEST_F(Tpdo, AtASyncTpdosSampleBeforeRpdosAreApplied) {
 // -- Requests ---------------------------------------------------------------------------------------------------------
 
 TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
-    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    verifies<req::CO_PDO_045, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
     send("605#2B0018050A000000");  // no event timer in this type
@@ -207,7 +207,7 @@ TEST_F(Tpdo, TpdoOfType252IsSentAtNoSync) {
 }
 
 TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
-    verifies<req::CO_PDO_016, req::CO_T_TRANSMISSION_TYPE>();
+    verifies<req::CO_PDO_043, req::CO_PDO_044, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FC");
     talk(*this, {
@@ -227,7 +227,7 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
 }
 
 TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
-    verifies<req::CO_PDO_016>();
+    verifies<req::CO_PDO_043>();
     silence_tpdo2();
     for (const char* type : {"00", "05"}) {
         power_on();
@@ -243,7 +243,7 @@ TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
 }
 
 TEST_F(Tpdo, EventDrivenTpdoAnswersARequestAfterTheInhibitTime) {
-    verifies<req::CO_PDO_016>();
+    verifies<req::CO_PDO_046>();
     start();
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
     send("000#8005");

@@ -43,7 +43,7 @@ TEST_F(Tpdo, NoTpdoIsSentOutsideOperational) {
 }
 
 TEST_F(Tpdo, EventOutsideOperationalIsNotSentLater) {
-    verifies<req::CO_PDO_027>();
+    verifies<req::CO_PDO_052>();
     silence_tpdo2();
     set_type("00");
     talk(*this, {
@@ -60,7 +60,7 @@ TEST_F(Tpdo, EventOutsideOperationalIsNotSentLater) {
 // -- Types 254 and 255 ------------------------------------------------------------------------------------------------
 
 TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
-    verifies<req::CO_PDO_015, req::CO_T_TRANSMISSION_TYPE>();
+    verifies<req::CO_PDO_015, req::CO_PDO_042, req::CO_T_TRANSMISSION_TYPE>();
     for (const char* type : {"FE", "FF"}) {
         power_on();
         set_type(type);
@@ -79,7 +79,7 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
 }
 
 TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
-    verifies<req::CO_PDO_015>();
+    verifies<req::CO_PDO_015, req::CO_PDO_041, req::CO_PDO_042>();
     // TPDO3 and RPDO3 (405h) both map 2200h and 2207h.
     map_tpdo3({"10000022", "20000722"});
     talk(*this, {
@@ -168,7 +168,7 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
 }
 
 TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
-    verifies<req::CO_PDO_028>();
+    verifies<req::CO_PDO_053>();
     talk(*this, {
                     {"605#2302180185030000", {"585#6002180100000000"}},  // TPDO3 valid, 1A02h:0 = 0
                     {"000#0105", {"185#0000"}},

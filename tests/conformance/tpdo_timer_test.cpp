@@ -27,7 +27,7 @@ class TimeDriven : public Tpdo {
 }  // namespace
 
 TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
-    verifies<req::CO_PDO_018>();
+    verifies<req::CO_PDO_049>();
     begin();
     EXPECT_TRUE(own_queue.empty());
     EXPECT_EQ(service.next_deadline(), never);
@@ -38,7 +38,7 @@ TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
 }
 
 TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
-    verifies<req::CO_PDO_018, req::CO_PDO_017>();
+    verifies<req::CO_PDO_018, req::CO_PDO_049, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 100);  // ms
     begin();
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");
@@ -59,7 +59,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
 }
 
 TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
-    verifies<req::CO_PDO_018, req::CO_PDO_013>();
+    verifies<req::CO_PDO_049, req::CO_PDO_013>();
     // 2001h:1 in TPDO1, of type 254, and in TPDO2, of type 0
     device->objects().write(0x1801, 2, 0);
     device->objects().write(0x1A01, 0, 1);
@@ -76,7 +76,7 @@ TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
 }
 
 TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
-    verifies<req::CO_PDO_017>();
+    verifies<req::CO_PDO_017, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 5);   // 5 ms
     device->objects().write(0x1800, 3, 80);  // 8 ms
     begin();
@@ -95,7 +95,7 @@ TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
 }
 
 TEST_F(Tpdo, TransmissionsAreAtLeastTheInhibitTimeApart) {
-    verifies<req::CO_PDO_017>();
+    verifies<req::CO_PDO_017, req::CO_PDO_048>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();
     talk(*this, {
@@ -119,7 +119,7 @@ TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
 }
 
 TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
-    verifies<req::CO_PDO_017>();
+    verifies<req::CO_PDO_047>();
     send("605#2B00180519000000");  // 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
@@ -129,7 +129,7 @@ TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
 }
 
 TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
-    verifies<req::CO_PDO_016, req::CO_PDO_017>();
+    verifies<req::CO_PDO_016, req::CO_PDO_046, req::CO_PDO_047>();
     send("605#2B00180519000000");  // 25 ms
     start();
     EXPECT_EQ(pass(10), Frames{});
@@ -138,7 +138,7 @@ TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
 }
 
 TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
-    verifies<req::CO_PDO_017, req::CO_PDO_018>();
+    verifies<req::CO_PDO_047, req::CO_PDO_018>();
     send("605#2B00180519000000");  // 25 ms
     start();
     EXPECT_EQ(device->next_deadline().us, (now + milliseconds(25)).us);
@@ -147,7 +147,7 @@ TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
 }
 
 TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
-    verifies<req::CO_PDO_006, req::CO_PDO_017>();
+    verifies<req::CO_PDO_006, req::CO_PDO_047>();
     send("605#2B00180519000000");  // TPDO1: 25 ms
     send("605#2B01180505000000");  // TPDO2: 5 ms
     send("605#2F011802FF000000");  // type 255
@@ -171,7 +171,7 @@ TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
 }
 
 TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
-    verifies<req::CO_PDO_017>();
+    verifies<req::CO_PDO_047>();
     send("605#2B0018050A000000");  // 10 ms
     start();
     now = now + milliseconds(13);
@@ -187,7 +187,7 @@ TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
 }
 
 TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
-    verifies<req::CO_PDO_017>();
+    verifies<req::CO_PDO_017, req::CO_PDO_047>();
     send("605#2B00180505000000");  // 5 ms
     set_inhibit_time("5000");      // 8 ms
     start();
@@ -195,7 +195,7 @@ TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
 }
 
 TEST_F(Tpdo, NewEventTimerRunsFromItsWrite) {
-    verifies<req::CO_PDO_025>();
+    verifies<req::CO_PDO_051>();
     start();
     EXPECT_TRUE(pass(100).empty());
     EXPECT_EQ(send("605#2B0018050A000000"), (Frames{"585#6000180500000000"}));

@@ -30,7 +30,7 @@ class VerifyConfiguration : public testing::Test, public SlaveBench {
 }  // namespace
 
 TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
-    verifies<req::CO_VERIFY_001>();
+    verifies<req::CO_VERIFY_001, req::CO_VERIFY_004>();
     talk(zero);
     leave_date_and_time();
     talk(kept);
@@ -55,7 +55,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
 }
 
 TEST_F(VerifyConfiguration, ChangeOfAnyByteOfATextClearsDateAndTime) {
-    verifies<req::CO_VERIFY_002>();
+    verifies<req::CO_VERIFY_002, req::CO_VERIFY_005>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
         leave_date_and_time();
@@ -68,7 +68,7 @@ TEST_F(VerifyConfiguration, ChangeOfAnyByteOfATextClearsDateAndTime) {
 }
 
 TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
-    verifies<req::CO_VERIFY_002>();
+    verifies<req::CO_VERIFY_005>();
     leave_date_and_time();
     talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h is 0 already
           {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 = 3: refused, too high
@@ -86,7 +86,7 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
 }
 
 TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
-    verifies<req::CO_VERIFY_002>();
+    verifies<req::CO_VERIFY_005>();
     leave_date_and_time();
     talk({{"605#2F00200107000000", {"585#6000200100000000"}},    // 2000h:1 = 7, which RPDO1 carries
           {"605#2B00220032000000", {"585#6000220000000000"}},    // 2200h = 50, which an RPDO may carry
@@ -95,7 +95,7 @@ TEST_F(VerifyConfiguration, WriteOfAProcessValueKeepsDateAndTime) {
 }
 
 TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
-    verifies<req::CO_VERIFY_001, req::CO_VERIFY_002>();
+    verifies<req::CO_VERIFY_001, req::CO_VERIFY_005>();
     leave_date_and_time();
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
@@ -133,7 +133,7 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
 
 // CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate the content of 1020h
 TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
-    verifies<req::CO_VERIFY_002, req::AO4_OD_1020>();
+    verifies<req::CO_VERIFY_002, req::CO_VERIFY_005, req::AO4_OD_1020>();
     CbxBench bench;
     bench.power_on();
     const Frames date{"583#4320100130750000"};

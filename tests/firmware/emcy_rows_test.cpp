@@ -70,7 +70,7 @@ TEST_F(EmcyRows, ErrorIsReportedAsItsTableRowRequires) {
 }
 
 TEST_F(EmcyRows, ResetCommunicationKeepsActiveErrorsAndEmptiesAHistory) {
-    verifies<req::CO_EMCY_011, req::CO_NMT_006>();
+    verifies<req::CO_EMCY_011, req::CO_EMCY_024, req::CO_NMT_006>();
     emcy().set(unlisted, true, now);
     emcy().set(unsent, true, now);
     device->objects().load_defaults(ParameterGroup::communication, 5);

@@ -35,7 +35,7 @@ const std::string pause1(28, '.');  // 1400 ms
 }  // namespace
 
 TEST(Indicator, EachStateFlashesAsPrintedInTheManual) {
-    verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005>();
+    verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005, req::AO4_LED_008>();
     EXPECT_EQ(watch(State::off, 40), std::string(40, '.'));
     EXPECT_EQ(watch(State::on, 40), std::string(40, '#'));
     EXPECT_EQ(watch(State::blinking, 16), flash + gap + flash + gap);
@@ -55,7 +55,7 @@ TEST(Indicator, ShiftedPatternStartsLater) {
 }
 
 TEST(Indicator, NextChangeIsTheEndOfThePhase) {
-    verifies<req::AO4_LED_005>();
+    verifies<req::AO4_LED_008>();
     EXPECT_EQ(indicator_phase(pattern(State::flash2), Instant{} + milliseconds(0), Duration{}).next_change.us, 200000U);
     EXPECT_EQ(indicator_phase(pattern(State::flash2), Instant{} + milliseconds(250), Duration{}).next_change.us,
               400000U);

@@ -60,7 +60,7 @@ TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_HB_002, req::CO_HB_003, req::CO_NMT_006>();
+    verifies<req::CO_HB_004, req::CO_HB_003, req::CO_NMT_006>();
     const Frames lost{"60:085#3081110100000000"};
     expect({"605#2316100164003100", "731#05"},
            {
@@ -78,7 +78,7 @@ TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_GUARD_002, req::CO_GUARD_003, req::CO_NMT_006>();
+    verifies<req::CO_GUARD_007, req::CO_GUARD_008, req::CO_NMT_006>();
     expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // 50 ms, twice
            {
                {"nothing", {}, {"60:085#3081110100000000"}},
@@ -106,7 +106,7 @@ TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_PDO_021, req::CO_PDO_022, req::CO_NMT_006>();
+    verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
            {
@@ -125,7 +125,7 @@ TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, TpdoEventTimerIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_PDO_017, req::CO_PDO_025, req::CO_PDO_027>();
+    verifies<req::CO_PDO_047, req::CO_PDO_025, req::CO_PDO_051, req::CO_PDO_027, req::CO_PDO_052>();
     expect({"605#2B00180564000000", "000#0105"},
            {
                {"nothing", {}, each(60, 100, "185#0000")},
@@ -142,7 +142,7 @@ TEST(PendingTimer, TpdoEventTimerIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, TpdoInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_PDO_017, req::CO_PDO_018, req::CO_PDO_027>();
+    verifies<req::CO_PDO_017, req::CO_PDO_048, req::CO_PDO_018, req::CO_PDO_027, req::CO_PDO_052>();
     const std::string change = "605#2F01200122000000";
     expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us
             "000#0105", "605#2F01200111000000"},

@@ -161,7 +161,7 @@ TEST_F(ByHand, ConstantEntryIsNeverOverwritten) {
 }
 
 TEST_F(ByHand, SelfStartNeedsCommunicationUnless1029hSelectsNoChange) {
-    verifies<req::CO_NMT_008, req::CO_NMT_002>();
+    verifies<req::CO_NMT_011, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {
         node.start_at(now + milliseconds(100));

@@ -60,7 +60,7 @@ TEST(TransmitQueueOrder, FrontShowsTheFrameThatPopReturns) {
 }
 
 TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
-    verifies<req::CO_FRAME_002, req::CO_NMT_001>();
+    verifies<req::CO_FRAME_003, req::CO_NMT_001>();
     TransmitQueue queue;
     queue.push(numbered(0x583, 1));
     queue.push_boot_up(numbered(0x703, 2));
@@ -116,7 +116,7 @@ TEST(TransmitQueueOrder, FramePutBackIsRefusedByAFullQueueAndLostInAClosedQueue)
 }
 
 TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
-    verifies<req::CO_FRAME_002, req::CO_NMT_001>();
+    verifies<req::CO_FRAME_003, req::CO_NMT_001>();
     TransmitQueue queue;
     queue.push(numbered(0x083, 1));
     EXPECT_FALSE(queue.boot_up_waits());

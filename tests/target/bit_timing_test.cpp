@@ -82,7 +82,7 @@ TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
 }
 
 TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
-    verifies<req::CO_CAN_001>();
+    verifies<req::CO_CAN_009>();
     // 52 clocks are 0.96 % too fast and 53 are 0.94 % too slow.
     for (const std::uint32_t rate : {800000U, 0U, 100U, 6000000U, 42000000U, 4294967295U}) {
         SCOPED_TRACE(rate);

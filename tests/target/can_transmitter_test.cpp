@@ -111,7 +111,7 @@ TEST(CanTransmitter, FreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
 }
 
 TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_012, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x703, 3}});
     bench.serve();
@@ -125,7 +125,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
 }
 
 TEST(CanTransmitter, FramePutBackPrecedesFramesOfItsIdentifier) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_006, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
@@ -137,7 +137,7 @@ TEST(CanTransmitter, FramePutBackPrecedesFramesOfItsIdentifier) {
 }
 
 TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();
@@ -156,7 +156,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
 }
 
 TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_012, req::CO_CAN_013>();
     for (const bool sent : {true, false}) {
         Bench bench;
         bench.queue_up({{0x583, 1}});
@@ -177,7 +177,7 @@ TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
 }
 
 TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}});
     bench.serve();
@@ -195,7 +195,7 @@ TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
 }
 
 TEST(CanTransmitter, UrgentFrameLeavesAFullQueueToo) {
-    verifies<req::CO_CAN_006>();
+    verifies<req::CO_CAN_012, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});
     bench.serve();

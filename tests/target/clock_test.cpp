@@ -47,7 +47,7 @@ TEST(Clock, CoreRunsFromTheCrystal) {
 }
 
 TEST(Clock, CoreRunsFromTheInternalOscillatorWithoutACrystal) {
-    verifies<req::CO_CLOCK_001>();
+    verifies<req::CO_CLOCK_003>();
     ClockBench bench;
     bench.model.break_crystal();
     EXPECT_EQ(bench.clock.start(core_168_mhz), ClockSource::internal);
@@ -57,7 +57,7 @@ TEST(Clock, CoreRunsFromTheInternalOscillatorWithoutACrystal) {
 }
 
 TEST(Clock, PllThatDoesNotLockIsReported) {
-    verifies<req::CO_CLOCK_001>();
+    verifies<req::CO_CLOCK_004>();
     ClockBench bench;
     bench.model.break_pll();
     EXPECT_EQ(bench.clock.start(core_168_mhz), ClockSource::none);

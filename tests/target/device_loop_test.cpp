@@ -65,7 +65,7 @@ TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
 }
 
 TEST(DeviceLoop, DeviceStaysOffTheBusWithAWrongClock) {
-    verifies<req::CO_CLOCK_001>();
+    verifies<req::CO_CLOCK_003>();
     Chips chips;
     Unit unit{chips, false};
     EXPECT_THAT(unit.run(3000), IsEmpty());
@@ -92,7 +92,7 @@ TEST(DeviceLoop, LostFrameIsReportedForASecond) {
 }
 
 TEST(DeviceLoop, DeviceRecoversFromBusOff) {
-    verifies<req::CO_CAN_008, req::CO_EMCY_017>();
+    verifies<req::CO_CAN_008, req::CO_EMCY_017, req::CO_EMCY_031>();
     Chips chips;
     Unit unit{chips};
     unit.run(5);

@@ -206,7 +206,7 @@ TEST(ParameterJournal, FailedOperationKeepsTheConfirmedContent) {
 }
 
 TEST(ParameterJournal, WaitForABusyFlashIsBounded) {
-    verifies<req::CO_FLASH_001>();
+    verifies<req::CO_FLASH_001, req::CO_FLASH_004>();
     FlashModel model;
     Unit unit{model};
     ASSERT_TRUE(unit.store(0, {1}));

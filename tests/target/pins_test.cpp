@@ -45,7 +45,7 @@ TEST(AnalogInputs, AnalogInputsKeepTheLastConversionOfEachChannel) {
 }
 
 TEST(AnalogOutputs, AnalogOutputsSetAFractionOfFullScaleOnEachChannel) {
-    verifies<req::CO_IMAGE_002>();
+    verifies<req::CO_IMAGE_003>();
     PlainModel<DacRegisters> dac;
     AnalogOutputs outputs{dac.registers()};
     outputs.start();
@@ -63,7 +63,7 @@ TEST(AnalogOutputs, AnalogOutputsSetAFractionOfFullScaleOnEachChannel) {
 }
 
 TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
-    verifies<req::CO_IMAGE_002>();
+    verifies<req::CO_IMAGE_003>();
     PlainModel<TimerRegisters> timer;
     PulseOutputs outputs{timer.registers(), 84};
     outputs.start();
@@ -78,7 +78,7 @@ TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
 }
 
 TEST(Port, PortReadsAndSetsItsPins) {
-    verifies<req::CO_IMAGE_002>();
+    verifies<req::CO_IMAGE_002, req::CO_IMAGE_003>();
     PlainModel<GpioRegisters> gpio;
     Port port{gpio.registers()};
     gpio.at(0x10) = 0xA5;

@@ -102,7 +102,7 @@ void check_span(float angle) {
 
 CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_005, req::INC_INSTALL_001,
-                     req::INC_RANGE_001)
+                     req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (; size >= record_size; data += record_size, size -= record_size) {

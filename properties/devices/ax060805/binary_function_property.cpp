@@ -67,13 +67,13 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 }  // namespace
 
 RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsDefinedForEveryValue, ()) {
-    verifies<req::INC_SIG_004>("property");
+    verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
 }
 
 RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
-    verifies<req::INC_SIG_003>("property");
+    verifies<req::INC_SIG_008>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
     RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);  // half a step of 2^32 / 2^24
     if (value <= 16777216U) {

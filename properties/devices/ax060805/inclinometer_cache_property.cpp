@@ -124,7 +124,7 @@ class Told : public InclinometerBench {
 }  // namespace
 
 RC_GTEST_PROP(InclinometerCacheLaw, WrittenParameterHasTheSameEffectAsOneSetFromTheStart, ()) {
-    verifies<req::INC_ANGLE_009, req::INC_BIN_001>("property");
+    verifies<req::INC_ANGLE_017, req::INC_BIN_012, req::INC_BIN_013>("property");
     std::vector<std::size_t> choice(all_keys().size());
     for (std::size_t& one : choice) {
         one = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, 60));

@@ -195,7 +195,6 @@ RC_GTEST_PROP(InclinometerLaw, MeasuredValuesStayWithinTheirLimits, ()) {
 }
 
 RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
-    verifies<req::INC_PDO_007>("property");
     Run run;
     for (const Event& event : any_events()) {
         if (event.kind < 6) {  // the identifiers stay as shipped

@@ -59,7 +59,7 @@ RC_GTEST_PROP(AngleFilterLaw, ShortWindowGivesTheMeanOfTheUnwrappedSamples, ()) 
 }
 
 RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
-    verifies<req::INC_AVG_002>("property");
+    verifies<req::INC_AVG_009>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(1, 60001);
     const float angle = static_cast<float>(*rc::gen::inRange(-180000, 180001)) / 1000.0F;
     AngleFilter filter;
@@ -71,7 +71,7 @@ RC_GTEST_PROP(AngleFilterLaw, AverageOfAConstantAngleIsThatAngle, ()) {
 }
 
 RC_GTEST_PROP(AngleFilterLaw, LongWindowErrsByAtMostOneRunOnASteadyTurn, ()) {
-    verifies<req::INC_AVG_002>("property");
+    verifies<req::INC_AVG_010>("property");
     const auto samples = *rc::gen::inRange<std::uint16_t>(65, 2001);
     const double step = *rc::gen::inRange(-500, 501) * 0.001;
     const double run = std::ceil(samples / 64.0);

@@ -250,10 +250,12 @@ void take_step(TwoInclinometers& both, NaiveFelt& felt, Topic topic) {
 }  // namespace
 
 RC_GTEST_PROP(InclinometerModelLaw, DeviceAgreesWithTheNaiveModel, ()) {
-    verifies<req::INC_FV_001, req::INC_FV_004, req::INC_FV_005, req::INC_FV_007, req::INC_FOM_001, req::INC_LATENCY_001,
-             req::INC_SIG_005, req::INC_BIN_001, req::INC_BIN_009, req::INC_RPDO_001, req::INC_RPDO_002,
-             req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007, req::INC_INSTALL_001, req::INC_INSTALL_003,
-             req::INC_ERR_005, req::INC_ERR_006, req::INC_ERR_011, req::INC_PDO_002>("property");
+    verifies<req::INC_FV_001, req::INC_FV_004, req::INC_FV_008, req::INC_FV_009, req::INC_FV_005, req::INC_FV_007,
+             req::INC_FV_011, req::INC_FOM_001, req::INC_LATENCY_001, req::INC_SIG_005, req::INC_BIN_001,
+             req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_009, req::INC_BIN_016, req::INC_RPDO_001,
+             req::INC_RPDO_002, req::INC_RPDO_003, req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007,
+             req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_001, req::INC_INSTALL_003, req::INC_ERR_005,
+             req::INC_ERR_006, req::INC_ERR_011, req::INC_PDO_002>("property");
     TwoInclinometers both{any_unit()};
     if (between(0, 3) != 0) {
         set_finest_digits(both);

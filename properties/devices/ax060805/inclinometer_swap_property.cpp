@@ -94,7 +94,7 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 /// The unit is turned so that X and Y change places; its tilt angles then change places: x' = -y, y' = -x.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
-    verifies<req::INC_AVG_005, req::INC_FV_004>("property");
+    verifies<req::INC_AVG_005, req::INC_FV_004, req::INC_FV_008>("property");
     InclinometerBench one;
     InclinometerBench other;
     one.power_on();
@@ -125,7 +125,7 @@ RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
 }
 
 RC_GTEST_PROP(InclinometerSwapLaw, FunctionBlockGivesTheSameResultUnderEveryNumber, ()) {
-    verifies<req::INC_BIN_001, req::INC_BIN_011>("property");
+    verifies<req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_011>("property");
     const auto from = static_cast<unsigned>(between(0, 10));
     const auto to = static_cast<unsigned>(between(0, 10));
     const std::vector<Write> function = any_function(from);

@@ -93,7 +93,7 @@ RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNoAngle, ()) {
 }
 
 RC_GTEST_PROP(TiltLaw, GravityAngleIsUnchangedByATurnAboutTheZAxis, ()) {
-    verifies<req::INC_ANGLE_004>("property");
+    verifies<req::INC_ANGLE_015>("property");
     const Vector3 g = any_gravity();
     const Vector turned = seen_from({g.x, g.y, g.z}, angle(180) * radians, 0.0, 0.0);
     RC_ASSERT(apart(gravity_angle(single(turned)), gravity_angle(g)) < stated_error);
@@ -175,7 +175,7 @@ InclinationSettings any_settings() {
 
 // Earlier directions have no effect, nor do the settings at the time of the last direction.
 RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
-    verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>("property");
+    verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
     Vector3 last = any_gravity();
@@ -203,7 +203,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings,
 }
 
 RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirection, ()) {
-    verifies<req::INC_RANGE_001>("property");
+    verifies<req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});
     const float right = in_span(given, {0, 90});

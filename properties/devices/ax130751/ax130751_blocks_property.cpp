@@ -171,8 +171,8 @@ RC_GTEST_PROP(LogicLaw, FirstTrueFunctionSelectsItsTable, ()) {
 }
 
 RC_GTEST_PROP(LogicLaw, LogicBlockSelectsTheSameTableAsTheNaiveModel, ()) {
-    verifies<req::AOR_LOGIC_001, req::AOR_LOGIC_002, req::AOR_LOGIC_003, req::AOR_LOGIC_004, req::AOR_LOGIC_005,
-             req::AOR_T16, req::AOR_T17, req::AOR_T18, req::AOR_T19>("property");
+    verifies<req::AOR_LOGIC_001, req::AOR_LOGIC_002, req::AOR_LOGIC_003, req::AOR_LOGIC_004, req::AOR_LOGIC_011,
+             req::AOR_LOGIC_005, req::AOR_T16, req::AOR_T17, req::AOR_T18, req::AOR_T19>("property");
     std::array<naive_blocks::Function, logic_functions> naive;
     std::array<LogicFunction, logic_functions> functions;
     for (std::size_t f = 0; f < logic_functions; ++f) {
@@ -188,7 +188,7 @@ RC_GTEST_PROP(LogicLaw, LogicBlockSelectsTheSameTableAsTheNaiveModel, ()) {
 
 RC_GTEST_PROP(LogicLaw, LogicBlockOutputLiesBetween0And100Percent,
               (std::int16_t value, std::int16_t a, std::int16_t b)) {
-    verifies<req::AOR_LOGIC_007>("property");
+    verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>("property");
     const double percentage = percentage_of_limits({static_cast<double>(value), static_cast<double>(std::min(a, b)),
                                                     static_cast<double>(std::max(a, b)), SignalState::valid});
     RC_ASSERT(percentage >= 0.0 && percentage <= 100.0);
@@ -215,8 +215,9 @@ RC_GTEST_PROP(MathLaw, OutputStaysBetweenItsScalingsForEveryInput, ()) {
 }
 
 RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
-    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005,
-             req::AOR_MATH_006, req::AOR_MATH_007, req::AOR_MATH_009, req::AOR_T21>("property");
+    verifies<req::AOR_MATH_001, req::AOR_MATH_002, req::AOR_MATH_003, req::AOR_MATH_012, req::AOR_MATH_004,
+             req::AOR_MATH_005, req::AOR_MATH_013, req::AOR_MATH_006, req::AOR_MATH_007, req::AOR_MATH_009,
+             req::AOR_MATH_015, req::AOR_T21>("property");
     std::array<naive_blocks::Input, math_inputs> inputs;
     std::array<int, math_functions> operators{};
     MathConfig config;

@@ -156,7 +156,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) 
 }
 
 RC_GTEST_PROP(Ax130751Law, OutputsStayInTheRangeOfTheirTypeAfterAnyWrite, ()) {
-    verifies<req::AOR_OUT_016>("property");
+    verifies<req::AOR_OUT_016, req::AOR_OUT_034>("property");
     Ax130751Bench bench;
     bench.power_on();
     bench.start();

@@ -24,30 +24,35 @@ void hold(ModelPair& pair, const Focus& focus) {
 
 RC_GTEST_PROP(Ax130751Model, OutputsAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_009, req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014, req::AOR_OUT_028,
-             req::AOR_OUT_029, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_008>(
-        "property");
+             req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_005,
+             req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_012, req::AOR_DO_008, req::AOR_DO_013>("property");
     ModelPair pair;
     hold(pair, {Group::output, Group::output, Group::extra});
 }
 
 RC_GTEST_PROP(Ax130751Model, RelayAgreesWithTheNaiveModel, ()) {
-    verifies<req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_009,
-             req::AOR_RELAY_010, req::AOR_RELAY_012, req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015,
-             req::AOR_RELAY_017>("property");
+    verifies<req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_RELAY_005, req::AOR_RELAY_020, req::AOR_RELAY_006,
+             req::AOR_RELAY_021, req::AOR_RELAY_009, req::AOR_RELAY_010, req::AOR_RELAY_012, req::AOR_RELAY_013,
+             req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_017,
+             req::AOR_RELAY_025>("property");
     ModelPair pair;
     hold(pair, {Group::relay});
 }
 
 RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathAgreeWithTheNaiveModel, ()) {
-    verifies<req::AOR_LT_001, req::AOR_LT_010, req::AOR_LT_013, req::AOR_LT_016, req::AOR_LT_018, req::AOR_LOGIC_006,
-             req::AOR_LOGIC_007, req::AOR_LOGIC_008, req::AOR_MATH_001, req::AOR_MATH_008>("property");
+    verifies<req::AOR_LT_001, req::AOR_LT_010, req::AOR_LT_021, req::AOR_LT_013, req::AOR_LT_016, req::AOR_LT_025,
+             req::AOR_LT_026, req::AOR_LT_018, req::AOR_LT_027, req::AOR_LT_028, req::AOR_LOGIC_006, req::AOR_LOGIC_007,
+             req::AOR_LOGIC_012, req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_MATH_001, req::AOR_MATH_008>(
+        "property");
     ModelPair pair;
     hold(pair, {Group::table, Group::table, Group::logic, Group::math, Group::extra});
 }
 
 RC_GTEST_PROP(Ax130751Model, DeviceAgreesWithTheNaiveModel, ()) {
-    verifies<req::AOR_OUT_001, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006, req::AOR_DIAG_007,
-             req::AOR_ERR_003, req::AOR_ERR_008, req::AOR_ERR_010, req::AOR_PDO_004, req::AOR_PDO_009>("property");
+    verifies<req::AOR_OUT_001, req::AOR_OUT_030, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006,
+             req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003, req::AOR_ERR_013,
+             req::AOR_ERR_008, req::AOR_ERR_015, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_PDO_004,
+             req::AOR_PDO_009>("property");
     ModelPair pair;
     set_up_network(pair);
     hold(pair, {Group::output, Group::output, Group::output, Group::relay, Group::relay, Group::table, Group::logic,

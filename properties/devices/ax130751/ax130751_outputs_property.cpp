@@ -49,7 +49,7 @@ RC_GTEST_PROP(OutputLaw, ScaledValueStaysBetweenTheFieldValues, ()) {
 }
 
 RC_GTEST_PROP(OutputLaw, OutputsStayInTheRangeOfTheirType, ()) {
-    verifies<req::AOR_OUT_016>("property");
+    verifies<req::AOR_OUT_016, req::AOR_OUT_034>("property");
     const OutputRange range = *rc::gen::elementOf(ranges);
     AnalogueOutput output;
     Instant now{};
@@ -125,7 +125,7 @@ RC_GTEST_PROP(OutputLaw, DigitalInputChangesAtItsLimitsOnly, ()) {
 }
 
 RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
-    verifies<req::AOR_DO_004>("property");
+    verifies<req::AOR_DO_010>("property");
     const auto half = static_cast<std::uint64_t>(*rc::gen::inRange(1, 60001));
     const auto at = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000));
     const Instant since{*rc::gen::inRange<std::uint64_t>(0, 1'000'000'000)};

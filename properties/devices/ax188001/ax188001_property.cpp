@@ -94,7 +94,7 @@ Frames messages(const std::vector<ModelLimit>& limits, const std::vector<double>
 }  // namespace
 
 RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
-    verifies<req::TCS_LIM_002, req::TCS_LIM_003>("property");
+    verifies<req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_012>("property");
     const int low = any(-150, 0);
     const int high = low + any(10, 100);
     const int shutdown = high + any(10, 60);
@@ -135,7 +135,7 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
 }
 
 RC_GTEST_PROP(Ax188001Law, FramesDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
-    verifies<req::TCS_IN_001>("property");
+    verifies<req::TCS_IN_015>("property");
     struct Step {
         int wait_ms;
         int what;

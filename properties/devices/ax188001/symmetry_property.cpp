@@ -98,8 +98,8 @@ std::vector<std::uint32_t> listed(const TcsRig& rig, bool is_exchanged) {
 }  // namespace
 
 RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
-    verifies<req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_003, req::TCS_VAL_001, req::TCS_ERR_001, req::TCS_PDO_001>(
-        "property");
+    verifies<req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_VAL_001, req::TCS_ERR_001,
+             req::TCS_PDO_001>("property");
     auto setup = setup_of(*rc::gen::container<std::vector<unsigned>>(50, rc::gen::inRange(0U, 1000000U)));
     setup.reaction[1] =
         1;  // otherwise the order of the channels would decide which of two simultaneous faults stops the node first

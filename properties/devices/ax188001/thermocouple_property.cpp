@@ -113,7 +113,7 @@ RC_GTEST_PROP(ProcessValueLaw, ProcessValueIsTheNearestIntegerThatFits, ()) {
 }
 
 RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
-    verifies<req::TCS_AVG_001>("property");
+    verifies<req::TCS_AVG_001, req::TCS_AVG_005>("property");
     std::array<Measurement, 2> all{};
     double low = 1e9;
     double high = -1e9;
@@ -128,7 +128,7 @@ RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
 }
 
 RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedOnceTheLimitWasPassedForTheWholeDelay, ()) {
-    verifies<req::TCS_LIM_003, req::TCS_LIM_002>("property");
+    verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_002>("property");
     // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));
     const std::uint64_t delay_ms = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));

@@ -25,7 +25,7 @@ void write_value(CbxBench& bench, std::size_t which, std::size_t output, int val
 }  // namespace
 
 RC_GTEST_PROP(CbxAo412OneChange, RunningDeviceAfterOneChangeMatchesAFreshDevice, ()) {
-    verifies<req::AO4_AOUT_004, req::AO4_AOUT_005>("property");
+    verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_011>("property");
     const auto changes = *rc::gen::container<std::vector<std::array<int, 3>>>(
         8, rc::gen::container<std::array<int, 3>>(rc::gen::inRange(0, 60000)));
     Ao4Values values{{{8192, -3000, 500, 31000}, {8, -40, 160, 0}, {44, 0, -777, 16384}}};

@@ -98,8 +98,8 @@ void compare(const CbxBench& bench, const CbxBench& other, const Places& places)
 }  // namespace
 
 RC_GTEST_PROP(CbxAo412Symmetry, ExchangedOutputsGiveExchangedResults, ()) {
-    verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_006, req::AO4_AOUT_009, req::AO4_PDO_001,
-             req::AO4_PDO_004>("property");
+    verifies<req::AO4_AOUT_004, req::AO4_AOUT_005, req::AO4_AOUT_011, req::AO4_AOUT_006, req::AO4_AOUT_009,
+             req::AO4_PDO_001, req::AO4_PDO_004>("property");
     Places places{0, 1, 2, 3};
     for (unsigned i = 3; i > 0; --i) {
         std::swap(places[i], places[*rc::gen::inRange(0U, i + 1U)]);

@@ -28,7 +28,7 @@ void nmt_takes_exactly_its_commands() {
     shows(
         "a frame is an NMT command exactly when it is a base data frame 000h of 2 bytes, with a known command, to all "
         "or to this node");
-    proves<req::CO_NMT_003, req::CO_NMT_004>();
+    proves<req::CO_NMT_003, req::CO_NMT_009, req::CO_NMT_004>();
     const Frame frame = any_frame();
     const auto node_id = any<std::uint8_t>();
     const std::optional<NmtCommand> command = nmt_command(frame, node_id);

@@ -50,7 +50,7 @@ struct Reporting {
 
 void the_error_register_shows_what_lasts() {
     shows("1001h holds a bit exactly when an error that lasts has it, and a change of 1001h is noticed");
-    proves<req::CO_EMCY_012>();
+    proves<req::CO_EMCY_012, req::CO_EMCY_025>();
     Reporting node{};
     const std::uint32_t bit = any<std::uint8_t>() & 7U;
     const bool had_changed = node.emcy.register_changed_;
@@ -69,7 +69,7 @@ void the_error_register_shows_what_lasts() {
 
 void a_listed_error_comes_first() {
     shows("a new error stands at 1003h:1, the others move up by one, and the oldest leaves a full list");
-    proves<req::CO_EMCY_013>();
+    proves<req::CO_EMCY_013, req::CO_EMCY_026>();
     Reporting node{};
     const auto entry = any<std::uint32_t>();
     const auto sub = any<std::uint8_t>();
@@ -109,7 +109,7 @@ void a_cured_error_leaves_the_list() {
 
 void an_emergency_message_holds_what_cia_301_says() {
     shows("an emergency message has eight bytes on the identifier of 1014h: code, 1001h, then what the device adds");
-    proves<req::CO_EMCY_001, req::CO_EMCY_008, req::CO_EMCY_010>();
+    proves<req::CO_EMCY_001, req::CO_EMCY_023, req::CO_EMCY_010>();
     Reporting node{};
     Emcy::Pending pending{any<std::uint8_t>(), any<bool>()};
     assume(pending.error < max_errors);
@@ -128,7 +128,7 @@ void an_emergency_message_holds_what_cia_301_says() {
 
 void at_most_two_messages_of_an_error_wait() {
     shows("with up to four messages waiting, announcing an error leaves at most two of it, the last one as it stands");
-    proves<req::CO_EMCY_002, req::CO_EMCY_006>();
+    proves<req::CO_EMCY_002, req::CO_EMCY_006, req::CO_EMCY_022>();
     Reporting node{};
     const auto error = any<std::uint8_t>();
     const bool cured = any<bool>();

@@ -97,7 +97,7 @@ void a_guarding_request_is_answered_once() {
 
 void new_settings_keep_error_control_consistent() {
     shows("after a write to 1017h, 100Ch or 100Dh error control is consistent, and sends nothing by it");
-    proves<req::CO_GUARD_003, req::CO_GUARD_006>();
+    proves<req::CO_GUARD_008, req::CO_GUARD_006>();
     Watched node{};
     const auto which = any<std::uint8_t>();
     const std::uint32_t changed = (which == 0U)   ? index::producer_heartbeat_time

@@ -41,7 +41,7 @@ void a_sync_is_told_from_other_frames() {
     shows(
         "a frame is a SYNC exactly when it is a base data frame on the identifier of 1005h; its length is that of "
         "1019h");
-    proves<req::CO_SYNC_001, req::CO_SYNC_002, req::CO_FRAME_001>();
+    proves<req::CO_SYNC_001, req::CO_SYNC_002, req::CO_SYNC_009, req::CO_FRAME_001>();
     Synchronised node{};
     const Frame frame = any_frame();
     const std::uint32_t identifier = node.dictionary.objects.read(index::sync_cob_id, 0U) & 0x7FFU;
@@ -108,7 +108,7 @@ void a_sync_identifier_is_taken_as_cia_301_says() {
     shows(
         "1005h takes unrestricted identifiers beside bits 30 and 31, and another identifier only while it produces no "
         "SYNC");
-    proves<req::CO_SYNC_006, req::CO_SYNC_008>();
+    proves<req::CO_SYNC_010, req::CO_SYNC_008>();
     Synchronised node{};
     EntryRow row{};
     const EntryRef entry{&row, static_cast<std::uint16_t>(index::sync_cob_id)};

@@ -27,7 +27,7 @@ void Emcy::reset() noexcept {
     show_register();
 }
 
-static_assert(implements<req::CO_EMCY_012>);
+static_assert(implements<req::CO_EMCY_012> && implements<req::CO_EMCY_025>);
 void Emcy::show_register() noexcept {
     const std::uint8_t value = active_register();
     register_changed_ = register_changed_ || (std::uint32_t{value} != shown_register_);
@@ -41,12 +41,13 @@ void Emcy::refresh() noexcept {
     may_send_at_ = Instant{};
     forget_when_switched_off();
     show_register();
+    static_assert(implements<req::CO_EMCY_024>);
     if (list_ == ErrorList::history) {
         clear_list();
     }
 }
 
-static_assert(implements<req::CO_EMCY_015>);
+static_assert(implements<req::CO_EMCY_015> && implements<req::CO_EMCY_028> && implements<req::CO_EMCY_029>);
 void Emcy::set(const ErrorId error, const bool present, const Instant now, const std::uint8_t channel) noexcept {
     const std::size_t at = static_cast<std::size_t>(error);
     const ErrorRow& row = errors_[at];
@@ -57,6 +58,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
     if (present) {
         channel_[at] = channel;
     }
+    static_assert(implements<req::CO_EMCY_019>);
     show_register();
     if (present && row.listed) {
         enter_into_list(list_entry(at));
@@ -103,7 +105,7 @@ std::uint8_t Emcy::active_register() const noexcept {
     return static_cast<std::uint8_t>(bits);
 }
 
-static_assert(implements<req::CO_EMCY_008> && implements<req::CO_EMCY_013>);
+static_assert(implements<req::CO_EMCY_008> && implements<req::CO_EMCY_013> && implements<req::CO_EMCY_026>);
 void Emcy::enter_into_list(const std::uint32_t entry) noexcept {
     // Sub-index 1 is the newest entry; the oldest is dropped when all sub-indices are in use.
     const std::uint32_t capacity = list_capacity();
@@ -150,7 +152,7 @@ void Emcy::clear_list() noexcept {
     }
 }
 
-static_assert(implements<req::CO_EMCY_006>);
+static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
 /// Queues the message of an error that begins or ends. A message that repeats the newest waiting one of its error is
 /// dropped. If two messages of the error wait, an opposite one cancels the newer of them. So at most two messages wait
 /// for each error, and the last one sent always shows its present state.
@@ -172,6 +174,7 @@ void Emcy::announce(const std::size_t error, const bool cured, const Instant now
     } else if (waiting > 1U) {
         forget(last);
     } else {
+        static_assert(implements<req::CO_EMCY_020>);
         pending_[pending_count_] = Pending{static_cast<std::uint8_t>(error), cured};
         ++pending_count_;
     }
@@ -199,6 +202,7 @@ Frame Emcy::message(const Pending& told) const noexcept {
     if (content_ == EmcyContent::listed_errors) {
         frame.data[3] = static_cast<std::uint8_t>(objects_.read(index::error_list, 0U));
     } else if (!told.cured) {
+        static_assert(implements<req::CO_EMCY_023>);
         set_field_le<3U, 2U>(frame.data, list_entry(told.error) >> 16U);
     } else {
         // the message for the end of an error contains zeros here
@@ -224,7 +228,7 @@ void Emcy::send_pending(const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::CO_EMCY_005>);
+static_assert(implements<req::CO_EMCY_005> && implements<req::CO_EMCY_021>);
 AbortCode Emcy::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index != index::emcy_cob_id) {
         return AbortCode::none;

@@ -55,7 +55,7 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
     start_heartbeat(now);
 }
 
-static_assert(implements<req::CO_HB_001> && implements<req::CO_GUARD_003>);
+static_assert(implements<req::CO_HB_001> && implements<req::CO_GUARD_008>);
 void ErrorControl::start_heartbeat(const Instant now) noexcept {
     const Duration time = heartbeat_time_;
     next_heartbeat_ = (time.us == 0U) ? never : (now + time);
@@ -69,6 +69,7 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
 static_assert(implements<req::CO_GUARD_001> && implements<req::CO_GUARD_002>);
 bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
     const bool is_request = !request.extended && (request.id == identifier_);
+    static_assert(implements<req::CO_GUARD_003>);
     if (!is_request || (heartbeat_time_.us != 0U)) {
         return false;
     }
@@ -89,6 +90,7 @@ void ErrorControl::act(const Instant now) noexcept {
             next_heartbeat_ = now + heartbeat_time_;
         }
     }
+    static_assert(implements<req::CO_GUARD_007>);
     if (life_deadline_ <= now) {
         life_deadline_ = never;
         life_failed_ = true;

@@ -68,6 +68,7 @@ void HeartbeatConsumer::hear(const std::uint32_t identifier, const Instant now) 
     schedule();
 }
 
+static_assert(implements<req::CO_HB_004>);
 void HeartbeatConsumer::find_silent(const Instant now) noexcept {
     for (std::size_t slot = 0U; slot < max_producers; ++slot) {
         if (watches_[slot].deadline <= now) {

@@ -27,7 +27,7 @@ std::optional<NmtCommand> nmt_command(const Frame& frame, const std::uint8_t nod
         (frame.length != command_length)) {
         return std::nullopt;
     }
-    static_assert(implements<req::CO_NMT_003>);
+    static_assert(implements<req::CO_NMT_003> && implements<req::CO_NMT_009>);
     const std::uint32_t addressed = frame.data[1];
     if ((addressed != 0U) && (addressed != node_id)) {
         return std::nullopt;

@@ -218,6 +218,7 @@ inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
         idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
     }
     if (allowed_.has(NmtService::pdo)) {
+        static_assert(implements<req::CO_PDO_003>);
         rpdos_.receive(frame, now);
         if (rpdos_.next_deadline() < idle_until_) {
             idle_until_ = rpdos_.next_deadline();
@@ -227,6 +228,7 @@ inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
 
 static_assert(implements<req::CO_NMT_002>);
 void Node::obey(const NmtCommand command, const Instant now) noexcept {
+    static_assert(implements<req::CO_NMT_008>);
     start_at_ = never;  // an NMT command of the master cancels the self-start
     switch (command) {
         case NmtCommand::start:

@@ -98,7 +98,9 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         }
     }
     const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
+    static_assert(implements<req::CO_PDO_042>);
     after_put(entry, changes, now);
+    static_assert(implements<req::CO_VERIFY_005>);
     if (changes && entry.may(rights::stored) && !entry.may(rights::rpdo)) {
         forget_verification(index);
     }

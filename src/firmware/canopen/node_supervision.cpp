@@ -21,7 +21,7 @@ constexpr std::uint32_t to_stopped = 2U;
 
 }  // namespace
 
-static_assert(implements<req::CO_NMT_008>);
+static_assert(implements<req::CO_NMT_011>);
 void Node::start_at(const Instant at) noexcept {
     wake();
     const bool held = communication_failed_ && (error_behaviour(communication_error_subindex) != no_change);
@@ -50,7 +50,7 @@ bool Node::may_send() const noexcept {
     return (can_state_ != CanState::bus_off) && !lss_.is_silent();
 }
 
-static_assert(implements<req::CO_EMCY_016> && implements<req::CO_EMCY_017>);
+static_assert(implements<req::CO_EMCY_016> && implements<req::CO_EMCY_030> && implements<req::CO_EMCY_017>);
 void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (state == can_state_) {
         return;
@@ -70,6 +70,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (is_off) {
         sdo_.abandon();
     }
+    static_assert(implements<req::CO_EMCY_031>);
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
     if (was_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
@@ -96,6 +97,7 @@ void Node::take_note(const Instant now) noexcept {
     }
     wake();
     const CommunicationFaults begun{faults.bits & ~faults_.bits};
+    static_assert(implements<req::CO_PDO_038>);
     const bool failed = faults.is_error();
     const bool changes = failed != communication_failed_;
     faults_ = faults;
@@ -131,7 +133,7 @@ std::uint32_t Node::error_behaviour(const std::uint8_t subindex) const noexcept 
     return objects_.read(index::error_behaviour, subindex);
 }
 
-static_assert(implements<req::CO_NMT_007> && implements<req::CO_NMT_008>);
+static_assert(implements<req::CO_NMT_007> && implements<req::CO_NMT_010>);
 void Node::apply_error_behaviour(const std::uint8_t subindex, const Instant now) noexcept {
     const std::uint32_t wanted = error_behaviour(subindex);
     if (wanted != no_change) {

@@ -130,6 +130,7 @@ std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRow&
 }
 
 static_assert(implements<req::CO_SDO_040>);
+static_assert(implements<req::CO_EMCY_027>);
 AbortCode ObjectDictionary::check_limits(const EntryRow& row, const std::uint64_t bits) const noexcept {
     const LimitRow& limits = tables_.limits[row.limit];
     if (limits.minimum.kind == LimitKind::list) {

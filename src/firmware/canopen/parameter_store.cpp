@@ -164,7 +164,7 @@ void ParameterStore::give_up() noexcept {
     groups_ = no_groups;
 }
 
-static_assert(implements<req::CO_PDO_035>);
+static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060>);
 void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id) noexcept {
     node_id_ = node_id;
     const ParameterGroups wanted = group_bit(group) & groups_;
@@ -193,7 +193,7 @@ void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id
     }
 }
 
-static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_003>);
+static_assert(implements<req::CO_STORE_001> && implements<req::CO_STORE_003> && implements<req::CO_STORE_012>);
 AbortCode ParameterStore::execute(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool is_store = entry.index == index::store_parameters;
     static_assert(implements<req::CO_STORE_002> && implements<req::CO_K_STORE_SIGNATURE> &&
@@ -223,6 +223,7 @@ void ParameterStore::Writer::put(const ByteView bytes) noexcept {
 }
 
 /// Copies a value from the bank in use to the new one.
+static_assert(implements<req::CO_STORE_011>);
 void ParameterStore::keep_value(const EntryRow& row, const std::size_t from, Writer& to) const noexcept {
     std::array<std::uint8_t, piece_size> bytes{};
     for (std::size_t at = 0U; at < row.size; at += piece_size) {
@@ -239,6 +240,7 @@ void ParameterStore::write_values(const ParameterGroups fresh, Writer& to) const
     while (stored.next()) {
         const EntryRef& entry = stored.entry();
         if (((stored.group() & fresh) != 0U) || !in_use_) {
+            static_assert(implements<req::CO_VERIFY_004>);
             to.write(objects_.bytes(*entry.row));
         } else {
             keep_value(*entry.row, payload() + stored.offset(), to);
@@ -255,6 +257,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     if (memory_.size() < needed_size()) {
         return AbortCode::hardware_error;
     }
+    static_assert(implements<req::CO_STORE_013>);
     const std::size_t to_bank = 1U - bank_;
     if (!write_marker(to_bank, void_marker)) {
         return AbortCode::hardware_error;
@@ -283,6 +286,7 @@ AbortCode ParameterStore::write_set(const ParameterGroups fresh, const Parameter
     }
     // If this write fails, two sound banks remain; the sequence number still shows which one is newer.
     static_cast<void>(write_marker(bank_, void_marker));
+    static_assert(implements<req::CO_STORE_014>);
     if (!memory_.commit()) {
         return AbortCode::hardware_error;
     }

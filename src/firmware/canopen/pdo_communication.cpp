@@ -43,12 +43,14 @@ AbortCode check_cob_id(const ObjectDictionary& objects, const PdoDirection direc
                        const std::uint32_t current, const std::uint32_t wanted) noexcept {
     const std::uint32_t identifier = cob_id::identifier(wanted);
     constexpr std::uint32_t meant = cob_id::not_valid | cob_id::no_remote | cob_id::identifier_mask;
+    static_assert(implements<req::CO_PDO_054>);
     if ((wanted & ~meant) != 0U) {
         return AbortCode::value_range;
     }
     if (!cob_id::is_valid(wanted)) {
         return AbortCode::none;  // the identifier of an invalid PDO is not restricted
     }
+    static_assert(implements<req::CO_PDO_055>);
     if (cob_id::is_restricted(identifier)) {
         return AbortCode::value_range;
     }
@@ -71,7 +73,7 @@ AbortCode check_type(const PdoDirection direction, const std::uint32_t type) noe
     return refused ? AbortCode::value_range : AbortCode::none;
 }
 
-static_assert(implements<req::CO_PDO_023> && implements<req::CO_PDO_024>);
+static_assert(implements<req::CO_PDO_023> && implements<req::CO_PDO_024> && implements<req::CO_PDO_058>);
 AbortCode check_communication_write(const ObjectDictionary& objects, const PdoDirection direction,
                                     const std::uint32_t current, const EntryRef& entry,
                                     const std::uint32_t value) noexcept {
@@ -91,7 +93,7 @@ AbortCode check_communication_write(const ObjectDictionary& objects, const PdoDi
     }
 }
 
-static_assert(implements<req::CO_PDO_009>);
+static_assert(implements<req::CO_PDO_009> && implements<req::CO_PDO_056>);
 AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction,
                               const std::uint32_t current, const EntryRef& entry, const std::uint32_t value) noexcept {
     // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.

@@ -45,7 +45,7 @@ constexpr std::uint64_t low_bits(const std::uint64_t number, const std::uint32_t
 
 }  // namespace
 
-static_assert(implements<req::CO_PDO_010> && implements<req::CO_PDO_012>);
+static_assert(implements<req::CO_PDO_010> && implements<req::CO_PDO_057>);
 AbortCode check_mapping_entry(const ObjectDictionary& objects, const std::uint32_t right,
                               const std::uint32_t entry) noexcept {
     const std::uint16_t index = index_of(entry);
@@ -175,6 +175,7 @@ bool PdoMapping::is_acceptable(const std::uint64_t packed, const ObjectDictionar
                                ObjectAccess& access) const noexcept {
     std::uint32_t at{0U};
     for (const PdoLine& line : lines_) {
+        static_assert(implements<req::CO_PDO_012>);
         if (!line.is_free()) {
             const std::uint64_t value = low_bits(packed >> at, line.bits);
             AbortCode code = objects.check_bits(*line.row, value);

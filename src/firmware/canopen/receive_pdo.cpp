@@ -39,7 +39,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
     mark(came_late, number, false);
 }
 
-static_assert(implements<req::CO_PDO_003>);
+static_assert(implements<req::CO_PDO_036>);
 void ReceivePdos::stop() noexcept {
     for (ReceivePdo& rpdo : rpdos_) {
         rpdo.waits = false;
@@ -49,7 +49,7 @@ void ReceivePdos::stop() noexcept {
 }
 
 /// Returns whether the frame is long enough and every value is accepted; records the result.
-static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_020>);
+static_assert(implements<req::CO_PDO_004> && implements<req::CO_PDO_037> && implements<req::CO_PDO_020>);
 inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) noexcept {
     const bool is_short = std::uint32_t{frame.length} < rpdo.mapping.length();
     const bool taken = is_short ? false : rpdo.mapping.accepts(frame, objects_, access_);
@@ -72,6 +72,7 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
     static_assert(implements<req::CO_PDO_021>);
     if (rpdo.parameters.event.us != 0U) {
         mark(came_late, number_of(rpdo), false);
+        static_assert(implements<req::CO_PDO_040>);
         rpdo.due = now + rpdo.parameters.event;
         schedule();
     }
@@ -88,6 +89,7 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
         return;
     }
     for (ReceivePdo& rpdo : rpdos_) {
+        static_assert(implements<req::CO_PDO_059>);
         if (rpdo.identifier == frame.id) {
             take(rpdo, frame, now);
         }
@@ -148,7 +150,7 @@ void ReceivePdos::schedule() noexcept {
     }
 }
 
-static_assert(implements<req::CO_PDO_022>);
+static_assert(implements<req::CO_PDO_022> && implements<req::CO_PDO_039>);
 void ReceivePdos::after_write(const EntryRef& entry) noexcept {
     const std::size_t number = pdo_number(PdoDirection::receive, entry.index);
     if (number < rpdos_.size()) {

@@ -54,7 +54,7 @@ bool Sync::produce(const Instant now) noexcept {
     return true;
 }
 
-static_assert(implements<req::CO_SYNC_006> && implements<req::CO_SYNC_007> && implements<req::CO_SYNC_008>);
+static_assert(implements<req::CO_SYNC_010> && implements<req::CO_SYNC_007> && implements<req::CO_SYNC_008>);
 AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) const noexcept {
     if (entry.index == index::sync_cob_id) {
         const std::uint32_t current = objects_.read(index::sync_cob_id, 0U);
@@ -69,6 +69,7 @@ AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) c
     if ((value == reserved_overflow) || (value > highest_overflow)) {
         return AbortCode::value_range;
     }
+    static_assert(implements<req::CO_SYNC_006>);
     const bool cycle_is_set = objects_.read(index::sync_period, 0U) != 0U;
     // 1019h synchronous counter overflow value may change only while 1006h communication cycle period is zero (CiA 301,
     // 7.5.2.22).

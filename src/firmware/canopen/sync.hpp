@@ -25,7 +25,7 @@ class Sync {
     }
     /// Returns whether a SYNC has the length that 1019h demands; any other length is error 8240h.
     bool has_length(const Frame& sync) const noexcept {
-        static_assert(implements<req::CO_SYNC_002>);
+        static_assert(implements<req::CO_SYNC_002> && implements<req::CO_SYNC_009>);
         return std::uint32_t{sync.length} == length_;
     }
     /// Returns the counter of a SYNC; zero while 1019h is zero.

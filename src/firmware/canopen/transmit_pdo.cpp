@@ -33,6 +33,7 @@ void TransmitPdos::refresh(const std::size_t number) noexcept {
     read_pdo_parameters(objects_, PdoDirection::transmit, number, tpdo.parameters);
     const std::size_t lines = lines_.size() / tpdos_.size();
     tpdo.mapping.resolve(objects_, mapping_object(PdoDirection::transmit, number), lines_.part(number * lines, lines));
+    static_assert(implements<req::CO_PDO_053>);
     tpdo.usable = tpdo.parameters.valid && tpdo.mapping.is_usable();
     tpdo.event_driven = tpdo.usable && (tpdo.parameters.sent == PdoSent::on_event);
 }
@@ -51,10 +52,12 @@ void TransmitPdos::stop() noexcept {
     schedule();
 }
 
-static_assert(implements<req::CO_PDO_018>);
+static_assert(implements<req::CO_PDO_018> && implements<req::CO_PDO_049>);
 void TransmitPdos::begin(TransmitPdo& tpdo, const Instant now) const noexcept {
     const bool is_timed = tpdo.parameters.event.us != 0U;
     const bool is_sent_now = tpdo.event_driven && ((trigger_ == TpdoTrigger::value_change) || is_timed);
+    static_assert(implements<req::CO_PDO_044>);
+    static_assert(implements<req::CO_PDO_052>);
     tpdo.sampled = false;
     tpdo.pending = is_sent_now;
     tpdo.cycle_begun = false;
@@ -72,6 +75,7 @@ static_assert(implements<req::CO_PDO_015>);
 void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t index, const std::uint8_t subindex,
                                const Instant now) noexcept {
     for (TransmitPdo& tpdo : tpdos_) {
+        static_assert(implements<req::CO_PDO_041>);
         if (((tpdo.watched & mark) != 0U) && tpdo.mapping.maps(index, subindex)) {
             tpdo.pending = true;
             if (tpdo.event_driven) {
@@ -98,6 +102,7 @@ void TransmitPdos::sync_one(TransmitPdo& tpdo, const std::uint8_t counter) noexc
         is_sent = tpdo.pending;
         tpdo.pending = false;
     } else if (tpdo.parameters.sent == PdoSent::each_nth_sync) {
+        static_assert(implements<req::CO_PDO_050>);
         const bool starts = (counter == 0U) || (tpdo.parameters.sync_start == 0U) ||
                             (std::uint32_t{counter} == tpdo.parameters.sync_start);
         tpdo.cycle_begun = tpdo.cycle_begun || starts;
@@ -123,12 +128,15 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
         if (!tpdo.usable || !tpdo.parameters.remote_allowed || (tpdo.parameters.identifier != request.id)) {
             continue;
         }
+        static_assert(implements<req::CO_PDO_046>);
         if (tpdo.event_driven) {
             tpdo.pending = true;
             plan(tpdo, now);
         } else if (!is_sampled_at_sync(tpdo.parameters)) {
+            static_assert(implements<req::CO_PDO_045>);
             send(tpdo, tpdo.mapping.values(objects_));
         } else if (tpdo.sampled) {
+            static_assert(implements<req::CO_PDO_043>);
             send(tpdo, tpdo.sample);
         } else {
             // there are no values before the first SYNC
@@ -148,6 +156,7 @@ void TransmitPdos::send_due(const Instant now) noexcept {
 }
 
 /// Plans the frame for an event of `tpdo` at `event`: as soon as the inhibit time allows.
+static_assert(implements<req::CO_PDO_048>);
 void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
     tpdo.due = latest(event, tpdo.inhibited_until);
     next_ = earliest(next_, tpdo.due);
@@ -160,7 +169,7 @@ void TransmitPdos::restart_timer(TransmitPdo& tpdo, const Instant now) const noe
     tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);
 }
 
-static_assert(implements<req::CO_PDO_017>);
+static_assert(implements<req::CO_PDO_017> && implements<req::CO_PDO_047>);
 inline void TransmitPdos::send_event(TransmitPdo& tpdo, const Instant now) noexcept {
     send(tpdo, tpdo.mapping.values(objects_));
     tpdo.inhibited_until = now + tpdo.parameters.inhibit;
@@ -189,7 +198,7 @@ void TransmitPdos::schedule() noexcept {
     }
 }
 
-static_assert(implements<req::CO_PDO_025>);
+static_assert(implements<req::CO_PDO_025> && implements<req::CO_PDO_051>);
 void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcept {
     const std::size_t number = pdo_number(PdoDirection::transmit, entry.index);
     if (number >= tpdos_.size()) {

@@ -51,6 +51,7 @@ bool TransmitQueue::put_back(const Frame& frame) noexcept {
     return true;
 }
 
+static_assert(implements<req::CO_FRAME_003>);
 void TransmitQueue::push_boot_up(const Frame& frame) noexcept {
     first_ = end_;
     boot_up_waits_ = false;

@@ -86,7 +86,7 @@ void AnalogOutputs::start() noexcept {
     registers_.control.write(both_dac_channels);
 }
 
-static_assert(implements<req::CO_IMAGE_002>);
+static_assert(implements<req::CO_IMAGE_003>);
 void AnalogOutputs::set(const std::size_t channel, const float share) noexcept {
     const auto code = static_cast<std::uint32_t>((between(share, 0.0F, 1.0F) * full_scale_12_bit) + 0.5F);
     Register& data = (channel == 0U) ? registers_.data_1 : registers_.data_2;
@@ -112,7 +112,7 @@ void PulseOutputs::set_frequency(const float hertz) noexcept {
     timer_.reload.write(period_ - 1U);
 }
 
-static_assert(implements<req::CO_IMAGE_002>);
+static_assert(implements<req::CO_IMAGE_003>);
 void PulseOutputs::set_duty(const std::size_t channel, const float share) noexcept {
     timer_.compare[channel].write(static_cast<std::uint32_t>(between(share, 0.0F, 1.0F) * static_cast<float>(period_)));
 }

@@ -19,7 +19,7 @@ constexpr std::uint32_t second_bank = 0x2U;
 
 }  // namespace
 
-static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_002>);
+static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_009>);
 void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
     bit_rate_ = bit_rate;
     is_recovering_ = false;
@@ -40,6 +40,7 @@ void CanController::enter(const Instant now) noexcept {
     since_ = now;
 }
 
+static_assert(implements<req::CO_CAN_011>);
 void CanController::advance(const Instant now) noexcept {
     const bool initialising = registers_.master_status.has(msr::initialising);
     switch (phase_) {
@@ -72,7 +73,7 @@ void CanController::advance(const Instant now) noexcept {
 
 /// Handles a missing acknowledgement. A controller that does not enter initialisation is reset as a whole (RM0090
 /// 32.9.2, CAN_MCR.RESET). One that does not join sees a bus that is never recessive and continues to wait.
-static_assert(implements<req::CO_CAN_002>);
+static_assert(implements<req::CO_CAN_002> && implements<req::CO_CAN_010>);
 void CanController::give_up_waiting(const Instant now) noexcept {
     if (elapsed(since_, now).us < most_wait.us) {
         return;

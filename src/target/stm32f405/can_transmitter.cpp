@@ -52,7 +52,7 @@ std::size_t CanTransmitter::waiting() const noexcept {
 
 /// Frees the mailboxes whose frames were sent or aborted. The hardware reports which of the two happened, because an
 /// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue.
-static_assert(implements<req::CO_CAN_006>);
+static_assert(implements<req::CO_CAN_013>);
 void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     const std::uint32_t status = registers_.transmit_status.read();
     for (std::size_t mailbox = 0U; mailbox < mailbox_count; ++mailbox) {
@@ -77,7 +77,7 @@ void CanTransmitter::collect(TransmitQueue& queue) noexcept {
 
 /// Exchanges the frame of an aborted mailbox with the first frame of the full queue. If that frame is not more urgent,
 /// or a later mailbox has a frame with the same identifier, the mailbox sends its own frame again.
-static_assert(implements<req::CO_CAN_006>);
+static_assert(implements<req::CO_CAN_013>);
 void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) noexcept {
     Slot& slot = slots_[mailbox];
     const Frame* const next = queue.front();
@@ -96,7 +96,7 @@ void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) n
 
 /// Moves a frame from the queue to a mailbox, or frees a mailbox for it. Returns false when there is nothing more to
 /// do.
-static_assert(implements<req::CO_CAN_006>);
+static_assert(implements<req::CO_CAN_006> && implements<req::CO_CAN_012>);
 bool CanTransmitter::place_next(TransmitQueue& queue) noexcept {
     const Frame* const next = queue.front();
     const bool goes_alone = queue.boot_up_waits();

@@ -15,7 +15,7 @@ constexpr std::uint32_t can_function = 9U;
 
 }  // namespace
 
-static_assert(implements<req::CO_IMAGE_002>);
+static_assert(implements<req::CO_IMAGE_002> && implements<req::CO_IMAGE_003>);
 void Chip::start() noexcept {
     source = clock.start(plan);
     ClockRegisters& clocks = registers_at<ClockRegisters>(rcc_address);

@@ -33,7 +33,7 @@ bool Clock::waits_for(const Register& place, const std::uint32_t mask, const std
     return false;
 }
 
-static_assert(implements<req::CO_CLOCK_001>);
+static_assert(implements<req::CO_CLOCK_001> && implements<req::CO_CLOCK_003>);
 ClockSource Clock::start(const ClockPlan& plan) noexcept {
     clocks_.enable_apb[0U].set(power_clock);
     power_.control.set(full_voltage);
@@ -45,6 +45,7 @@ ClockSource Clock::start(const ClockPlan& plan) noexcept {
     }
     const std::uint32_t from_crystal = pll_configuration(plan, crystal_mhz) | rcc_pllcfgr::from_crystal;
     if (!runs_from_pll(has_crystal ? from_crystal : pll_configuration(plan, internal_mhz))) {
+        static_assert(implements<req::CO_CLOCK_004>);
         return ClockSource::none;
     }
     if (has_crystal) {

@@ -68,7 +68,7 @@ class DeviceLoop {
 
   private:
     void serve_bus(const Instant now) noexcept {
-        static_assert(implements<req::CO_CLOCK_001>);
+        static_assert(implements<req::CO_CLOCK_003>);
         if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
             can_.set_bit_rate(device_.bit_rate(), now);
         }

@@ -31,6 +31,7 @@ void Flash::finish() noexcept {
     registers_.access_control.set(flash_acr::data);
 }
 
+static_assert(implements<req::CO_FLASH_004>);
 bool Flash::wait() const noexcept {
     for (std::uint32_t poll = 0U; poll < most_polls_; ++poll) {
         if (!registers_.status.has(flash_sr::busy)) {

@@ -30,7 +30,7 @@ std::uint32_t Port::read(const std::uint32_t first, const std::uint32_t count) c
 }
 
 /// Sets a pin with one write, which affects no other pin of the port.
-static_assert(implements<req::CO_IMAGE_002>);
+static_assert(implements<req::CO_IMAGE_003>);
 void Port::set(const std::uint32_t pin, const bool high) noexcept {
     registers_.set_reset.write(bit(high ? pin : (pin + 16U)));
 }

@@ -49,7 +49,7 @@ TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
 }
 
 TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
-    verifies<req::INC_ANGLE_009, req::INC_ANGLE_005, req::INC_OD_2100>();
+    verifies<req::INC_ANGLE_009, req::INC_ANGLE_017, req::INC_ANGLE_005, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     write(0x2100, 0, 0, 1);
@@ -60,7 +60,7 @@ TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
 }
 
 TEST_F(Angles, AnglesCoverTheWholeTurn) {
-    verifies<req::INC_ANGLE_013, req::INC_ANGLE_003, req::INC_ANGLE_005>();
+    verifies<req::INC_ANGLE_013, req::INC_ANGLE_018, req::INC_ANGLE_003, req::INC_ANGLE_005>();
     EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{15000, 18000, 15000}));
     EXPECT_EQ(angles_at(-0.5, 0.0, 0.8660254), (Row{-15000, 18000, 15000}));
     EXPECT_EQ(angles_at(0.0, 0.5, 0.8660254), (Row{18000, -15000, 15000}));
@@ -87,7 +87,7 @@ TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
 }
 
 TEST_F(Angles, TiltRollIsMeasuredInGimbalLock) {
-    verifies<req::INC_ANGLE_008>();
+    verifies<req::INC_ANGLE_016>();
     angles_of(0.0, 40.0);
     EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
 }
@@ -119,7 +119,7 @@ TEST_F(Angles, InitialAnglesOutsideTheirRangesAreRefused) {
 }
 
 TEST_F(Angles, AutoNullTakesThePresentPositionAsLevel) {
-    verifies<req::INC_INSTALL_003, req::INC_INSTALL_004, req::INC_OD_2300>();
+    verifies<req::INC_INSTALL_003, req::INC_INSTALL_009, req::INC_INSTALL_004, req::INC_OD_2300>();
     angles_of(20.0, -135.0);
     write(0x2300, 0, 1, 1);
     EXPECT_EQ(read(0x2300), 0U);
@@ -143,7 +143,7 @@ TEST_F(Angles, AutoNullUsesTheAnglesOfTheUnitNotOfTheMachine) {
 }
 
 TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
-    verifies<req::INC_INSTALL_003, req::INC_OD_2300>();
+    verifies<req::INC_INSTALL_010, req::INC_OD_2300>();
     write(0x2050, 2, 1, 1);
     angles_of(0.0, 40.0);
     pass(5);
@@ -257,7 +257,7 @@ TEST_F(Angles, NewInitialAnglesRestartTheAdditionalFilters) {
 }
 
 TEST_F(Angles, AnglesAreInvertedBy2031hAndAccelerationsBy2011h) {
-    verifies<req::INC_FV_004, req::INC_OD_2011, req::INC_OD_2031>();
+    verifies<req::INC_FV_004, req::INC_FV_008, req::INC_OD_2011, req::INC_OD_2031>();
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
     EXPECT_EQ(accelerations(), (Row{-500, -500, -707}));
     write(0x2031, 1, 1, 1);
@@ -350,7 +350,7 @@ class RangedAngles : public Angles {
 }  // namespace
 
 TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
-    verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
+    verifies<req::INC_RANGE_004, req::INC_RANGE_006, req::INC_RANGE_002, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, 2700, 900}));
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{3300, 0, 300}));
@@ -361,7 +361,7 @@ TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
 }
 
 TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {
-    verifies<req::INC_RANGE_001, req::INC_RANGE_002, req::INC_T8>();
+    verifies<req::INC_RANGE_005, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{300, 0, 300}));
     EXPECT_EQ(angles_of(0.0, 150.0), (Row{0, 300, 1500}));

@@ -49,7 +49,7 @@ TEST_F(InclinometerEdges, GimbalLockBeginsOneDegreeFromTheVertical) {
 }
 
 TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
-    verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008>();
+    verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);
     pass(5);
     // sin 0.00005 degrees is 8.7266e-7
@@ -108,7 +108,7 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
 }
 
 TEST_F(InclinometerEdges, SupplyAndProcessorTemperatureAreShownUpToTheEndsOfTheirRanges) {
-    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002>();
+    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005>();
     const auto shown = [this](float supply, float temperature) {
         inputs.supply_voltage = supply;
         inputs.processor_temperature = temperature;

@@ -14,7 +14,7 @@ using List = std::vector<std::uint32_t>;
 }  // namespace
 
 TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
-    verifies<req::INC_ERR_002, req::INC_ERR_008, req::CO_EMCY_010>();
+    verifies<req::INC_ERR_002, req::INC_ERR_015, req::CO_EMCY_010>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
     fail_accelerometer();

@@ -154,7 +154,7 @@ TEST_F(Ax060805Errors, MasterMayStartANodeWhoseErrorLasts) {
 }
 
 TEST_F(Ax060805Errors, HotSensorPreventsTheSelfStartAfterResetCommunication) {
-    verifies<req::INC_ERR_011, req::INC_START_001>();
+    verifies<req::INC_ERR_011, req::INC_START_002>();
     write(0x5555, 0, 1, 1);
     write(0x1029, 2, 0, 1);
     write(0x1010, 1, 0x65766173, 4);
@@ -225,7 +225,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
 }
 
 TEST_F(Ax060805Errors, ErrorListCanBeClearedWhileErrorsLast) {
-    verifies<req::INC_ERR_003, req::INC_OD_1003>();
+    verifies<req::INC_ERR_003, req::INC_ERR_013, req::INC_OD_1003>();
     fail_accelerometer();
     EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
     EXPECT_EQ(refusal(0x1003, 0, 15, 1), "06090030");
@@ -262,7 +262,7 @@ TEST_F(Ax060805Errors, LostFramesAre8110h) {
 }
 
 TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
-    verifies<req::INC_ERR_008, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
+    verifies<req::INC_ERR_015, req::INC_T22, req::INC_S_CAN_STATE, req::CO_EMCY_010>();
     inputs.can_state = 2;
     EXPECT_EQ(set_inputs(), (Frames{}));
     EXPECT_EQ(read(0x1001), 0U);
@@ -277,7 +277,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
 }
 
 TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
-    verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
+    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
     write(0x1016, 1, 0x002200C8, 4);  // node 22h, 200 ms
     pass(1000);                       // nothing is expected before the first heartbeat
     EXPECT_EQ(read(0x1001), 0U);
@@ -293,7 +293,7 @@ TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
 }
 
 TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs1000h) {
-    verifies<req::INC_ERR_004, req::INC_ERR_008, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
+    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
     write(0x1029, 1, 2, 1);
@@ -325,7 +325,7 @@ TEST_F(Ax060805Errors, OverdueRpdoIs8250h) {
 }
 
 TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
-    verifies<req::INC_ERR_009, req::INC_T22>();
+    verifies<req::INC_ERR_016, req::INC_T22>();
     send("000#0100");
     EXPECT_EQ(send("27F#0000000000"), (Frames{"0FF#1082010000000000"}));
     EXPECT_EQ(listed(), (List{0x00008210}));
@@ -382,7 +382,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::INC_ERR_012, req::CO_EMCY_017>();
+    verifies<req::INC_ERR_012, req::CO_EMCY_031>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;
     inputs.can_state = 3;

@@ -85,7 +85,7 @@ TEST_F(Filters, InputFilterAccepts1To50Hz) {
 }
 
 TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
-    verifies<req::INC_FILTER_003>();
+    verifies<req::INC_FILTER_003, req::INC_FILTER_007>();
     turn(30.0, 0.0);
     int last = 0;
     for (int ms = 5; ms <= 1000; ms += 5) {
@@ -120,8 +120,21 @@ TEST_F(Filters, InputFilterRestartsAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
 }
 
+TEST_F(Filters, NewCutOffFrequencyContinuesFromThePresentValue) {
+    verifies<req::INC_FILTER_008>();
+    turn(30.0, 0.0);
+    pass(50);  // 10 samples at 5 Hz
+    const int reached = pitch();
+    EXPECT_LT(reached, 2500);  // 1 - exp(-2 pi * 5 Hz * 0.05 s) = 79 % of the step
+    write(0x2003, 0, 1, 1);
+    EXPECT_EQ(pitch(), reached);
+    pass(5);
+    // One sample at 1 Hz covers 1 - exp(-2 pi * 1 Hz * 0.005 s) = 3.09 % of the rest.
+    EXPECT_NEAR(pitch(), reached + 0.0309 * (3000 - reached), 10.0);
+}
+
 TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
-    verifies<req::INC_AVG_007>();
+    verifies<req::INC_AVG_013>();
     switch_filter_off();
     set_filter(1, 1, 100);
     set_filter(2, 2, 100);
@@ -147,7 +160,7 @@ TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
 }
 
 TEST_F(Filters, FailedSensorFreezesTheAverages) {
-    verifies<req::INC_FV_007, req::INC_AVG_007>();
+    verifies<req::INC_FV_007>();
     switch_filter_off();
     set_filter(1, 1, 4);
     pass(2);
@@ -170,7 +183,7 @@ TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
 }
 
 TEST_F(Filters, RepeatingFilterGivesOneMeanPerBlock) {
-    verifies<req::INC_AVG_003, req::INC_T4, req::INC_OD_2050>();
+    verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_T4, req::INC_OD_2050>();
     switch_filter_off();
     set_filter(1, 2, 3);
     pass(2);
@@ -251,7 +264,7 @@ TEST_F(Filters, FiltersAverageTheShortWayAcross180Degrees) {
 }
 
 TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
-    verifies<req::INC_AVG_007>();
+    verifies<req::INC_AVG_007, req::INC_AVG_012>();
     switch_filter_off();
     set_filter(1, 1, 100);
     pass(500);
@@ -276,7 +289,7 @@ TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
 }
 
 TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
-    verifies<req::INC_AVG_002>();
+    verifies<req::INC_AVG_008>();
     switch_filter_off();
     set_filter(1, 1, 60000);
     write(0x2052, 0, 1, 2);

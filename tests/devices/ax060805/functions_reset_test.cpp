@@ -13,7 +13,7 @@ class FunctionsAfterReset : public InclinometerTest {};
 }  // namespace
 
 TEST_F(FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
-    verifies<req::INC_BIN_009, req::INC_SIG_002>();
+    verifies<req::INC_BIN_016, req::INC_SIG_002>();
     write_real(0x4070, 0, 5.0F);
     write(0x3020, 1, 24, 1);  // function 2 gives 4070h + 0
     write(0x3020, 2, 25, 1);

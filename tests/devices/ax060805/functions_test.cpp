@@ -16,7 +16,8 @@ class Functions : public InclinometerFunctions {};
 }  // namespace
 
 TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
-    verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_005, req::INC_OD_3010, req::INC_GLOBAL_003>();
+    verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_006, req::INC_SIG_005, req::INC_OD_3010,
+             req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
     inputs.processor_temperature = 41.5F;
     inputs.supply_voltage = 11.25F;
@@ -99,7 +100,7 @@ TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
 }
 
 TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
-    verifies<req::INC_T1, req::INC_SIG_001, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
+    verifies<req::INC_T1, req::INC_SIG_006, req::INC_OD_300A, req::INC_OD_300B, req::INC_OD_300C, req::INC_BIN_011>();
     verifies<req::INC_OD_3010, req::INC_OD_3020, req::INC_OD_3030, req::INC_OD_3040, req::INC_OD_3050, req::INC_OD_3060,
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
     for (int function = 2; function <= 10; ++function) {
@@ -118,7 +119,7 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
 }
 
 TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
-    verifies<req::INC_BIN_001, req::INC_BIN_011>();
+    verifies<req::INC_BIN_001, req::INC_BIN_012, req::INC_BIN_013, req::INC_BIN_011>();
     verifies<req::INC_OD_3011, req::INC_OD_3021, req::INC_OD_3031, req::INC_OD_3041, req::INC_OD_3051, req::INC_OD_3061,
              req::INC_OD_3071, req::INC_OD_3081, req::INC_OD_3091, req::INC_OD_30A1>();
     verifies<req::INC_OD_3012, req::INC_OD_3022, req::INC_OD_3032, req::INC_OD_3042, req::INC_OD_3052, req::INC_OD_3062,
@@ -210,7 +211,7 @@ TEST_F(Functions, AsShippedNothingIsConnected) {
 }
 
 TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
-    verifies<req::INC_BIN_002, req::INC_SIG_002>();
+    verifies<req::INC_BIN_002, req::INC_BIN_014, req::INC_SIG_002>();
     operate(1, 1);
     connect(1, 1, 26);
     pass(5);
@@ -232,7 +233,7 @@ TEST_F(Functions, UndefinedInputUsesItsDefaultOrMakesTheResultUndefined) {
 }
 
 TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
-    verifies<req::INC_SIG_002, req::INC_BIN_002, req::INC_BIN_007>();
+    verifies<req::INC_SIG_002, req::INC_BIN_014, req::INC_BIN_007>();
     operate(1, 0);
     connect(1, 1, 26);
     connect(1, 2, 26);
@@ -248,7 +249,7 @@ TEST_F(Functions, UndefinedResultMakesDependentResultsUndefined) {
 }
 
 TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
-    verifies<req::INC_BIN_008, req::INC_OD_3000>();
+    verifies<req::INC_BIN_008, req::INC_BIN_015, req::INC_OD_3000>();
     operate(1, 1);
     give_default(1, 1, 2.5F);
     give_default(1, 2, 0.0F);
@@ -272,7 +273,7 @@ TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
 }
 
 TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
-    verifies<req::INC_BIN_009>();
+    verifies<req::INC_BIN_009, req::INC_BIN_016>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
         give_default(function, 2, 1.0F);
@@ -292,7 +293,7 @@ TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
 }
 
 TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
-    verifies<req::INC_SIG_002, req::INC_FV_007>();
+    verifies<req::INC_SIG_002, req::INC_FV_011>();
     inputs.accelerometer_fault = true;
     set_inputs();
     for (const std::uint32_t source : {1U, 2U, 3U, 5U, 6U, 7U}) {
@@ -306,7 +307,7 @@ TEST_F(Functions, SignalsOfAFailedSensorAreUndefined) {
 }
 
 TEST_F(Functions, OneSourceServesManyInputs) {
-    verifies<req::INC_SIG_001>();
+    verifies<req::INC_SIG_007>();
     for (int function = 1; function <= 10; ++function) {
         operate(function, 1);
         connect(function, 1, 5);

@@ -119,9 +119,9 @@ TEST_F(Network, PdoIsRemappedInFiveSteps) {
 }
 
 TEST_F(Network, OnlyTheNamedObjectsCanBeMapped) {
-    verifies<req::INC_PDO_007, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000, req::INC_OD_4010, req::INC_OD_4020,
-             req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050, req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080,
-             req::INC_OD_5020, req::INC_OD_5030>();
+    verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000, req::INC_OD_4010,
+             req::INC_OD_4020, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050, req::INC_OD_4060, req::INC_OD_4070,
+             req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030>();
     const std::vector<std::uint32_t> transmitted{0x30000110, 0x30000A10, 0x40000110, 0x40000310, 0x40100010,
                                                  0x40200008, 0x40300010, 0x40400010, 0x40500010, 0x40600010,
                                                  0x40700020, 0x40800020, 0x50200020, 0x50300020};

@@ -92,8 +92,28 @@ TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
+TEST_F(Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+    verifies<req::INC_LSS_007>();
+    configure_lss();
+    EXPECT_EQ(send("7E5#1150"), (Frames{"7E4#110000"}));
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
+    power_on();
+    EXPECT_EQ(send("650#2B17100032000000"), (Frames{"5D0#6017100000000000"}));  // a heartbeat every 50 ms
+    EXPECT_EQ(send("650#2310100173617665"), (Frames{"5D0#6010100100000000"}));  // save
+    EXPECT_EQ(send("650#231110016C6F6164"), (Frames{"5D0#6011100100000000"}));  // load: all parameters
+    for (const char* reset : {"000#8250", "000#8150"}) {
+        EXPECT_EQ(send(reset), (Frames{"750#00"}));
+    }
+    EXPECT_EQ(power_on(), (Frames{"750#00"}));
+    EXPECT_EQ(pass(200), Frames{});  // the defaults are restored
+    EXPECT_EQ(device->bit_rate(), 250000U);
+}
+
 TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
-    verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_OD_1010, req::INC_OD_1011, req::INC_OD_1017>();
+    verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_STORE_004, req::INC_OD_1010, req::INC_OD_1011,
+             req::INC_OD_1017>();
     const auto change = [this] {
         write(0x1017, 0, 500, 2);
         write(0x2003, 0, 20, 1);
@@ -183,7 +203,7 @@ TEST_F(Network, IdentityIsThatOfTheUnit) {
 }
 
 TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
-    verifies<req::INC_HB_001, req::INC_OD_1017>();
+    verifies<req::INC_HB_001, req::INC_HB_003, req::INC_OD_1017>();
     EXPECT_EQ(pass(100), (Frames{}));
     write(0x1017, 0, 10, 2);
     EXPECT_EQ(pass(20), (Frames{"10:77F#7F", "20:77F#7F"}));
@@ -219,7 +239,7 @@ TEST_F(Network, AutomaticUpdateSettingHasNoEffect) {
 }
 
 TEST_F(Network, DeviceStartsItselfWith5555hStored) {
-    verifies<req::INC_START_001, req::INC_OD_5555>();
+    verifies<req::INC_START_001, req::INC_START_003, req::INC_OD_5555>();
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     write(0x5555, 0, 1, 1);
@@ -235,7 +255,7 @@ TEST_F(Network, DeviceStartsItselfWith5555hStored) {
 }
 
 TEST_F(Network, SensorErrorPreventsTheSelfStart) {
-    verifies<req::INC_START_001, req::INC_ERR_011>();
+    verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
     inputs.accelerometer_fault = true;
@@ -245,7 +265,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStart) {
 }
 
 TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
-    verifies<req::INC_START_001>();
+    verifies<req::INC_START_002>();
     const auto state_after_power_on_in_bus_off = [this] {
         store_all();
         inputs.can_state = 3;
@@ -262,7 +282,7 @@ TEST_F(Network, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
 }
 
 TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
-    verifies<req::INC_START_001, req::INC_ERR_011>();
+    verifies<req::INC_START_002, req::INC_ERR_011>();
     write(0x5555, 0, 1, 1);
     store_all();
     inputs.accelerometer_fault = true;
@@ -286,8 +306,9 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
 }
 
 TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasured) {
-    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_002, req::INC_FV_006, req::INC_OD_5020, req::INC_OD_5030,
-             req::INC_OD_4060, req::INC_S_SUPPLY, req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
+    verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005, req::INC_FV_006,
+             req::INC_FV_010, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_4060, req::INC_S_SUPPLY,
+             req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();
     EXPECT_NEAR(real(0x5020), 23.2F, 1e-5F);
     EXPECT_EQ(real(0x5030), 30.0F);
     EXPECT_EQ(value(0x4060), 25);

@@ -223,8 +223,8 @@ TEST_F(Parameters, EveryCommunicationParameterIsStored) {
 }
 
 TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
-    verifies<req::INC_STORE_002, req::INC_OD_2300, req::INC_OD_2500, req::INC_OD_1003, req::INC_OD_1010,
-             req::INC_OD_1011>();
+    verifies<req::INC_STORE_003, req::INC_STORE_002, req::INC_OD_2300, req::INC_OD_2500, req::INC_OD_1003,
+             req::INC_OD_1010, req::INC_OD_1011>();
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         EXPECT_EQ(refusal(0x2500, sub, 0x8000, 2), "");
         EXPECT_EQ(refusal(0x2500, sub, 0x7FFF, 2), "");
@@ -247,7 +247,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
 }
 
 TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
-    verifies<req::INC_PDO_007, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
+    verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
     // index, sub-indices from and to, bits
     struct Mappable {
         std::uint16_t index;

@@ -122,7 +122,7 @@ TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
 
 // A moving average of two samples: at first 0 degrees alone, then 0 and 60, then 60 and 60.
 TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
-    verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_007, req::INC_INSTALL_008>();
+    verifies<req::INC_AVG_004, req::INC_AVG_005, req::INC_AVG_012, req::INC_AVG_013, req::INC_INSTALL_008>();
     const Shown kept{{42, 3000}, {82, 6000}};
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 6000}};  // starts with 20 degrees at the event
     const std::vector<Case> cases{
@@ -175,7 +175,7 @@ TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
 // A repeating filter of three samples: until its first block is full it shows the mean so far, then it changes only at
 // the next block.
 TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
-    verifies<req::INC_AVG_003, req::INC_AVG_004, req::INC_AVG_007>();
+    verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
     const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // 0 60 60, then 60 60 60
     const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // 20 60 60
     const Shown begun_again{{20, 2000}, {42, 4000}, {82, 4667}, {202, 6000}};
@@ -206,7 +206,7 @@ TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
 
 // Function 1 passes the value that RPDO1 set at 2 ms. RPDO1 is late after 100 ms, which the next sample detects.
 TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
-    verifies<req::INC_RPDO_002, req::INC_SIG_002, req::CO_PDO_021>();
+    verifies<req::INC_RPDO_002, req::INC_RPDO_003, req::INC_SIG_002, req::CO_PDO_021>();
     const Shown late{{105, 0}};
     const std::vector<Case> cases{
         {"nothing happens", [] {}, late},

@@ -72,8 +72,8 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
 }
 
 TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
-    verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_004, req::INC_FV_005, req::INC_OD_2500, req::INC_OD_2501,
-             req::INC_OD_2502>();
+    verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_008, req::INC_FV_009, req::INC_FV_005, req::INC_OD_2500,
+             req::INC_OD_2501, req::INC_OD_2502>();
     operate(1, 10);  // pitch > limit
     connect(1, 1, 5);
     connect(1, 2, 20);
@@ -113,7 +113,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
 }
 
 TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);  // stays operational
     send("000#0100");
@@ -129,7 +129,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
 }
 
 TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1601, 1, 0x25000210, 4);
     write(0x1601, 0, 1, 1);
@@ -147,7 +147,7 @@ TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
 }
 
 TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);
     send("000#0100");
@@ -160,7 +160,7 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
 
 // RPDO1 is late at 102 ms and comes at 103 ms, between the samples at 100 and 105 ms
 TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheOtherRpdo) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     send("37F#D007");
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
@@ -173,7 +173,7 @@ TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheO
 }
 
 TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     map_rpdo1(0x00050008);  // it brings nothing
     write(0x1400, 5, 2, 2);
     send("27F#00");
@@ -188,7 +188,7 @@ TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
 
 // The frame arrives before the device is called for the time-out of RPDO1.
 TEST_F(TwoSenders, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
-    verifies<req::INC_RPDO_002>();
+    verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);
     send("37F#D007");
     EXPECT_EQ(taken_from(22, 1.0F), 2000);

@@ -45,7 +45,7 @@ TEST_F(SlewRate, SlewRateIsSetAtOnce) {
 }
 
 TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
-    verifies<req::INC_SLEW_002, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
+    verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
     const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
     for (std::size_t index = 0; index < fast.size(); ++index) {
         if (index != 5) {
@@ -89,7 +89,7 @@ TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
 }
 
 TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
-    verifies<req::INC_SLEW_002, req::INC_STORE_001, req::INC_STORE_002>();
+    verifies<req::INC_SLEW_003, req::INC_STORE_001, req::INC_STORE_002>();
     write(0x2000, 0, 1, 1);
     store_all();
     power_on();
@@ -103,7 +103,7 @@ TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
 }
 
 TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
-    verifies<req::INC_SLEW_002>();
+    verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
     activate_and_store(3);
@@ -116,7 +116,7 @@ TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
 }
 
 TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
-    verifies<req::INC_SLEW_002, req::INC_STORE_001>();
+    verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
     activate_and_store(3);
@@ -129,7 +129,7 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
 }
 
 TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
-    verifies<req::INC_SLEW_002>();
+    verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     activate(2);  // 500 kbit/s until the next power-on
     send("7E5#0400");
     store_all();
@@ -138,7 +138,7 @@ TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
 }
 
 TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
-    verifies<req::INC_SLEW_002, req::INC_STORE_002>();
+    verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all groups, then those of the manufacturer
         power_on();

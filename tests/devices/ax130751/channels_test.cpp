@@ -127,7 +127,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
 }
 
 TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
-    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_004, req::AOR_T_DIGITAL_RANGE>();
+    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
     set8(0x6220, 1, 1);
@@ -210,7 +210,7 @@ TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
 }
 
 TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
-    verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
+    verifies<req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {
             SCOPED_TRACE(fmt::format("type {}, output {}", type, ours));
@@ -249,7 +249,7 @@ TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
 }
 
 TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
-    verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
+    verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004, req::AOR_DO_010>();
     set16(0x1800, 5, 0);  // no TPDO1
     set16(0x6310, 2, 1020);
     set8(0x2241, 2, 2);  // latched
@@ -277,7 +277,7 @@ TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
 }
 
 TEST_F(Ax130751Channels, DigitalOutputWithoutAControlHasItsFaultState) {
-    verifies<req::AOR_DO_005, req::AOR_OUT_029>();
+    verifies<req::AOR_DO_005, req::AOR_OUT_029, req::AOR_OUT_033>();
     set16(0x6310, 2, 1020);
     set8(0x2340, 2, not_used);
     set8(0x6260, 2, 1);

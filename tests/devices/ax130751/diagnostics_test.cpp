@@ -104,7 +104,7 @@ TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
 }
 
 TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
-    verifies<req::AOR_DIAG_005>();
+    verifies<req::AOR_DIAG_005, req::AOR_DIAG_011>();
     supply(7.5F);
     EXPECT_TRUE(all_off());
     set8(0x5021, 0, 0);
@@ -179,8 +179,27 @@ TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
 
+TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
+    verifies<req::AOR_DIAG_014>();
+    set8(0x5021, 0, 0);
+    set8(0x22A0, 1, 1);
+    set32(0x22A1, 1, 50);  // ON delay
+    pass(50);
+    for (const float wrong : {6.9F, 39.1F, std::numeric_limits<float>::quiet_NaN()}) {
+        SCOPED_TRACE(wrong);
+        EXPECT_TRUE(relay_on());
+        supply(wrong);
+        supply(24.0F);  // requested again in this cycle, from state OFF
+        EXPECT_FALSE(relay_on());
+        pass(49);
+        EXPECT_FALSE(relay_on());
+        pass(1);
+        EXPECT_TRUE(relay_on());
+    }
+}
+
 TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
-    verifies<req::AOR_DIAG_007, req::AOR_T_FAULT_CODES>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
     EXPECT_EQ(read(0x1001, 0), 1U);
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0042010000000000"}));
@@ -195,7 +214,7 @@ TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
 }
 
 TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeTemperatureInOneCycle) {
-    verifies<req::AOR_DIAG_007, req::AOR_ERR_003>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003>();
     inputs.supply = 7.5F;
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0031010000000000", "1:0FF#0042010000000000"}));
     EXPECT_EQ(read(0x1003, 1), 0x00004200U) << "the newest";
@@ -220,7 +239,7 @@ TEST_F(Ax130751Diagnostics, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) 
 }
 
 TEST_F(Ax130751Diagnostics, UnderAndOverVoltageCountAsOneFault) {
-    verifies<req::AOR_DIAG_007>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012>();
     EXPECT_EQ(supply(7.5F).size(), 1U);
     EXPECT_EQ(supply(40.0F).size(), 0U) << "still a supply fault";
     EXPECT_EQ(supply(24.0F).size(), 1U);

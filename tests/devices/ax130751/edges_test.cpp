@@ -93,7 +93,7 @@ class Ax130751Edges : public Ax130751Blocks {
 // --- supply and temperature (1.8, chapter 4) -----------------------------------------------------------------------
 
 TEST_F(Ax130751Edges, UnderVoltageBeginsBelow8VoltsAndEndsAt13Volts) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_OD_5022, req::AOR_OD_5024>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5022, req::AOR_OD_5024>();
     EXPECT_EQ(supply(8.0F), "");
     EXPECT_EQ(supply(next_below(8.0F)), "3100");
     EXPECT_EQ(supply(8.0F), "") << "it goes on above its threshold";
@@ -102,7 +102,7 @@ TEST_F(Ax130751Edges, UnderVoltageBeginsBelow8VoltsAndEndsAt13Volts) {
 }
 
 TEST_F(Ax130751Edges, OverVoltageBeginsAbove35VoltsAndEndsAt30Volts) {
-    verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_OD_5023, req::AOR_OD_5024>();
+    verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5023, req::AOR_OD_5024>();
     EXPECT_EQ(supply(35.0F), "");
     EXPECT_EQ(supply(next_above(35.0F)), "3100");
     EXPECT_EQ(supply(35.0F), "") << "it goes on below its threshold";
@@ -111,7 +111,7 @@ TEST_F(Ax130751Edges, OverVoltageBeginsAbove35VoltsAndEndsAt30Volts) {
 }
 
 TEST_F(Ax130751Edges, OverTemperatureBeginsAbove85DegreesAndEndsAt60Degrees) {
-    verifies<req::AOR_DIAG_004, req::AOR_DIAG_007, req::AOR_OD_5032, req::AOR_OD_5033>();
+    verifies<req::AOR_DIAG_004, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5032, req::AOR_OD_5033>();
     EXPECT_EQ(temperature(85.0F), "");
     EXPECT_EQ(temperature(next_above(85.0F)), "4200");
     EXPECT_EQ(temperature(85.0F), "") << "it goes on below its threshold";
@@ -205,7 +205,7 @@ TEST_F(Ax130751Edges, CurrentIsDrivenByFourteenVolts) {
 }
 
 TEST_F(Ax130751Edges, EachTypeIsDrivenWithinItsRange) {
-    verifies<req::AOR_OUT_016, req::AOR_T03>();
+    verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03>();
     struct Case {
         int type;
         int integer;    ///< 2300h, written while it is within the range
@@ -249,7 +249,7 @@ TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
 }
 
 TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
-    verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_T06>();
+    verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_T06>();
     make(2, 10);
     set16(0x7323, 2, 4000);
     set16(0x7321, 2, 1000);
@@ -291,7 +291,7 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesAtItsScalings) {
 }
 
 TEST_F(Ax130751Edges, TimesAreExactToAMillisecond) {
-    verifies<req::AOR_OUT_012, req::AOR_DO_004, req::AOR_K_CYCLE>();
+    verifies<req::AOR_OUT_012, req::AOR_DO_010, req::AOR_K_CYCLE>();
     set16(0x2330, 2, 2000);
     set16(0x2331, 2, 500);
     command(2, 5000);
@@ -363,7 +363,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
 }
 
 TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
-    verifies<req::AOR_MATH_003, req::AOR_K_TRUE_FROM>();
+    verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // and
     EXPECT_EQ(math_of(5000, 5000), 10000);
     EXPECT_EQ(math_of(4999, 5000), 0);

@@ -28,8 +28,9 @@ class Ax130751Errors : public Ax130751Test {
 
 // 3.2.4, Table 23
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
-    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
-             req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
+    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010,
+             req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003,
+             req::AOR_OD_1016>();
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
@@ -67,7 +68,8 @@ TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
 }
 
 TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
-    verifies<req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_OD_1003, req::AOR_OD_1016>();
+    verifies<req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_OD_1003,
+             req::AOR_OD_1016>();
     lose(1, 0x21);
     lose(2, 0x22);
     lose(3, 0x23);
@@ -85,7 +87,7 @@ TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
 }
 
 TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
-    verifies<req::AOR_ERR_002, req::AOR_ERR_004, req::AOR_OD_1003>();
+    verifies<req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_004, req::AOR_OD_1003>();
     lose(1, 0x21);
     lose(2, 0x22);
     lose(3, 0x23);
@@ -108,7 +110,7 @@ TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
 }
 
 TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
-    verifies<req::AOR_ERR_005, req::AOR_OD_1003, req::AOR_OD_1001>();
+    verifies<req::AOR_ERR_005, req::AOR_ERR_014, req::AOR_OD_1003, req::AOR_OD_1001>();
     lose(1, 0x21);
     for (int value = 1; value <= 5; ++value) {
         EXPECT_EQ(write(0x1003, 0, value, 1), "06090030") << value;
@@ -246,7 +248,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
 
 // 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h
 TEST_F(Ax130751Errors, BusOffAtPowerOnPreventsTheSelfStart) {
-    verifies<req::AOR_START_003, req::AOR_ERR_006>();
+    verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
         {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
@@ -286,7 +288,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::AOR_ERR_009, req::CO_EMCY_017>();
+    verifies<req::AOR_ERR_009, req::CO_EMCY_031>();
     store();
     memory.bytes()[100] ^= 0x01;
     inputs.can_state = 3;

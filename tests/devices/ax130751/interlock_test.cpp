@@ -114,7 +114,7 @@ TEST_F(Ax130751Interlock, OverrideWithoutAValuePutsTheOutputOff) {
 }
 
 TEST_F(Ax130751Interlock, ValidEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
-    verifies<req::AOR_OUT_029, req::AOR_OUT_007, req::AOR_DO_005>();
+    verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_007, req::AOR_DO_005>();
     make_digital();
     connect(0x2350, 1, 1);
     send("57F#0100");
@@ -156,7 +156,7 @@ TEST_F(Ax130751Interlock, ValidOverrideActsOnAnOutputFrozenByAFault) {
 }
 
 TEST_F(Ax130751Interlock, OverrideInErrorIsNotUsed) {
-    verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
+    verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x2300, 1, 3000);
     set16(0x7341, 1, 1500);
@@ -259,7 +259,7 @@ TEST_F(Ax130751Interlock, RelayWithoutSupplyClosesTheContactNc) {
 
 // 1.8, 3.4.86: outputs run in operational only; 5555h lets a unit without a master enter it.
 TEST_F(Ax130751Interlock, OutputsRunInOperationalOnly) {
-    verifies<req::AOR_OUT_026, req::AOR_OUT_007>();
+    verifies<req::AOR_OUT_026, req::AOR_OUT_041, req::AOR_OUT_007>();
     make_voltage();
     make_relay();
     set16(0x6310, 2, 1020);
@@ -322,7 +322,7 @@ TEST_F(Ax130751Interlock, BlocksRunOutsideOperational) {
 }
 
 TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
-    verifies<req::AOR_OUT_026, req::AOR_OUT_012>();
+    verifies<req::AOR_OUT_041, req::AOR_OUT_012>();
     command(1, 5000);
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
@@ -334,7 +334,7 @@ TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
 }
 
 TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
-    verifies<req::AOR_OUT_026>();
+    verifies<req::AOR_OUT_026, req::AOR_OUT_041>();
     make_voltage();
     make_relay();
     send("000#827F");
@@ -368,7 +368,7 @@ TEST_F(Ax130751Interlock, CommunicationFaultThatEndsOperationalPutsTheOutputsOff
 }
 
 TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
-    verifies<req::AOR_OUT_026, req::AOR_START_001, req::AOR_OD_5555>();
+    verifies<req::AOR_OUT_041, req::AOR_START_001, req::AOR_START_005, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
     set16(0x7321, 1, 2000);  // 2 V at 0

@@ -55,7 +55,7 @@ TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
 }
 
 TEST_F(Ax130751LateCalls, InputsTakeEffectInTheNextCycle) {
-    verifies<req::AOR_OUT_027, req::AOR_DIAG_002, req::AOR_DIAG_007>();
+    verifies<req::AOR_OUT_027, req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_DIAG_012>();
     inputs.supply = 7.5F;
     EXPECT_EQ(set_inputs(), Frames{});
     wait(5);

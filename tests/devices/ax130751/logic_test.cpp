@@ -113,7 +113,7 @@ TEST_F(Ax130751Logic, ComparisonIgnoresTheDecimalDigits) {
 }
 
 TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
-    verifies<req::AOR_LOGIC_004, req::AOR_T18, req::AOR_T19>();
+    verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_011, req::AOR_T18, req::AOR_T19>();
     set8(0x3300, 1, 1);
     set16(0x2500, 6, 1);
     for (int number = 1; number <= 3; ++number) {
@@ -186,7 +186,7 @@ TEST_F(Ax130751Logic, FunctionWithoutConditionsSelectsAsTheDefault) {
 }
 
 TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
-    verifies<req::AOR_LOGIC_007>();
+    verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>();
     set8(0x3300, 3, 1);
     set8(0x3602, 1, 0);
     connect_table(7, 1);
@@ -217,7 +217,7 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
 }
 
 TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
-    verifies<req::AOR_OUT_001, req::AOR_LOGIC_008>();
+    verifies<req::AOR_OUT_030, req::AOR_LOGIC_008>();
     // Block 3 reads 2500h:1, block 2 reads block 3, block 1 reads block 2. Each selects its table A, which gives 0,
     // while its source is available and 0, otherwise its table B, which has no source: all outputs stay 0.
     condition(3, 1, 1, 1, 0, 2);
@@ -251,7 +251,7 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
 }
 
 TEST_F(Ax130751Logic, LogicBlockTakesOverTheStateOfItsTable) {
-    verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_009>();
+    verifies<req::AOR_LOGIC_008, req::AOR_LOGIC_013, req::AOR_LOGIC_009>();
     // Output 1 follows logic block 1: OFF while that is not available, fault value while it is in error.
     set8(0x3300, 1, 1);
     set8(0x3402, 1, 0);

@@ -195,7 +195,7 @@ TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
 }
 
 TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
-    verifies<req::AOR_LT_018, req::AOR_LT_017>();
+    verifies<req::AOR_LT_027, req::AOR_LT_017>();
     make_extra(-40, 210);
     set32(0x3016, 1, 5);
     choose(1, canopen, 4);
@@ -212,7 +212,7 @@ TEST_F(Ax130751LookupMinimum, Point1ChangedByTheUserStays) {
 }
 
 TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
-    verifies<req::AOR_LT_018, req::AOR_LT_009>();
+    verifies<req::AOR_LT_028, req::AOR_LT_009>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
     set32(0x3016, 2, -20);
@@ -223,7 +223,7 @@ TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
 }
 
 TEST_F(Ax130751LookupMinimum, Point1OfATimeProfileIs0) {
-    verifies<req::AOR_LT_018, req::AOR_LT_014>();
+    verifies<req::AOR_LT_018, req::AOR_LT_023>();
     make_extra(-40, 210);
     choose(1, canopen, 4);
     set8(0x3015, 1, 1);

@@ -40,7 +40,7 @@ TEST_F(Ax130751Lookup, EveryTableFollowsItsPoints) {
 }
 
 TEST_F(Ax130751Lookup, JumpAndIgnoreResponsesAreFollowed) {
-    verifies<req::AOR_LT_003, req::AOR_LT_004, req::AOR_T14>();
+    verifies<req::AOR_LT_003, req::AOR_LT_019, req::AOR_LT_004, req::AOR_T14>();
     connect(1, 1);
     set8(0x3015, 3, 2);  // jump to (20, 20)
     set8(0x3015, 5, 0);  // ignore from (40, 40) on
@@ -58,7 +58,7 @@ TEST_F(Ax130751Lookup, JumpAndIgnoreResponsesAreFollowed) {
 }
 
 TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
-    verifies<req::AOR_LT_005>();
+    verifies<req::AOR_LT_005, req::AOR_LT_020>();
     connect(1, 1);
     set32(0x3016, 3, 30);
     set16(0x3017, 3, 5);
@@ -201,7 +201,7 @@ TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
 }
 
 TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
-    verifies<req::AOR_OUT_001, req::AOR_LT_007, req::AOR_LT_010>();
+    verifies<req::AOR_OUT_030, req::AOR_LT_007, req::AOR_LT_010>();
     // 2500h:1 → table 2 → table 1, whose profile rises to 50 in 100 ms
     connect(2, 1);
     for (int point = 8; point <= 11; ++point) {
@@ -275,7 +275,8 @@ TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
 }
 
 TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
-    verifies<req::AOR_LT_014, req::AOR_K_SHORTEST_INTERVAL, req::AOR_K_LONGEST_INTERVAL>();
+    verifies<req::AOR_LT_014, req::AOR_LT_023, req::AOR_LT_024, req::AOR_K_SHORTEST_INTERVAL,
+             req::AOR_K_LONGEST_INTERVAL>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
     set16(0x3107, 1, 77);
@@ -328,7 +329,7 @@ TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
 }
 
 TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
-    verifies<req::AOR_LT_016, req::AOR_OUT_001>();
+    verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
     // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
@@ -353,7 +354,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 }
 
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
-    verifies<req::AOR_LT_016, req::AOR_SRC_004>();
+    verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
     connect(1, 1);

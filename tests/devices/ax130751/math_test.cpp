@@ -53,7 +53,7 @@ TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
 }
 
 TEST_F(Ax130751Math, OperatorsFollowTable21) {
-    verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_004, req::AOR_MATH_005>();
+    verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_012, req::AOR_MATH_004, req::AOR_MATH_005>();
     make(1, 2);
     struct Row {
         int operation;
@@ -189,7 +189,7 @@ TEST_F(Ax130751Math, NegativeDifferenceIsClampedUnlessAGainIsNegative) {
 }
 
 TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
-    verifies<req::AOR_MATH_009, req::AOR_MATH_010>();
+    verifies<req::AOR_MATH_009, req::AOR_MATH_014, req::AOR_MATH_010>();
     make(1, 4);
     set8(0x4150, 2, 14);
     values({20, 60, 50, 0});
@@ -224,7 +224,7 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
 }
 
 TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
-    verifies<req::AOR_MATH_009, req::AOR_OUT_001>();
+    verifies<req::AOR_MATH_015, req::AOR_OUT_030>();
     make(1, 3);
     set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);
@@ -260,7 +260,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
 }
 
 TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
-    verifies<req::AOR_MATH_008, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_008, req::AOR_MATH_015>();
     make(1, 3);
     set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3
     set8(0x4101, 1, 1);

@@ -144,7 +144,7 @@ TEST_F(Ax130751Output, OverridePrecedesEnable) {
 }
 
 TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
-    verifies<req::AOR_OUT_008>();
+    verifies<req::AOR_OUT_032>();
     make(10);
     set16(0x7321, 1, 2000);
     command(1, 4000);
@@ -154,7 +154,7 @@ TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
 }
 
 TEST_F(Ax130751Output, OutputThatLosesItsControlRampsToOff) {
-    verifies<req::AOR_OUT_008, req::AOR_OUT_012>();
+    verifies<req::AOR_OUT_032, req::AOR_OUT_012>();
     command(1, 5000);
     pass(1000);  // 5 V per second, the default
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
@@ -178,7 +178,7 @@ TEST_F(Ax130751Output, UnusedOverrideIsNotReadAsOff) {
 }
 
 TEST_F(Ax130751Output, InverseDigitalOutputWithoutAControlIsOff) {
-    verifies<req::AOR_OUT_008>();
+    verifies<req::AOR_OUT_032>();
     make(1020);
     set8(0x2241, 1, 1);
     set8(0x6220, 1, 0);
@@ -194,7 +194,7 @@ TEST_F(Ax130751Output, InverseDigitalOutputWithoutAControlIsOff) {
 }
 
 TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
-    verifies<req::AOR_OUT_007, req::AOR_DO_006, req::AOR_OUT_008>();
+    verifies<req::AOR_OUT_007, req::AOR_DO_011, req::AOR_OUT_032>();
     make(1020);
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);

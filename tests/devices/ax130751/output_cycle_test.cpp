@@ -47,7 +47,7 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
 }
 
 TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
-    verifies<req::AOR_OUT_001>();
+    verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
     // 2500h:1 → table 1 → logic 1 → math 1 → output 1, each 0 to 100
     extra_as_percent(1);
     extra_as_percent(2);
@@ -85,7 +85,7 @@ TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
 }
 
 TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
-    verifies<req::AOR_OUT_001, req::AOR_OUT_002>();
+    verifies<req::AOR_OUT_030, req::AOR_OUT_002>();
     // 2500h:1 → table 10 → table 9 → … → table 1: ten cycles
     extra_as_percent(1);
     for (int table = 1; table <= 9; ++table) {
@@ -108,7 +108,7 @@ TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
 }
 
 TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
-    verifies<req::AOR_OUT_001, req::AOR_DO_004>();
+    verifies<req::AOR_OUT_030, req::AOR_DO_010>();
     make(10);
     set8(0x2340, 1, 7);  // output 1 is 0 or 5 V with the drive state of output 2
     set8(0x2341, 1, 2);
@@ -131,7 +131,7 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
 }
 
 TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
-    verifies<req::AOR_OUT_001>();
+    verifies<req::AOR_OUT_030>();
     // Output 2 repeats output 1, which is a tenth of a volt or of a milliampere above the previous output 2.
     const auto close_loop = [this](int type, int source, int full) {
         for (const int output : {1, 2}) {

@@ -7,7 +7,7 @@
 namespace canproof::test {
 
 TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
-    verifies<req::AOR_DO_001, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021>();
+    verifies<req::AOR_DO_001, req::AOR_DO_009, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021>();
     for (const int type : {1000, 1020}) {
         SCOPED_TRACE(type);
         make(type);
@@ -57,7 +57,7 @@ TEST_F(Ax130751Output, DigitalOutputFollowsItsPolarity) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputBlinksAtItsRate) {
-    verifies<req::AOR_DO_004>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010>();
     make(1020);
     set8(0x2241, 1, 3);
     set16(0x2223, 1, 40);
@@ -95,7 +95,7 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
-    verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_T02>();
+    verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_011, req::AOR_T02>();
     make(1020);
     set8(0x2241, 1, 1);  // inverse: ON unless another drive is active
     connect(0x2350, 1);

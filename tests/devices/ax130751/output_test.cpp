@@ -49,7 +49,7 @@ TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
 }
 
 TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
-    verifies<req::AOR_OUT_006, req::AOR_OUT_015, req::AOR_T06>();
+    verifies<req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_OUT_015, req::AOR_T06>();
     make(10);
     set16(0x7322, 1, 4000);
     set16(0x7320, 1, 1000);
@@ -126,7 +126,7 @@ TEST_F(Ax130751Output, PwmWithoutPulsesIsOff) {
 }
 
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
-    verifies<req::AOR_OUT_020, req::AOR_OUT_016, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY>();
+    verifies<req::AOR_OUT_035, req::AOR_OUT_016, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY>();
     make(500);
     command(1, 440);
     EXPECT_FLOAT_EQ(hertz(1), 440.0F);
@@ -142,7 +142,7 @@ TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
 }
 
 TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
-    verifies<req::AOR_OUT_021>();
+    verifies<req::AOR_OUT_036>();
     make(10);
     set8(0x2240, 1, 1);
     command(1, 3000);
@@ -202,7 +202,7 @@ TEST_F(Ax130751Output, OutputStaysInTheRangeOfItsType) {
 }
 
 TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
-    verifies<req::AOR_OUT_024>();
+    verifies<req::AOR_OUT_024, req::AOR_OUT_039, req::AOR_OUT_040>();
     for (const int output : {1, 2}) {
         set16(0x6310, 3 - output, 40);  // the other output is a PWM: its limit is 100.0 %, 1000
         for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
@@ -231,7 +231,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
 }
 
 TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
-    verifies<req::AOR_OUT_022, req::AOR_T_TYPE_DEFAULTS>();
+    verifies<req::AOR_OUT_022, req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     struct Row {
         int type, digits, scaling_1, scaling_2;
     };
@@ -251,7 +251,7 @@ TEST_F(Ax130751Output, AutomaticUpdateWritesTheDefaultsOfTheNewType) {
 }
 
 TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
-    verifies<req::AOR_OUT_022>();
+    verifies<req::AOR_OUT_038>();
     set8(0x5550, 0, 0);
     set16(0x7341, 1, 1000);
     set16(0x6310, 1, 40);
@@ -261,7 +261,7 @@ TEST_F(Ax130751Output, NewTypeWritesNoDefaultsWithoutAutomaticUpdates) {
 }
 
 TEST_F(Ax130751Output, SameTypeOrType0WritesNoDefaults) {
-    verifies<req::AOR_OUT_022>();
+    verifies<req::AOR_OUT_038>();
     set16(0x7323, 1, 4000);
     set16(0x6310, 1, 10);
     EXPECT_EQ(get16(0x7323, 1), 4000);

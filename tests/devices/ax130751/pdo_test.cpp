@@ -48,7 +48,7 @@ TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
 }
 
 TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
-    verifies<req::AOR_PDO_003, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1601, req::AOR_OD_1602,
+    verifies<req::AOR_PDO_003, req::AOR_PDO_010, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1601, req::AOR_OD_1602,
              req::AOR_OD_2500>();
     start();
     send("37F#010002000300");
@@ -84,8 +84,9 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
 }
 
 TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
-    verifies<req::AOR_PDO_005, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803, req::AOR_OD_1A01, req::AOR_OD_1A02,
-             req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020, req::AOR_OD_5030>();
+    verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
+             req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
+             req::AOR_OD_5030>();
     inputs.supply = 24.0F;
     inputs.cpu_temperature = 35.0F;
     set_inputs();
@@ -272,7 +273,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
 }
 
 TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
-    verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
+    verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
@@ -290,7 +291,7 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
 }
 
 TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
-    verifies<req::CO_EMCY_006>();
+    verifies<req::CO_EMCY_022>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");
     start();

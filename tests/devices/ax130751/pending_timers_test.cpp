@@ -72,7 +72,7 @@ class Ax130751Pending : public Ax130751Blocks {
 }  // namespace
 
 TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_015, req::AOR_RELAY_009>();
+    verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
         // The delay is 30 ms; 10 ms have passed when the event begins, 16 when it ends.
@@ -116,7 +116,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::AOR_RELAY_013, req::AOR_RELAY_014, req::AOR_RELAY_015>();
+    verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
         // The delay is 20 ms.

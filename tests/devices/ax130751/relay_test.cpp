@@ -75,7 +75,7 @@ TEST_F(Ax130751Relay, RelayTogglesAtItsBlinkRate) {
 }
 
 TEST_F(Ax130751Relay, UnlatchingFollowsItsStateMachine) {
-    verifies<req::AOR_RELAY_005, req::AOR_RELAY_007>();
+    verifies<req::AOR_RELAY_005, req::AOR_RELAY_020, req::AOR_RELAY_007>();
     set8(0x2242, 1, 3);
     connect(0x2270, 1);
     EXPECT_TRUE(control(1));
@@ -96,7 +96,7 @@ TEST_F(Ax130751Relay, UnlatchingFollowsItsStateMachine) {
 }
 
 TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
-    verifies<req::AOR_RELAY_006>();
+    verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
     control(1);
     set8(0x2242, 1, 4);
     connect(0x2270, 1);
@@ -229,7 +229,7 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
 }
 
 TEST_F(Ax130751Relay, DelaysApplyToOnAndOff) {
-    verifies<req::AOR_RELAY_012, req::AOR_RELAY_013>();
+    verifies<req::AOR_RELAY_012, req::AOR_RELAY_013, req::AOR_RELAY_022>();
     set32(0x22A1, 1, 30);
     set32(0x22A2, 1, 20);
     EXPECT_TRUE(control(1)) << "delays are off as shipped";
@@ -265,7 +265,7 @@ TEST_F(Ax130751Relay, DelayOfADayIsExact) {
 }
 
 TEST_F(Ax130751Relay, OverrideAndErrorsAreNotDelayed) {
-    verifies<req::AOR_RELAY_014>();
+    verifies<req::AOR_RELAY_014, req::AOR_RELAY_023>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
     set32(0x22A1, 1, 30);
@@ -308,7 +308,7 @@ TEST_F(Ax130751Relay, DelaysShiftTogglingAsAWhole) {
 }
 
 TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
-    verifies<req::AOR_RELAY_016>();
+    verifies<req::AOR_RELAY_016, req::AOR_RELAY_024>();
     EXPECT_TRUE(control(1));
     set8(0x2260, 1, not_used);
     pass(1);
@@ -323,7 +323,7 @@ TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
 }
 
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
-    verifies<req::AOR_OUT_007, req::AOR_RELAY_009, req::AOR_RELAY_016>();
+    verifies<req::AOR_OUT_007, req::AOR_RELAY_009, req::AOR_RELAY_024>();
     connect(0x2280, 1);
     set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
     EXPECT_TRUE(control(1));

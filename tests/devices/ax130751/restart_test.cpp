@@ -288,7 +288,7 @@ TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
 }
 
 TEST_F(Ax130751Restart, SumIs0AfterAReset) {
-    verifies<req::AOR_MATH_009, req::AOR_OUT_026>();
+    verifies<req::AOR_MATH_015, req::AOR_OUT_026>();
     // Function 1 adds 2500h:1 percent to itself.
     extra_as_percent(1);
     set8(0x4101, 1, 1);
@@ -311,7 +311,7 @@ TEST_F(Ax130751Restart, SumIs0AfterAReset) {
 }
 
 TEST_F(Ax130751Restart, PendingNodeIdAndBitRateAreReadBackAfterAReset) {
-    verifies<req::AOR_NODE_003, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_003, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     EXPECT_EQ(write(0x5B50, 0, 3, 1), "");
     store();

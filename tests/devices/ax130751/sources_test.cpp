@@ -133,7 +133,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
 }
 
 TEST_F(Ax130751Sources, OtherPairsCountAsNotUsed) {
-    verifies<req::AOR_SRC_001, req::AOR_T4B>();
+    verifies<req::AOR_SRC_011, req::AOR_T4B>();
     no_ramps(1);
     set8(0x2342, 1, 0);
     set16(0x7321, 1, 1000);

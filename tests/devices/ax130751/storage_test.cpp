@@ -103,8 +103,8 @@ TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
 
 // 3.2.14, 3.2.15
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
-    verifies<req::AOR_LSS_002, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800,
-             req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
+    verifies<req::AOR_LSS_002, req::AOR_LSS_004, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403,
+             req::AOR_OD_1800, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
     // RPDO2 gets its own identifier, everything is stored, then the node-ID changes
     EXPECT_EQ(write(0x1401, 1, 0x80000345, 4), "");
     store();
@@ -131,7 +131,8 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
 
 // 3.4.87, 3.4.88, and the bold sentence of 3.2.7
 TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
-    verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_002, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_NODE_003, req::AOR_OD_5B50,
+             req::AOR_OD_5B51>();
     const auto set = [this] {
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
         EXPECT_EQ(write(0x5B50, 0, 2, 1), "");
@@ -208,7 +209,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
 }
 
 TEST_F(Ax130751Storage, LssStoreDoesNotStoreABitRateWrittenBySdo) {
-    verifies<req::AOR_NODE_005, req::AOR_NODE_002, req::AOR_OD_5B50, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_009, req::AOR_NODE_007, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s, not stored
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B50, 0), 2U) << "LSS does not replace it either";
@@ -291,7 +292,7 @@ TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
 
 // 3.2.8
 TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
-    verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
+    verifies<req::AOR_STORE_005, req::AOR_STORE_006, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     EXPECT_EQ(write(0x6340, 2, 0, 1), "");
     store();
@@ -304,7 +305,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
 
 // 3.4.86
 TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
-    verifies<req::AOR_START_001, req::AOR_START_002, req::AOR_OD_5555>();
+    verifies<req::AOR_START_001, req::AOR_START_005, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
     EXPECT_EQ(pass(1000), Frames{});
@@ -357,7 +358,7 @@ TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
 }
 
 TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
-    verifies<req::AOR_NODE_002, req::AOR_NODE_003, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_008, req::AOR_NODE_003, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     const std::size_t before = memory.written();
     store();

@@ -50,7 +50,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 
 // 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
-    verifies<req::AOR_LT_010>();
+    verifies<req::AOR_LT_021>();
     write(0x2522, 1, 100, 2);  // EC1: 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
@@ -119,7 +119,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
 }
 
 TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
-    verifies<req::AOR_LT_018, req::AOR_LT_014>();
+    verifies<req::AOR_LT_018, req::AOR_LT_023>();
     write(0x3021, 0, 1, 1);
     write(0x3020, 0, 3, 1);  // table 2 over table 1
     write(0x3015, 1, 1, 1);
@@ -131,7 +131,7 @@ TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
 
 // 1.6: a disabled block gives no value
 TEST_F(Ax130751Takeover, OutputGoesOffWithTheLogicBlockThatControlsIt) {
-    verifies<req::AOR_LOGIC_009, req::AOR_OUT_008>();
+    verifies<req::AOR_LOGIC_009, req::AOR_OUT_032>();
     connect(0x3010, 0, 1);
     write(0x3300, 1, 1, 1);
     write(0x2340, 2, 5, 1);

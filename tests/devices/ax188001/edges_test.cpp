@@ -138,7 +138,7 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
 }
 
 TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
-    verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
+    verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     show_high_limit(17250);
@@ -156,7 +156,7 @@ TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
 
 /// The cold junction adds any voltage to a reading: 0.05 uV on either side of the margin.
 TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
-    verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN>();
+    verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     EXPECT_EQ(write(0x2000, 1, 1, 1), 0U);
@@ -230,7 +230,7 @@ TEST_F(Edges, SupplyAndProcessorTemperatureAreRoundedToTenths) {
 }
 
 TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
-    verifies<req::TCS_VAL_008, req::TCS_LIM_011, req::TCS_START_004>();
+    verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;
         for (const float sign : {1.0F, -1.0F}) {

@@ -32,7 +32,8 @@ TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
 }
 
 TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
-    verifies<req::TCS_FD_002, req::TCS_FD_003, req::TCS_OD_5041, req::TCS_OD_5042>();
+    verifies<req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,
+             req::TCS_FD_012, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);
     const auto with = [&](float cpu, float supply) {
@@ -95,7 +96,7 @@ TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
 }
 
 TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
-    verifies<req::TCS_FD_005, req::TCS_OD_5050>();
+    verifies<req::TCS_FD_005, req::TCS_FD_013, req::TCS_FD_014, req::TCS_FD_015, req::TCS_OD_5050>();
     EXPECT_EQ(read(0x5050, 1).value, 1U);
     EXPECT_EQ(write(0x5050, 1, 1, 2), too_high);
     write(0x5051, 1, 2, 0);

@@ -22,7 +22,7 @@ class LateCalls : public TcsTest {
 }  // namespace
 
 TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
-    verifies<req::TCS_LIM_003, req::TCS_IN_001>();
+    verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);
     EXPECT_EQ(come_late(600), Frames{});  // readings at 165, 330, 495
@@ -31,7 +31,7 @@ TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
 }
 
 TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
-    verifies<req::TCS_LIM_003>();
+    verifies<req::TCS_LIM_012>();
     write(0x4030, 1, 2, 400);
     heat(1, 130.0);  // read at 165 ms; the fault is due at 565 ms
     pass(400);
@@ -41,14 +41,14 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
 }
 
 TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
-    verifies<req::TCS_IN_001>();
+    verifies<req::TCS_IN_015>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // the device was not called since 0
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
 TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
-    verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
+    verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms
     come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed

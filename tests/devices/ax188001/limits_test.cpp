@@ -15,7 +15,7 @@ using Limits = TcsTest;
 
 // One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
-    verifies<req::TCS_LIM_001, req::TCS_LIM_011, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
+    verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030>();
     write(0x4030, 1, 2, 0);
     const auto status_at = [&](double celsius) {
@@ -76,7 +76,7 @@ TEST_F(Limits, LimitFaultsAreReportedAfterTheirDelay) {
 }
 
 TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
-    verifies<req::TCS_LIM_003>();
+    verifies<req::TCS_LIM_003, req::TCS_LIM_012>();
     heat(1, 130.0);
     pass(3000);  // the reading at 165 ms was the first above the limit
     heat(1, 124.9);
@@ -170,7 +170,7 @@ TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
 }
 
 TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
-    verifies<req::TCS_LIM_006, req::TCS_VAL_005>();
+    verifies<req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_VAL_005>();
     heat(1, 300.0);
     heat(2, 130.0);
     pass(5165);
@@ -203,7 +203,7 @@ TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
 }
 
 TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
-    verifies<req::TCS_LIM_010>();
+    verifies<req::TCS_LIM_014>();
     heat(1, 130.0);  // read at 165
     pass(1000);
     write(0x4030, 1, 2, 2000);
@@ -245,7 +245,7 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
 }
 
 TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
-    verifies<req::TCS_CONV_006, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
+    verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
     write(0x4010, 1, 2, 17000);
@@ -273,7 +273,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
 }
 
 TEST_F(Limits, RangesOfAllTypesFollowTheManual) {
-    verifies<req::TCS_T1, req::TCS_CONV_006>();
+    verifies<req::TCS_T1, req::TCS_CONV_011>();
     struct Range {
         std::uint32_t type;
         double lowest;

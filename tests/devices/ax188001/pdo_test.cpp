@@ -38,7 +38,8 @@ TEST_F(Pdos, ReservedValuesAreSentInTpdo1) {
 }
 
 TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
-    verifies<req::TCS_PDO_002, req::TCS_OD_1801, req::TCS_OD_1A01, req::TCS_OD_2130, req::TCS_OD_3130>();
+    verifies<req::TCS_PDO_002, req::TCS_PDO_007, req::TCS_OD_1801, req::TCS_OD_1A01, req::TCS_OD_2130,
+             req::TCS_OD_3130>();
     EXPECT_EQ(read(0x1801, 1).value, 0xC00002FFU);
     EXPECT_EQ(read(0x1801, 5).value, 0U);
     const std::vector<std::uint32_t> mapped{2, 0x21300010, 0x31300010, 0, 0};
@@ -97,8 +98,8 @@ TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
 }
 
 TEST_F(Pdos, RpdosExistAndMapNothing) {
-    verifies<req::TCS_PDO_005, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403, req::TCS_OD_1600,
-             req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
+    verifies<req::TCS_PDO_005, req::TCS_PDO_008, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403,
+             req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (int n = 0; n < 4; ++n) {
         EXPECT_EQ(read(0x1400 + n, 0).value, 5U);
         EXPECT_EQ(read(0x1400 + n, 1).value, 0xC000027FU + static_cast<std::uint32_t>(n) * 0x100U);
@@ -119,8 +120,8 @@ TEST_F(Pdos, RpdosExistAndMapNothing) {
 }
 
 TEST_F(Pdos, TransmissionTypesAreReadOnly) {
-    verifies<req::TCS_PDO_006, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
-             req::TCS_OD_1A01>();
+    verifies<req::TCS_PDO_006, req::TCS_PDO_009, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803,
+             req::TCS_OD_1A00, req::TCS_OD_1A01>();
     for (int n = 0; n < 4; ++n) {
         EXPECT_EQ(read(0x1800 + n, 0).value, 5U);
         EXPECT_EQ(write(0x1800 + n, 0, 1, 5), read_only);

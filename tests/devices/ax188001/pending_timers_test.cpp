@@ -59,7 +59,8 @@ class Ax188001Pending : public TcsTest {
 }  // namespace
 
 TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::TCS_LIM_003, req::TCS_LIM_006, req::TCS_LIM_010>();
+    verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_LIM_010,
+             req::TCS_LIM_014>();
     for (const int channel : {1, 2}) {
         const int other = 3 - channel;
         const std::vector<Case> cases{
@@ -107,7 +108,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::TCS_FD_004, req::TCS_FD_005>();
+    verifies<req::TCS_FD_004, req::TCS_FD_013>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
         set_inputs();
@@ -146,7 +147,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::TCS_LIM_003, req::TCS_LIM_006>();
+    verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013>();
     // The voltage is read at 165 ms, and the open circuit is detected at 165 + 1320 = 1485 ms.
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 1485 + 1000},
@@ -170,7 +171,7 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
 // Read at 165 ms. The circuit breaks at 500 ms, which is detected at 660 + 1320 = 1980, and is closed again at 2500,
 // which the reading at 2640 shows.
 TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
-    verifies<req::TCS_LIM_003, req::TCS_LIM_007>();
+    verifies<req::TCS_LIM_012, req::TCS_LIM_007>();
     struct Limit {
         double celsius;
         const char* message;  ///< message of channel 1, the worst one

@@ -21,7 +21,7 @@ TEST_F(Values, LargeVoltageIsReadDuringBootUp) {
 }
 
 TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
-    verifies<req::TCS_IN_001, req::TCS_K_UPDATE_PERIOD>();
+    verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     heat(1, 100.0);
     pass(164);
     EXPECT_EQ(process_value(1), 4768);
@@ -57,8 +57,8 @@ TEST_F(Values, StepOfTheConverterIsFullScaleDividedBy32768) {
 }
 
 TEST_F(Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
-    verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_005, req::TCS_K_SETTLING, req::TCS_K_GAIN_BACK,
-             req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
+    verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_016, req::TCS_IN_005, req::TCS_K_SETTLING,
+             req::TCS_K_GAIN_BACK, req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);
     pass(4 * 165);
@@ -138,7 +138,7 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
 }
 
 TEST_F(Values, HumAddsAndSubtractsInTurn) {
-    verifies<req::TCS_IN_007, req::TCS_IN_001>();
+    verifies<req::TCS_IN_007, req::TCS_IN_001, req::TCS_IN_015>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
     power_on();
@@ -150,7 +150,7 @@ TEST_F(Values, HumAddsAndSubtractsInTurn) {
 }
 
 TEST_F(Values, FilterAccepts50And60HertzOnly) {
-    verifies<req::TCS_IN_008, req::TCS_OD_2020>();
+    verifies<req::TCS_IN_008, req::TCS_IN_017, req::TCS_OD_2020>();
     EXPECT_EQ(read(0x2020).value, 60U);
     for (const std::uint32_t hz : {0U, 49U, 51U, 55U, 59U, 61U, 255U}) {
         EXPECT_EQ(write(0x2020, 0, 1, hz), out_of_range) << hz;
@@ -164,7 +164,7 @@ TEST_F(Values, FilterAccepts50And60HertzOnly) {
 }
 
 TEST_F(Values, LateCallPerformsEightMissedReadings) {
-    verifies<req::TCS_IN_001>();
+    verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);  // two gain changes: the ninth reading shows it
     now = now + milliseconds(9 * period_ms);
@@ -176,7 +176,7 @@ TEST_F(Values, LateCallPerformsEightMissedReadings) {
 }
 
 TEST_F(Values, NextReadingAfterAVeryLateCallIsOnePeriodLater) {
-    verifies<req::TCS_IN_001>();
+    verifies<req::TCS_IN_015>();
     pass(period_ms);
     now = now + milliseconds(100 * period_ms);
     device->advance(now);

@@ -55,7 +55,7 @@ TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
 
 /// 1029h:2 precedes the self-start, for every active channel fault.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
-    verifies<req::TCS_START_005, req::TCS_ERR_010>();
+    verifies<req::TCS_START_005, req::TCS_START_009, req::TCS_ERR_010>();
     for (const int channel : {1, 2}) {
         for (const double celsius : {130.0, -30.0, 0.0}) {  // 0: an open circuit
             memory.bytes().assign(1024, 0xFF);

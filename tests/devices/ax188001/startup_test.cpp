@@ -53,7 +53,7 @@ TEST_F(Ax188001Startup, Mode1EntersOperationalAtOnce) {
 }
 
 TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
-    verifies<req::TCS_START_003, req::TCS_T3, req::TCS_OD_5556>();
+    verifies<req::TCS_START_003, req::TCS_START_006, req::TCS_T3, req::TCS_OD_5556>();
     EXPECT_EQ(read(0x5556).value, 1000U);
     EXPECT_EQ(write(0x5556, 0, 2, 1500), 0U);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
@@ -64,7 +64,7 @@ TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
 }
 
 TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
-    verifies<req::TCS_START_003>();
+    verifies<req::TCS_START_007>();
     start_with(2);
     power_on();
     pass(500);
@@ -90,7 +90,7 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
 }
 
 TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes) {
-    verifies<req::TCS_START_005>();
+    verifies<req::TCS_START_005, req::TCS_START_009>();
     write(0x5051, 1, 2, 0);
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
     start_with(2);
@@ -109,7 +109,7 @@ TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes)
 }
 
 TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
-    verifies<req::TCS_START_005>();
+    verifies<req::TCS_START_005, req::TCS_START_009>();
     for (const int channel : {1, 2}) {
         write(0x4030, channel, 2, 0);
     }
@@ -136,7 +136,7 @@ TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
 }
 
 TEST_F(Ax188001Startup, ResetByLssRestartsTheDelayOfTheStartCommand) {
-    verifies<req::TCS_START_003, req::CO_LSS_018>();
+    verifies<req::TCS_START_006, req::CO_LSS_018>();
     EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
     start_with(2);
     for (const std::uint32_t mode : {2U, 1U, 0U}) {
@@ -150,7 +150,7 @@ TEST_F(Ax188001Startup, ResetByLssRestartsTheDelayOfTheStartCommand) {
 }
 
 TEST_F(Ax188001Startup, DelayOfTheStartCommandIsConfigurable) {
-    verifies<req::TCS_START_004, req::TCS_OD_5556>();
+    verifies<req::TCS_START_004, req::TCS_START_008, req::TCS_OD_5556>();
     EXPECT_EQ(write(0x5556, 0, 2, 65001), too_high);
     EXPECT_EQ(write(0x5556, 0, 2, 65000), 0U);
     EXPECT_EQ(write(0x5556, 0, 2, 0), 0U);
@@ -167,6 +167,26 @@ TEST_F(LssSession, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->node_id(), 127);
 }
 
+TEST_F(LssSession, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
+    verifies<req::TCS_LSS_006>();
+    talk({{"7E5#0401", {}},
+          {"7E5#1150", {"7E4#110000"}},
+          {"7E5#130003", {"7E4#130000"}},  // 250 kbit/s
+          {"7E5#17", {"7E4#170000"}},
+          {"7E5#0400", {"750#00"}}});
+    node = 80;
+    power_on();
+    write(0x4030, 1, 2, 1);
+    EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
+    EXPECT_EQ(write(0x1011, 1, 4, 0x64616F6C), 0U);  // load: all parameters
+    for (const char* reset : {"000#8250", "000#8150"}) {
+        EXPECT_EQ(send(reset), (Frames{"750#00"}));
+    }
+    EXPECT_EQ(power_on(), (Frames{"750#00"}));
+    EXPECT_EQ(read(0x4030, 1).value, 5000U);  // the defaults are restored
+    EXPECT_EQ(device->bit_rate(), 250000U);
+}
+
 TEST_F(LssSession, SessionOfSection3_1_1_1SetsTheNodeId) {
     verifies<req::TCS_LSS_002, req::TCS_LSS_005>();
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
@@ -181,7 +201,7 @@ TEST_F(LssSession, SessionOfSection3_1_1_1SetsTheNodeId) {
 }
 
 TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
-    verifies<req::TCS_LSS_005>();
+    verifies<req::TCS_LSS_005, req::TCS_LSS_007>();
     EXPECT_EQ(write(0x1801, 1, 4, 0xC0000333), 0U);
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     talk({{"7E5#0401", {}}, {"7E5#1120", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"720#00"}}});

@@ -108,14 +108,14 @@ TEST_F(Storage, SavedParametersAreKept) {
 }
 
 TEST_F(Storage, UnsavedParametersAreLost) {
-    verifies<req::TCS_STORE_002>();
+    verifies<req::TCS_STORE_004>();
     write(0x4030, 1, 2, 1);
     power_on();
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
 TEST_F(Storage, ParametersAreSavedAndRestoredByGroup) {
-    verifies<req::TCS_STORE_002, req::TCS_STORE_003, req::TCS_OD_1010, req::TCS_OD_1011>();
+    verifies<req::TCS_STORE_005, req::TCS_STORE_003, req::TCS_STORE_006, req::TCS_OD_1010, req::TCS_OD_1011>();
     struct Group {
         int sub;
         int index;

@@ -43,7 +43,7 @@ TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
 }
 
 TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
-    verifies<req::TCS_IN_012, req::TCS_IN_006>();
+    verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // E: -2.255 mV
     heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
@@ -97,7 +97,7 @@ TEST_F(Values, WithoutCompensationOnlyTheTerminalVoltageIsConverted) {
 }
 
 TEST_F(Values, TypeBHasANegativeColdJunction) {
-    verifies<req::TCS_CJ_003>();
+    verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);
     // B at 1000 degC 4.834 mV; at -40 degC 19.4 uV, by the polynomial
@@ -126,7 +126,7 @@ TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
 }
 
 TEST_F(Values, ScalingOutsideItsLimitsIsRefused) {
-    verifies<req::CO_SDO_040, req::TCS_VAL_008, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127,
+    verifies<req::CO_SDO_040, req::TCS_VAL_009, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_2126, req::TCS_OD_2127,
              req::TCS_OD_3126, req::TCS_OD_3127>();
     struct Place {
         int index;
@@ -184,7 +184,7 @@ TEST_F(Values, DisabledChannelReadsNan) {
 }
 
 TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
-    verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_013, req::TCS_S_OPEN>();
+    verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
@@ -208,7 +208,7 @@ TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
 }
 
 TEST_F(Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
-    verifies<req::TCS_IN_014, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
+    verifies<req::TCS_IN_014, req::TCS_IN_020, req::TCS_T1, req::TCS_OD_6110, req::TCS_IN_011>();
     EXPECT_EQ(read(0x6110, 1).value, 1U);
     for (const std::uint32_t type : {0U, 3U, 8U, 11U, 12U, 257U, 65535U}) {
         EXPECT_EQ(write(0x6110, 1, 2, type), out_of_range) << type;
@@ -224,7 +224,7 @@ TEST_F(Values, OnlyThermocoupleTypesOfTable1AreAcceptedAndTheyApplyAtOnce) {
 }
 
 TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
-    verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_002>();
+    verifies<req::TCS_VAL_007, req::TCS_VAL_001, req::TCS_CJ_004>();
     heat(1, 100.0);
     read_once();
     write_real(0x6126, 1, 0.0F);
@@ -243,7 +243,7 @@ TEST_F(Values, ValueThatScalesToAReservedValueIsMovedByOne) {
 }
 
 TEST_F(Values, AverageUsesTheValidChannels) {
-    verifies<req::TCS_AVG_001, req::TCS_AVG_002, req::TCS_OD_2100, req::TCS_OD_2130>();
+    verifies<req::TCS_AVG_001, req::TCS_AVG_005, req::TCS_AVG_002, req::TCS_OD_2100, req::TCS_OD_2130>();
     heat(1, 100.0);
     heat(2, 200.0);
     read_once();
@@ -279,7 +279,7 @@ TEST_F(Values, AverageCanBeSwitchedOff) {
 }
 
 TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
-    verifies<req::TCS_AVG_004>();
+    verifies<req::TCS_AVG_004, req::TCS_AVG_006, req::TCS_AVG_007>();
     write(0x6112, 1, 1, 0);
     write(0x6112, 2, 1, 0);
     EXPECT_EQ(read(0x2100).value, not_a_number);

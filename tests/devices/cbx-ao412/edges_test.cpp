@@ -72,7 +72,7 @@ TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
 }
 
 TEST_F(AnalogEdges, EachFlashLasts200Milliseconds) {
-    verifies<req::AO4_LED_005, req::AO4_T5>();
+    verifies<req::AO4_LED_008, req::AO4_T5>();
     inputs.internal_fault = true;  // LED M: two flashes, started at 200 ms, and a pause of 1000 ms
     set_inputs();
     const std::vector<std::pair<std::uint64_t, bool>> cases{{199, false},  {200, true},  {399, true},  {400, false},

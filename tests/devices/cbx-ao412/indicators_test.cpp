@@ -50,7 +50,8 @@ const std::string dark(40, '.');
 }  // namespace
 
 TEST_F(Leds, StatusLedFollowsTheNmtState) {
-    verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_S_LED_S>();
+    verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_LED_008, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR,
+             req::AO4_S_LED_S>();
     EXPECT_TRUE(repeats(watch(s, 40), blinking));
     send("000#0103");
     EXPECT_EQ(watch(s, 40), lit);
@@ -73,7 +74,7 @@ TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
 }
 
 TEST_F(Leds, CanErrorLedShowsTheWorstCondition) {
-    verifies<req::AO4_LED_002, req::AO4_LED_005, req::AO4_T6, req::AO4_S_LED_E>();
+    verifies<req::AO4_LED_002, req::AO4_LED_008, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 1;
     set_inputs();
@@ -97,7 +98,7 @@ TEST_F(Leds, CanErrorLedShowsTheWorstCondition) {
 }
 
 TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
-    verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
+    verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
     EXPECT_EQ(watch(m, 40), dark);
     inputs.can_overrun = true;
     set_inputs();
@@ -114,7 +115,7 @@ TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
 }
 
 TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
-    verifies<req::AO4_LED_003, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
+    verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
@@ -152,7 +153,7 @@ TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
 }
 
 TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
-    verifies<req::AO4_LED_003, req::AO4_SW_002>();
+    verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_SW_002>();
     inputs.switch_high = 8;  // 83h
     power_on();
     EXPECT_EQ(watch(m, 40), dark);

@@ -191,7 +191,7 @@ TEST_F(OutputInError, ErrorValueStaysUntilTheNextWriteAfterTheError) {
 }
 
 TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
-    verifies<req::AO4_AOUT_009>();
+    verifies<req::AO4_AOUT_009, req::AO4_AOUT_012>();
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
     power_on();
@@ -218,7 +218,7 @@ TEST_F(Output, ResetCommunicationKeepsTheCalibration) {
 }
 
 TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
-    verifies<req::AO4_AOUT_005, req::AO4_AOUT_008>();
+    verifies<req::AO4_AOUT_011, req::AO4_AOUT_008>();
     // 2404h = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
     expect_steps(1, 1024);
@@ -236,7 +236,7 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
 }
 
 TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
-    verifies<req::AO4_OD_6411, req::AO4_STORE_003, req::AO4_AOUT_010>();
+    verifies<req::AO4_OD_6411, req::AO4_STORE_003>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");  // 2000h = 8192: 1024 steps
     }
@@ -248,7 +248,7 @@ TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
 }
 
 TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
-    verifies<req::AO4_AOUT_010>();
+    verifies<req::AO4_AOUT_010, req::AO4_AOUT_013>();
     write("603#2B11640100200000");
     write("603#2B11640200200000");
     write("603#2B11640300200000");
@@ -271,7 +271,7 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
 
 /// The supply is cut and returns: the same device restarts.
 TEST_F(Output, PowerOnStartsWithNoVoltage) {
-    verifies<req::AO4_AOUT_010, req::AO4_SW_002>();
+    verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
         write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
     }
@@ -316,7 +316,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
 }
 
 TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
-    verifies<req::AO4_AOUT_010>();
+    verifies<req::AO4_AOUT_013>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
     write("603#2310100173617665");  // with 6443h = 1 and 6444h = 0
     inputs.hardware_fault = true;

@@ -47,7 +47,7 @@ class CbxPending : public testing::Test, public CbxBench {
 }  // namespace
 
 TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_004>();
+    verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_006, req::AO4_START_004>();
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 500},
         {"start", [&] { send("000#0103"); }, 200},
@@ -89,7 +89,7 @@ TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
+    verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;
         std::function<Frames()> happens;  ///< 40 ms after the first of two messages, 100 ms apart

@@ -14,7 +14,7 @@ namespace canproof::test {
 using Startup = CbxTest;
 
 TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
-    verifies<req::AO4_SW_001, req::AO4_S_SWITCH_HIGH, req::AO4_S_SWITCH_LOW>();
+    verifies<req::AO4_SW_001, req::AO4_SW_004, req::AO4_S_SWITCH_HIGH, req::AO4_S_SWITCH_LOW>();
     inputs.switch_high = 7;
     inputs.switch_low = 15;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -80,7 +80,7 @@ TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
 }
 
 TEST_F(Startup, ModuleWaitsForTheMasterByDefault) {
-    verifies<req::AO4_START_001>();
+    verifies<req::AO4_START_005>();
     pass(10000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
@@ -113,14 +113,14 @@ TEST_F(Startup, ProgramDataIsRefusedOutsideTheBootLoader) {
 }
 
 TEST_F(Startup, ProgramControlKeepsItsValue) {
-    verifies<req::CO_SDO_040, req::AO4_PROG_002, req::AO4_OD_1F51>();
+    verifies<req::CO_SDO_040, req::AO4_PROG_002, req::AO4_PROG_004, req::AO4_OD_1F51>();
     write("603#2F511F01FE000000");
     EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
 }
 
 TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
-    verifies<req::AO4_PROG_003, req::AO4_OD_1F52>();
+    verifies<req::AO4_PROG_003, req::AO4_PROG_005, req::AO4_OD_1F52>();
     // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days = 10,958, then 327 days into 2014
     EXPECT_EQ(10958 + 327, 11285);
     EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01152C0000"}));  // 11285 = 2C15h
@@ -129,7 +129,7 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
 }
 
 TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
-    verifies<req::AO4_START_003>();
+    verifies<req::AO4_START_006>();
     write("603#23801F0008000000");
     write("603#2310100173617665");
     power_on();
@@ -165,7 +165,7 @@ NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
 }  // namespace
 
 TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
-    verifies<req::CO_NMT_008, req::AO4_START_004>();
+    verifies<req::CO_NMT_010, req::CO_NMT_011, req::AO4_START_004>();
     for (const bool before_boot_up : {false, true}) {
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);
         EXPECT_EQ(started_in_bus_off("01", before_boot_up), NmtState::operational);
@@ -176,7 +176,7 @@ TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
 /// The boot-up message is lost, the errors found at boot-up are not: error passive, software failure, then the
 /// recovery.
 TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::AO4_ERR_011>();
+    verifies<req::AO4_ERR_011, req::AO4_ERR_019>();
     CbxBench bench;
     bench.inputs.can_state = 3;
     bench.inputs.internal_fault = true;
@@ -189,7 +189,7 @@ TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
 
 /// Bus-off begins with the failure: nothing can be sent, and no message is lost.
 TEST(CbxStartup, FailureThatBeginsWithBusOffIsReportedAfterBusOff) {
-    verifies<req::AO4_ERR_011>();
+    verifies<req::AO4_ERR_019>();
     CbxBench bench;
     bench.power_on();
     bench.inputs.can_state = 3;

@@ -76,6 +76,7 @@ void AngleFilter::add(const float degrees) noexcept {
             break;
         case AngleFilterKind::none:
         default:
+            static_assert(implements<req::INC_AVG_007>);
             output_ = degrees;
             break;
     }
@@ -104,6 +105,7 @@ void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
     sum_ += turned;
     ++collected_;
     seen_ = std::min(seen_ + 1, samples_);
+    static_assert(implements<req::INC_AVG_002>);
     if (collected_ == run_length_) {
         newest_ = (newest_ + 1U) % run_capacity;
         runs_[newest_] = sum_;
@@ -112,18 +114,19 @@ void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
     }
 }
 
-static_assert(implements<req::INC_AVG_001> && implements<req::INC_AVG_002>);
+static_assert(implements<req::INC_AVG_001> && implements<req::INC_AVG_009> && implements<req::INC_AVG_010>);
 std::int64_t AngleFilter::mean_of_window() const noexcept {
     std::int64_t sum = sum_;
     std::size_t at = newest_;
     for (std::int32_t missing = seen_ - collected_; missing >= 1; missing -= run_length_) {
+        static_assert(implements<req::INC_AVG_008>);
         sum += share_of(runs_[at], std::min(missing, run_length_), run_length_);
         at = (at == 0U) ? (run_capacity - 1U) : (at - 1U);
     }
     return rounded_quotient(sum, seen_);
 }
 
-static_assert(implements<req::INC_AVG_003>);
+static_assert(implements<req::INC_AVG_003> && implements<req::INC_AVG_011>);
 void AngleFilter::add_to_block(const std::int64_t turned) noexcept {
     sum_ += turned;
     ++collected_;

@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "firmware/base/requirement.hpp"
+#include "generated/ax060805/requirements.hpp"
+
 namespace canproof::ax060805 {
 
 namespace {
@@ -11,6 +14,7 @@ constexpr std::int32_t full_turn = 360;
 
 }  // namespace
 
+static_assert(implements<req::INC_RANGE_001> && implements<req::INC_RANGE_004> && implements<req::INC_RANGE_005>);
 float in_span(const float degrees, const AngleSpan& span) noexcept {
     const float lower = static_cast<float>(span.lower);
     const float upper = static_cast<float>(span.upper);

@@ -57,7 +57,7 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
       factory_{factory} {}
 
-static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_006>);
+static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_007> && implements<req::INC_LSS_006>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     static_assert(implements<req::INC_K_NODE_ID> && implements<req::INC_K_BIT_RATE>);
@@ -116,7 +116,7 @@ void Device::restart(const Instant now) {
     for (std::size_t function = 0U; function < function_count; ++function) {
         take_function(function);
     }
-    static_assert(implements<req::INC_SLEW_002>);
+    static_assert(implements<req::INC_SLEW_002> && implements<req::INC_SLEW_003>);
     if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
         objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
     }
@@ -124,7 +124,7 @@ void Device::restart(const Instant now) {
     restart_sensor(now);
 }
 
-static_assert(implements<req::INC_START_001>);
+static_assert(implements<req::INC_START_001> && implements<req::INC_START_002> && implements<req::INC_START_003>);
 void Device::booted(const Instant now) {
     // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below would not
     // prevent the self-start.

@@ -98,7 +98,7 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
     }
 }
 
-static_assert(implements<req::INC_BIN_001> && implements<req::INC_BIN_010> && implements<req::INC_BIN_011>);
+static_assert(implements<req::INC_BIN_010> && implements<req::INC_BIN_011>);
 void Device::take_function(const std::size_t function) noexcept {
     const auto real = [this](const std::size_t index, const std::uint8_t sub) noexcept {
         return bit_cast<float>(objects_.read(static_cast<std::uint16_t>(index), sub));
@@ -110,6 +110,7 @@ void Device::take_function(const std::size_t function) noexcept {
     FunctionBlock& block = functions_[function];
     for (std::uint8_t input = 1U; input <= block.inputs.size(); ++input) {
         FunctionInput& taken = block.inputs[input - 1U];
+        static_assert(implements<req::INC_BIN_013>);
         sources_[function][input - 1U] = small(first, input);
         taken.has_default = small(first + 1U, input) != 0U;
         taken.default_value = real(first + 2U, input);
@@ -117,6 +118,7 @@ void Device::take_function(const std::size_t function) noexcept {
         taken.linear = Linear{real(first + 4U, input), real(first + 5U, input)};
     }
     const std::uint8_t sub = static_cast<std::uint8_t>(function + 1U);
+    static_assert(implements<req::INC_BIN_012>);
     block.operation = small(index::binary_function_operation, sub);
     block.output =
         Linear{real(index::binary_function_output_scaling, sub), real(index::binary_function_output_offset, sub)};
@@ -126,7 +128,9 @@ static_assert(implements<req::INC_INSTALL_003> && implements<req::INC_INSTALL_00
 void Device::obey_auto_null(const Instant now) noexcept {
     const auto angles = inclination_.nulling_angles(settings_);
     const bool commanded = objects_.get(field::o2300_auto_null_command) != 0U;
+    static_assert(implements<req::INC_INSTALL_009>);
     objects_.set(field::o2300_auto_null_command, std::uint8_t{0U});
+    static_assert(implements<req::INC_INSTALL_010>);
     if (commanded && angles.has_value()) {
         objects_.set(field::o2200_initial_pitch_angle, angles->pitch);
         objects_.set(field::o2210_initial_roll_angle, angles->roll);

@@ -107,22 +107,24 @@ void Device::pass_filters(const bool sampled, const bool timed) noexcept {
 }
 
 static_assert(implements<req::INC_FILTER_002> && implements<req::INC_FILTER_004>);
+static_assert(implements<req::INC_FILTER_008>);
 void Device::take_input_filter() noexcept {
     const bool filtered = objects_.get(field::o2002_sensor_input_filter_enabled) != 0U;
     const float cut_off = static_cast<float>(objects_.get(field::o2003_input_filter_cut_off_frequency));
     settings_.filter_share = filtered ? low_pass_coefficient(cut_off, sample_period) : 1.0F;
 }
 
-static_assert(implements<req::INC_ANGLE_009> && implements<req::INC_K_GIMBAL_LOCK> &&
-              implements<req::INC_K_LEAST_GRAVITY>);
+static_assert(implements<req::INC_K_GIMBAL_LOCK> && implements<req::INC_K_LEAST_GRAVITY>);
 void Device::take_settings() noexcept {
     settings_.calibration = PitchRoll{objects_.get(field::o2400_calibrated_pitch_angle_data),
                                       objects_.get(field::o2401_calibrated_roll_angle_data)};
     settings_.installation =
         PitchRoll{objects_.get(field::o2200_initial_pitch_angle), objects_.get(field::o2210_initial_roll_angle)};
+    static_assert(implements<req::INC_ANGLE_009>);
     settings_.euler = objects_.get(field::o2100_pitch_and_roll_angle_type) == 0U;
     settings_.gimbal_lock_cone = own::gimbal_lock_cone;
     settings_.least_gravity = own::least_gravity;
+    static_assert(implements<req::INC_ANGLE_017>);
     inclination_.update(settings_);
 }
 
@@ -134,7 +136,7 @@ void Device::restart_filters(const Instant now) noexcept {
     next_filter_ = now + milliseconds(objects_.get(field::o2052_angular_filter_rate));
 }
 
-static_assert(implements<req::INC_AVG_007>);
+static_assert(implements<req::INC_AVG_012> && implements<req::INC_AVG_013>);
 void Device::restart_filter(const std::size_t angle) noexcept {
     const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
     filters_[angle].restart(filter_kind(sub), objects_.get(field::o2051_angular_filter_constant[sub]));
@@ -192,7 +194,7 @@ void Device::publish_diagnostics() noexcept {
     const std::uint8_t worst = merit::rows[0U].state;
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
-    static_assert(implements<req::INC_FV_006>);
+    static_assert(implements<req::INC_FV_006> && implements<req::INC_FV_010>);
     if (!std::isnan(inputs_.sensor_temperature)) {
         objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
     }
@@ -207,6 +209,8 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
     const auto entry = objects_.find(index, 0U);
     std::array<std::uint8_t, sizeof(float)> bytes{};
     write_le(MutableBytes{bytes}, 0U, sizeof(float), bit_cast<std::uint32_t>(value));
+    static_assert(implements<req::INC_GLOBAL_004>);
+    static_assert(implements<req::INC_GLOBAL_005>);
     if (entry.ok() && (objects_.check_value(entry.value(), ByteView{bytes}) == AbortCode::none)) {
         static_cast<void>(objects_.put(entry.value(), ByteView{bytes}));
     }
@@ -220,12 +224,14 @@ float Device::given_acceleration(const std::uint8_t axis) const noexcept {
     return reversed_if(objects_.get(field::o2011_accelerometer_data_inversion[axis]) != 0U, axes[axis - 1U]);
 }
 
-static_assert(implements<req::INC_RANGE_001> && implements<req::INC_RANGE_003> && implements<req::INC_FV_004>);
+static_assert(implements<req::INC_RANGE_003> && implements<req::INC_FV_008>);
 /// Returns an angle in degrees: filtered, in its range, with its sign reversed if 2031h angular data inversion is set.
 float Device::given_angle(const std::size_t angle) const noexcept {
     const float measured = filters_[angle].output();
+    static_assert(implements<req::INC_RANGE_007>);
     const float ranged = (angle == gravity_tilt) ? measured : in_span(measured, span_);
     const std::uint8_t sub = static_cast<std::uint8_t>(angle + 1U);
+    static_assert(implements<req::INC_RANGE_006>);
     return reversed_if(objects_.get(field::o2031_angular_data_inversion[sub]) != 0U, ranged);
 }
 

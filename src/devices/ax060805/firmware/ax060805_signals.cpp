@@ -24,20 +24,23 @@ constexpr std::size_t distance(const own::signal_source::Signal first,
 
 }  // namespace
 
-static_assert(implements<req::INC_BIN_008> && implements<req::INC_BIN_009>);
+static_assert(implements<req::INC_BIN_009> && implements<req::INC_BIN_016>);
 void Device::run_functions() noexcept {
     for (std::size_t function = 0U; function < function_count; ++function) {
         FunctionBlock& block = functions_[function];
         for (std::size_t input = 0U; input < block.inputs.size(); ++input) {
+            static_assert(implements<req::INC_SIG_007>);
             block.inputs[input].source = signal_of(sources_[function][input]);
         }
+        static_assert(implements<req::INC_BIN_015>);
         results_[function] = evaluate(block);
+        static_assert(implements<req::INC_BIN_008>);
         objects_.set(field::o3000_binary_function_output_field_value[static_cast<std::uint8_t>(function + 1U)],
                      count_value(as_continuous(results_[function]), CountScale{}));
     }
 }
 
-static_assert(implements<req::INC_RPDO_002>);
+static_assert(implements<req::INC_RPDO_003>);
 /// When an RPDO becomes late, forgets all received values once. The functions use values that are written afterwards.
 void Device::forget_overdue() noexcept {
     const std::uint32_t overdue = node_.overdue_rpdos();
@@ -51,6 +54,7 @@ static_assert(implements<req::INC_SIG_001> && implements<req::INC_SIG_002> && im
 Signal Device::signal_of(const std::uint8_t source) const noexcept {
     using Source = own::signal_source::Signal;
     static_assert(implements<req::INC_T1> && implements<req::INC_GLOBAL_003>);
+    static_assert(implements<req::INC_SIG_006>);
     const Source chosen = cell_or(own::signal_source::find(source), &own::signal_source::Row::signal, Source::none);
     const std::size_t function = distance(Source::binary_function_1, chosen);
     if (function < function_count) {
@@ -98,16 +102,21 @@ Signal Device::signal_of(const std::uint8_t source) const noexcept {
     }
 }
 
+static_assert(implements<req::INC_FV_009>);
+static_assert(implements<req::INC_FV_011>);
 Signal Device::acceleration_signal(const std::uint8_t axis) const noexcept {
     return inclination_.is_measuring() ? continuous_signal(given_acceleration(axis)) : undefined_signal();
 }
 
+static_assert(implements<req::INC_FV_009>);
+static_assert(implements<req::INC_FV_011>);
 Signal Device::angle_signal(const std::size_t angle) const noexcept {
     return inclination_.is_measuring() ? continuous_signal(given_angle(angle)) : undefined_signal();
 }
 
 static_assert(implements<req::INC_RPDO_001>);
 Signal Device::received_signal(const std::size_t place) const noexcept {
+    static_assert(implements<req::INC_RPDO_002>);
     if (!received_[place]) {
         return undefined_signal();
     }

@@ -129,7 +129,7 @@ Signal apply_binary(const std::uint8_t number, const float x, const float y) noe
     return defined_unless_nan(real_function(row->function, x, y));
 }
 
-static_assert(implements<req::INC_BIN_001> && implements<req::INC_BIN_002>);
+static_assert(implements<req::INC_BIN_001> && implements<req::INC_BIN_002> && implements<req::INC_BIN_014>);
 Signal evaluate(const FunctionBlock& block) noexcept {
     const Signal first = operand(block.inputs[0]);
     const Signal second = operand(block.inputs[1]);

@@ -32,6 +32,7 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
     const Vector3 gravity =
         gravity_from(weightless_ ? undo_rotation(direction_, settings.installation) : acceleration_);
     roll_unsure_ = settings.euler && in_gimbal_lock(gravity, settings.gimbal_lock_cone);
+    static_assert(implements<req::INC_ANGLE_016>);
     PitchRoll angles = settings.euler ? euler_angles(gravity) : tilt_angles(gravity);
     if (!in_gimbal_lock(gravity, generated::ax060805::exact_angle)) {
         rolled_ = direction_;

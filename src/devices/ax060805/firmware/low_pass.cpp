@@ -28,7 +28,7 @@ float low_pass_delay_ms(const float cut_off_hz) noexcept {
     return milliseconds_per_second / (two_pi * cut_off_hz);
 }
 
-static_assert(implements<req::INC_FILTER_003>);
+static_assert(implements<req::INC_FILTER_003> && implements<req::INC_FILTER_007>);
 const Vector3& LowPass::update(const Vector3& sample, const float coefficient) noexcept {
     if (!started_ || (coefficient >= 1.0F)) {
         output_ = sample;

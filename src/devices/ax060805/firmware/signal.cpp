@@ -12,7 +12,7 @@ constexpr float beyond_discrete = 4294967296.0F;  // 2^32
 
 }  // namespace
 
-static_assert(implements<req::INC_SIG_003>);
+static_assert(implements<req::INC_SIG_003> && implements<req::INC_SIG_008>);
 float as_continuous(const Signal& signal) noexcept {
     switch (signal.kind) {
         case SignalKind::discrete:
@@ -25,7 +25,7 @@ float as_continuous(const Signal& signal) noexcept {
     }
 }
 
-static_assert(implements<req::INC_SIG_004>);
+static_assert(implements<req::INC_SIG_004> && implements<req::INC_SIG_009> && implements<req::INC_SIG_010>);
 std::uint32_t to_discrete(const float value) noexcept {
     if (value >= beyond_discrete) {
         return UINT32_MAX;

@@ -44,12 +44,13 @@ PitchRoll tilt_angles(const Vector3& gravity) noexcept {
                      direction(gravity.y, side * length(gravity.x, gravity.z))};
 }
 
-static_assert(implements<req::INC_ANGLE_004> && implements<req::INC_ANGLE_006>);
+static_assert(implements<req::INC_ANGLE_004> && implements<req::INC_ANGLE_015> && implements<req::INC_ANGLE_006>);
 float gravity_angle(const Vector3& gravity) noexcept {
     return atan2_degrees(length(gravity.x, gravity.y), gravity.z);
 }
 
 static_assert(implements<req::INC_ANGLE_005> && implements<req::INC_ANGLE_006>);
+static_assert(implements<req::INC_ANGLE_018>);
 PitchRoll euler_angles(const Vector3& gravity) noexcept {
     return PitchRoll{atan2_degrees(-gravity.x, length(gravity.y, gravity.z)), direction(gravity.y, gravity.z)};
 }

@@ -53,7 +53,7 @@ bool begins_with(const std::string& text, const std::string& start) {
 
 }  // namespace
 
-static_assert(implements<req::INC_PLANT_002> && implements<req::INC_K_RESOLUTION_FACTOR> &&
+static_assert(implements<req::INC_PLANT_006> && implements<req::INC_K_RESOLUTION_FACTOR> &&
               implements<req::INC_K_RATED_CUT_OFF>);
 double sample_noise(double resolution_deg) {
     const double angle_deg = resolution_deg / static_cast<double>(own::resolution_factor);
@@ -76,6 +76,7 @@ void InclinometerPlant::stimulus(const std::string& name, ax060805::Inputs& inpu
     } else if (name == "connector_voltage") {
         inputs.supply_voltage = std::max(0.0F, inputs.connector_voltage - own::supply_drop);
     } else if (name == "noise_seed") {
+        static_assert(implements<req::INC_PLANT_007>);
         noise_.seed(inputs.noise_seed);
     }
     add_noise(inputs);
@@ -96,6 +97,7 @@ bool InclinometerPlant::is_noisy(const ax060805::Inputs& inputs) const {
     return resolution_of(inputs.noise_of) > 0.0F;
 }
 
+static_assert(implements<req::INC_PLANT_002>);
 void InclinometerPlant::add_noise(ax060805::Inputs& inputs) {
     const double scatter = sample_noise(static_cast<double>(resolution_of(inputs.noise_of)));
     const bool noisy = is_noisy(inputs);

@@ -26,6 +26,7 @@ double as_written(float value) {
 
 /// Returns the shape of the non-linearity: 0 at -1, 0 and 1 g; 1 and -1 at the extremes between them, which lie at ±1 /
 /// sqrt(3).
+static_assert(implements<req::INC_PLANT_009>);
 double bow(double g) {
     return std::fabs(g) < 1.0 ? 1.5 * std::sqrt(3.0) * (g - g * g * g) : 0.0;
 }
@@ -39,6 +40,7 @@ std::uint16_t model_of(const std::string& part_number) {
 }
 
 static_assert(implements<req::INC_T62> && implements<req::INC_K_INITIAL_ACCURACY>);
+static_assert(implements<req::INC_PLANT_011>);
 SensorErrors greatest_errors(std::uint16_t model) {
     const auto* const row = own::sensor_accuracy::find(model);
     if (row == nullptr) {
@@ -53,6 +55,7 @@ static_assert(implements<req::INC_PLANT_004> && implements<req::INC_K_DRIFT_REFE
 Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temperature) {
     const auto reference = static_cast<double>(own::drift_reference);
     const double share = (temperature - reference) / (reference - static_cast<double>(own::lowest_ambient));
+    static_assert(implements<req::INC_PLANT_008>);
     const double offset = std::sin((errors.initial + errors.drift * share) * pi / 180.0);
     const auto axis = [&](float own_axis, float next) {
         const auto g = static_cast<double>(own_axis);

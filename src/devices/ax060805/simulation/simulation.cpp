@@ -33,6 +33,7 @@ ax060805::FactoryData factory_data(const FactoryValues& values) {
 }
 
 SensorErrors sensor_errors(const FactoryValues& values) {
+    static_assert(implements<req::INC_PLANT_010>);
     SensorErrors errors;
     values.take("sensor_initial_error", errors.initial);
     values.take("sensor_drift", errors.drift);

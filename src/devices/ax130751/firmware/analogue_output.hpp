@@ -16,7 +16,7 @@ struct OutputRange {
     double maximum{0.0};
 
     /// Returns the nearest value in the range. If the range begins above 0, values at or below 0 give OFF.
-    static_assert(implements<req::AOR_OUT_016>);
+    static_assert(implements<req::AOR_OUT_016> && implements<req::AOR_OUT_034>);
     constexpr double nearest(const double value) const noexcept {
         const bool off = (minimum > 0.0) && (value <= 0.0);
         if (off) {

@@ -65,6 +65,7 @@ static_assert(implements<req::AOR_NODE_001> && implements<req::AOR_LSS_003>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     static_assert(implements<req::AOR_K_NODE_ID> && implements<req::AOR_K_BIT_RATE>);
+    static_assert(implements<req::AOR_NODE_006>);
     kept_ = lss_store_.load(LssConfiguration{own::shipped_node_id, own::shipped_bit_rate});
     lss_stored_ = kept_;
     bit_rate_ = kept_.bit_rate;
@@ -106,7 +107,7 @@ Instant Device::next_deadline() const noexcept {
     return earliest(node_.next_deadline(), next_cycle_);
 }
 
-static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_002>);
+static_assert(implements<req::AOR_OUT_001> && implements<req::AOR_OUT_030> && implements<req::AOR_OUT_002>);
 void Device::run_cycle(const Instant now) noexcept {
     const bool quiet = !run_blocks(now);
     tell_errors(now);
@@ -146,7 +147,7 @@ bool Device::run_blocks(const Instant now) noexcept {
     return changes;
 }
 
-static_assert(implements<req::AOR_DIAG_007>);
+static_assert(implements<req::AOR_DIAG_007> && implements<req::AOR_DIAG_012> && implements<req::AOR_DIAG_013>);
 void Device::tell_errors(const Instant now) noexcept {
     if (node_.state() != NmtState::initialising) {
         node_.set_error(own::error::supply, supervision_.has_supply_fault(), now);
@@ -157,7 +158,7 @@ void Device::tell_errors(const Instant now) noexcept {
 /// Wakes the blocks when the faults that put received values into error change, or when the NMT state changes, because
 /// outputs work in operational only. A second fault can change the state although the faults of the values stay the
 /// same.
-static_assert(implements<req::AOR_OUT_026>);
+static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
@@ -194,6 +195,7 @@ AbortCode Device::save(const EntryRef& entry) {
         return AbortCode::none;
     }
     if (lss_store_.store(wanted) != LssError::none) {
+        static_assert(implements<req::AOR_NODE_008>);
         return AbortCode::hardware_error;
     }
     kept_ = wanted;
@@ -228,6 +230,7 @@ void Device::restart(const Instant now) {
     }
     supervision_.advance(inputs_, objects_);
     relay_.reset(supervision_.has_power(), outputs_);
+    static_assert(implements<req::AOR_NODE_007>);
     show_bit_rate();
     show_node_id();
     epoch_ = now;
@@ -235,9 +238,10 @@ void Device::restart(const Instant now) {
     wake(now);
 }
 
-static_assert(implements<req::AOR_START_001> && implements<req::AOR_START_002> && implements<req::AOR_START_004>);
+static_assert(implements<req::AOR_START_005> && implements<req::AOR_START_002> && implements<req::AOR_START_004>);
 void Device::booted(const Instant now) {
     if (objects_.get(field::o5555_start_in_operational_mode)) {
+        static_assert(implements<req::AOR_START_001>);
         node_.start_at(now);
     }
     tell_errors(now);
@@ -249,7 +253,7 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
 
 /// Stores the settings of LSS. A setting that LSS has not changed keeps the value stored by 1010h, and 5B50h or 5B51h
 /// keeps the written value.
-static_assert(implements<req::AOR_NODE_005>);
+static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;
     const bool stays_bit_rate = configuration.bit_rate == lss_stored_.bit_rate;

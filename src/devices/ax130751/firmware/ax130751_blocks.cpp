@@ -40,7 +40,7 @@ double interval_us(const std::int32_t milliseconds_set) noexcept {
     return std::fmax(static_cast<double>(milliseconds_set), least) * us_per_ms;
 }
 
-static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_014>);
+static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_023>);
 LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     const bool timed = is_over_time(objects, number);
@@ -80,6 +80,7 @@ bool is_over_time(const ObjectDictionary& objects, const std::uint8_t number) no
            table::Meaning::time;
 }
 
+static_assert(implements<req::AOR_LT_014>);
 void begin_time_response(ObjectDictionary& objects, const std::uint8_t number) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     objects.set(fields.x[1U], std::int32_t{0});
@@ -140,6 +141,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
 }  // namespace
 
 static_assert(implements<req::AOR_LT_017>);
+static_assert(implements<req::AOR_LT_024>);
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                       const std::uint8_t point, const std::int32_t x) noexcept {
     if (!is_over_time(objects, number)) {
@@ -167,7 +169,7 @@ bool SelectionBlock::advance(const std::uint8_t number, ObjectDictionary& object
         table = sources.signal(SourceRef{Quantity::lookup_table, selected});
     }
     constexpr std::uint32_t tenths = 1U;
-    static_assert(implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_008>);
+    static_assert(implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_008> && implements<req::AOR_LOGIC_013>);
     const double output = table.is_available() ? percentage_of_limits(table) : 0.0;
     sources.set_logic(number, table.state);
     const bool reselects = std::uint32_t{objects.get(field::o3310_logic_block_selected_table[number])} != selected;

@@ -73,6 +73,7 @@ bool FirstPoint::follow(const std::uint8_t number, const EntryRef& entry, Object
     }
     const std::int32_t wanted = place_of(number, objects, sources);
     const bool is_ours = objects.get(fields.x[1U]) == x_;
+    static_assert(implements<req::AOR_LT_027> && implements<req::AOR_LT_028>);
     const bool moves = is_ours && (wanted != x_) && (wanted <= objects.get(fields.x[2U]));
     if (moves) {
         objects.set(fields.x[1U], wanted);

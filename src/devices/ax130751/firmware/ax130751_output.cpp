@@ -27,7 +27,7 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
     return cell_or(table::find(value, before, state), &table::Row::drive, SwitchDrive::off);
 }
 
-static_assert(implements<req::AOR_T06> && implements<req::AOR_OUT_006>);
+static_assert(implements<req::AOR_T06> && implements<req::AOR_OUT_006> && implements<req::AOR_OUT_031>);
 bool follows_profile(const std::uint8_t response, const ScalingPosition position) noexcept {
     namespace table = own::control_response;
     return cell_or(table::find(response, position), &table::Row::drive, table::Drive::off) == table::Drive::profile;
@@ -99,7 +99,7 @@ FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
     return cell_or(table::find(mode), &table::Row::action, FaultAction::fault_value);
 }
 
-static_assert(implements<req::AOR_OUT_008> && implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029>);
+static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> && implements<req::AOR_OUT_033>);
 OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool shutdown, const bool digital) noexcept {
     OutputConditions conditions{};
     conditions.shutdown =
@@ -107,6 +107,7 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
     conditions.input_in_error =
         signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
     conditions.on_error = fault_action(digital);
+    static_assert(implements<req::AOR_OUT_008>);
     conditions.overridden = signals.override_input.is_valid() &&
                             is_overridden(objects_.get(field::o2362_ao_override_response[number_]), override_.on());
     conditions.enable = signals.enable.is_valid()
@@ -114,6 +115,7 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
                             : EnableAction::run;
     const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
     if (digital && runs && (!signals.control.is_available())) {
+        static_assert(implements<req::AOR_OUT_032>);
         conditions.enable = EnableAction::shut_off;  // without a control signal the output is OFF, whatever the
                                                      // polarity
     }
@@ -142,6 +144,7 @@ static_assert(implements<req::AOR_OUT_003> && implements<req::AOR_OUT_004>);
 double UniversalOutput::control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept {
     const std::uint8_t response = objects_.get(field::o2342_ao_control_response[number_]);
     const bool driven = control.is_available() && follows_profile(response, position_of(control.value, scaling));
+    static_assert(implements<req::AOR_OUT_032>);
     return driven ? scale(control.value, scaling) : 0.0;
 }
 
@@ -184,7 +187,7 @@ void UniversalOutput::clear(Outputs& outputs) const noexcept {
     outputs.out_on[at] = false;
 }
 
-static_assert(implements<req::AOR_OUT_019> && implements<req::AOR_OUT_020> && implements<req::AOR_OUT_021>);
+static_assert(implements<req::AOR_OUT_019> && implements<req::AOR_OUT_021> && implements<req::AOR_OUT_036>);
 void UniversalOutput::drive_analogue(const Kind kind, const double value, Outputs& outputs) const noexcept {
     const std::size_t at = number_ - 1U;
     switch (kind) {
@@ -195,11 +198,13 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
             outputs.out_current[at] = static_cast<float>(value);
             break;
         case Kind::pwm:
+            static_assert(implements<req::AOR_OUT_020>);
             outputs.out_duty[at] = static_cast<float>(value);
             outputs.out_frequency[at] = static_cast<float>(objects_.get(field::o2380_ao_output_frequency[number_]));
             outputs.out_level[at] = static_cast<float>(level());
             break;
         case Kind::frequency:
+            static_assert(implements<req::AOR_OUT_035>);
             outputs.out_duty[at] = (value > 0.0) ? own::frequency_duty : 0.0F;
             outputs.out_frequency[at] = static_cast<float>(value);
             outputs.out_level[at] = static_cast<float>(level());
@@ -246,10 +251,11 @@ bool UniversalOutput::show(const std::int16_t target, const std::int16_t feedbac
     return replace(objects_, field::o2370_ao_feedback_field_value[number_], feedback) || changes;
 }
 
-static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_T_TYPE_DEFAULTS>);
+static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_OUT_037> && implements<req::AOR_T_TYPE_DEFAULTS>);
 void UniversalOutput::take_type_defaults() noexcept {
     const auto type = static_cast<own::OutputType>(objects_.get(field::o6310_ao_output_type[number_]));
     const auto* const row = own::type_defaults::find(type);
+    static_assert(implements<req::AOR_OUT_038>);
     const bool updates = objects_.get(field::o5550_enable_automatic_updates) != 0U;
     if ((row == nullptr) || (type == own::OutputType::not_used) || (!updates)) {
         return;
@@ -265,7 +271,7 @@ void UniversalOutput::take_type_defaults() noexcept {
     objects_.set(field::o7341_ao_fault_field_value[number_], off);
 }
 
-static_assert(implements<req::AOR_OUT_024>);
+static_assert(implements<req::AOR_OUT_024> && implements<req::AOR_OUT_039> && implements<req::AOR_OUT_040>);
 AbortCode UniversalOutput::check_field_value(const std::int16_t field_value) const noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
     if ((type.kind == Kind::none) || (field_value == 0)) {

@@ -70,7 +70,7 @@ void RelayOutput::reset(const bool powered, Outputs& outputs) noexcept {
     show(false, powered, outputs);
 }
 
-static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_018>);
+static_assert(implements<req::AOR_RELAY_016> && implements<req::AOR_RELAY_024> && implements<req::AOR_RELAY_018>);
 void RelayOutput::advance(const OutputCycle& cycle, Outputs& outputs) noexcept {
     const RelayPolarity wanted = polarity();
     const bool absent = !is_implemented(objects_.get(field::o2242_relay_polarity[1U]));

@@ -44,7 +44,7 @@ const own::output_type::Row& output_type(const ObjectDictionary& objects, const 
     return (row == nullptr) ? own::output_type::rows[0U] : *row;
 }
 
-static_assert(implements<req::AOR_DO_001>);
+static_assert(implements<req::AOR_DO_001> && implements<req::AOR_DO_009>);
 bool is_digital(const ObjectDictionary& objects, const std::uint8_t output) noexcept {
     return output_type(objects, output).kind == own::output_type::Kind::digital;
 }
@@ -53,6 +53,7 @@ static_assert(implements<req::AOR_T4A> && implements<req::AOR_T4B> && implements
 SourceRef resolve(const std::uint8_t source, const std::uint8_t number) noexcept {
     namespace table = own::control_number;
     const auto* const row = table::find(source, number);
+    static_assert(implements<req::AOR_SRC_011>);
     return SourceRef{cell_or(row, &table::Row::quantity, Quantity::none),
                      cell_or(row, &table::Row::channel, std::uint8_t{0U})};
 }

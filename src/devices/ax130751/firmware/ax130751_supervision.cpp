@@ -23,7 +23,7 @@ bool is_within_hardware(const float supply) noexcept {
 
 }  // namespace
 
-static_assert(implements<req::AOR_DIAG_005>);
+static_assert(implements<req::AOR_DIAG_005> && implements<req::AOR_DIAG_011>);
 void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept {
     static_assert(implements<req::AOR_DIAG_001>);
     objects.set(field::o5020_power_supply_field_value, inputs.supply);
@@ -48,6 +48,7 @@ void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
     const bool heat_shuts = objects.get(field::o5034_enable_temperature_fault_shutdown) != 0U;
     powered_ = is_within_hardware(inputs.supply);
     static_assert(implements<req::AOR_DIAG_006>);
+    static_assert(implements<req::AOR_DIAG_014>);
     shutdown_ = (!powered_) || ((low || high) && supply_shuts) || (hot && heat_shuts);
 }
 

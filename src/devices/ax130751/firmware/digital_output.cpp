@@ -7,16 +7,18 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_006> && implements<req::AOR_DO_008>);
+static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_008>);
 DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
                                           const SwitchPolarity& polarity, const Duration blink,
                                           const Instant now) noexcept {
     switch (drive) {
         case OutputDrive::control:
             state_.logic = demand.control;
+            static_assert(implements<req::AOR_DO_012>);
             state_.drive = follow_control(polarity.drive(control_before_, demand.control), blink, now);
             break;
         case OutputDrive::override_value:
+            static_assert(implements<req::AOR_DO_006>);
             state_ = DigitalOutputState{demand.override_state, demand.override_state};
             break;
         case OutputDrive::fault_value:
@@ -28,6 +30,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
         case OutputDrive::shut_off:
         case OutputDrive::ramp_off:
         default:
+            static_assert(implements<req::AOR_DO_011>);
             state_ = DigitalOutputState{};
             break;
     }
@@ -35,11 +38,12 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
         blinking_ = false;  // blinking starts again with ON
         next_blink_ = never;
     }
+    static_assert(implements<req::AOR_DO_013>);
     control_before_ = demand.control;  // an edge while something else drives the output does not count later
     return state_;
 }
 
-static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_004>);
+static_assert(implements<req::AOR_DO_003> && implements<req::AOR_DO_004> && implements<req::AOR_DO_010>);
 bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink, const Instant now) noexcept {
     const bool blinks = drive == SwitchDrive::blink;
     if (!blinking_) {

@@ -42,21 +42,21 @@ ConditionResult evaluate(const LogicCondition& condition) noexcept {
                    &own::condition_result::Row::result, ConditionResult::error);
 }
 
-static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004>);
+static_assert(implements<req::AOR_T18> && implements<req::AOR_LOGIC_004> && implements<req::AOR_LOGIC_011>);
 bool selects(const std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept {
     const auto* const row = own::table_selection::find(logical, counts(logical, results[0U]),
                                                        counts(logical, results[1U]), counts(logical, results[2U]));
     return cell_or(row, &own::table_selection::Row::selects, false);
 }
 
-static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_005>);
+static_assert(implements<req::AOR_LOGIC_003> && implements<req::AOR_LOGIC_010> && implements<req::AOR_LOGIC_005>);
 bool selects(const LogicFunction& function) noexcept {
     const std::array<ConditionResult, logic_conditions> results{
         {evaluate(function.conditions[0U]), evaluate(function.conditions[1U]), evaluate(function.conditions[2U])}};
     return selects(function.logical, results);
 }
 
-static_assert(implements<req::AOR_LOGIC_007>);
+static_assert(implements<req::AOR_LOGIC_007> && implements<req::AOR_LOGIC_012>);
 double percentage_of_limits(const BlockSignal& table) noexcept {
     if (table.upper <= table.lower) {
         return 0.0;

@@ -9,7 +9,7 @@
 
 namespace canproof::ax130751 {
 
-static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_006>);
+static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_020> && implements<req::AOR_LT_006>);
 double lookup(const double x, const LookupPoints& points) noexcept {
     static_assert(implements<req::AOR_LT_001>);
     if (x <= points.x[0U]) {
@@ -22,7 +22,7 @@ double lookup(const double x, const LookupPoints& points) noexcept {
             return points.y[before];
         }
         if (x <= points.x[point]) {
-            static_assert(implements<req::AOR_LT_002> && implements<req::AOR_LT_003>);
+            static_assert(implements<req::AOR_LT_002> && implements<req::AOR_LT_003> && implements<req::AOR_LT_019>);
             const bool jumps = points.response[point] == PointResponse::jump;
             const LinearScaling stretch{points.x[before], points.x[point], points.y[before], points.y[point]};
             return jumps ? points.y[point] : scale(x, stretch);
@@ -46,6 +46,7 @@ static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && impl
 double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
     // A profile lasts at most ten times 24 hours, which is 8.64e11 µs. A double holds every sum of whole microseconds
     // below 9e15 exactly.
+    static_assert(implements<req::AOR_LT_022>);
     LookupPoints since_start{profile};
     since_start.x[0U] = 0.0;
     for (std::size_t point = 1U; point < lookup_points; ++point) {
@@ -75,9 +76,11 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
     if (config.axis == LookupAxis::time) {
         value_ = follow_time(input, config, now);
     } else {
+        static_assert(implements<req::AOR_LT_021>);
         start_ = DigitalReading{};  // a profile that is selected later begins with its input OFF
         running_ = false;
         under_way_ = false;
+        static_assert(implements<req::AOR_LT_025>);
         value_ = input.is_valid() ? lookup(input.value, config.points) : value_;
     }
     return LookupOutput{value_, input.state};
@@ -85,6 +88,7 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
 
 static_assert(implements<req::AOR_LT_010>);
 double LookupTable::follow_time(const BlockSignal& input, const LookupConfig& config, const Instant now) noexcept {
+    static_assert(implements<req::AOR_LT_026>);
     const bool on = start_.read(input) && input.is_valid();
     if (!on) {
         under_way_ = false;

@@ -107,7 +107,7 @@ double math_fraction(const MathInput& input) noexcept {
     return std::round(lesser(greater(fraction, 0.0), 1.0) * steps) / steps;
 }
 
-static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003>);
+static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003> && implements<req::AOR_MATH_012>);
 double apply_operator(const std::uint8_t number, const double a, const double b) noexcept {
     const Operation operation = operation_of(number);
     const double true_from = generated::ax130751::true_from;
@@ -137,11 +137,12 @@ double apply_operator(const std::uint8_t number, const double a, const double b)
     }
 }
 
-static_assert(implements<req::AOR_MATH_005> && implements<req::AOR_MATH_009>);
+static_assert(implements<req::AOR_MATH_013> && implements<req::AOR_MATH_009> && implements<req::AOR_MATH_014>);
 double MathBlock::input_value(const MathInput& input) const noexcept {
     if ((input.own_function == 0U) || (input.own_function > math_functions)) {
         return math_fraction(input) * input.gain;
     }
+    static_assert(implements<req::AOR_MATH_015>);
     const MathFunction& fed_back = results_[input.own_function - 1U];
     const bool is_inverted = input.gain < 0.0;  // a negative difference keeps its sign only then (1.7)
     return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
@@ -163,6 +164,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
         if (done) {
             const double raw = held_finite(apply_operator(number, chain, input_value(second)));
             const bool signed_result = negative_gain || (second.gain < 0.0);
+            static_assert(implements<req::AOR_MATH_005>);
             const bool held_at_0 = (operation_of(number) == Operation::minus) && (raw < 0.0) && (!signed_result);
             chain = held_at_0 ? 0.0 : raw;
             results_[function] = MathFunction{chain, raw};

@@ -47,7 +47,7 @@ void Relay::choose_polarity(const RelayPolarity& polarity) noexcept {
     }
 }
 
-static_assert(implements<req::AOR_RELAY_005> && implements<req::AOR_RELAY_006> && implements<req::AOR_RELAY_007>);
+static_assert(implements<req::AOR_RELAY_007>);
 void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     if (effect_ == UnlatchEffect::ignored) {
         return;
@@ -55,8 +55,12 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
     const bool rest = effect_ == UnlatchEffect::to_on;  // the rest state of both the control and the relay
     if (unlatch) {
         latch_ = Latch::unlatched;
+        static_assert(implements<req::AOR_RELAY_005>);
+        static_assert(implements<req::AOR_RELAY_006>);
         memory_ = rest;
     } else if (latch_ != Latch::latching) {
+        static_assert(implements<req::AOR_RELAY_020>);
+        static_assert(implements<req::AOR_RELAY_021>);
         latch_ = (control == rest) ? Latch::latching : Latch::waiting;
     } else {
         // the latch stays in latching
@@ -71,16 +75,17 @@ SwitchDrive Relay::follow_control(const RelayDemand& demand, const RelayPolarity
     if (!of_latch) {
         return answer;
     }
-    static_assert(implements<req::AOR_RELAY_017>);
+    static_assert(implements<req::AOR_RELAY_017> && implements<req::AOR_RELAY_025>);
     if (counts && (latch_ == Latch::latching) && (answer == SwitchDrive::change)) {
         memory_ = !memory_;
     }
     return memory_ ? SwitchDrive::on : SwitchDrive::off;
 }
 
-static_assert(implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013>);
+static_assert(implements<req::AOR_RELAY_012> && implements<req::AOR_RELAY_013> && implements<req::AOR_RELAY_022>);
 bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Instant now) noexcept {
     const bool wanted = (drive == SwitchDrive::on) || (drive == SwitchDrive::blink);
+    static_assert(implements<req::AOR_RELAY_023>);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
     // While a change to OFF is delayed, the relay continues in its mode: steady or toggling.
     static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015>);

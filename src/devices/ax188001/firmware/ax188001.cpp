@@ -80,7 +80,7 @@ Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryDat
       scanner_{objects_},
       factory_{factory} {}
 
-static_assert(implements<req::TCS_LSS_001> && implements<req::TCS_LSS_002>);
+static_assert(implements<req::TCS_LSS_001> && implements<req::TCS_LSS_006> && implements<req::TCS_LSS_002>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     const LssConfiguration stored = lss_store_.load(shipped);
@@ -93,7 +93,7 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
     advance_when_due(now);
     const std::uint8_t addressed = frame.data[1];
     if (nmt_command(frame, addressed).has_value()) {
-        static_assert(implements<req::TCS_START_003>);
+        static_assert(implements<req::TCS_START_007>);
         start_others_at_ = never;  // a master exists, whichever node its command addresses
     }
     node_.receive(frame, now);
@@ -129,7 +129,7 @@ Instant Device::next_deadline() const noexcept {
     return earliest(earliest(scanning, node_.next_deadline()), start_others_at_);
 }
 
-static_assert(implements<req::TCS_IN_001> && implements<req::TCS_K_UPDATE_PERIOD>);
+static_assert(implements<req::TCS_IN_015> && implements<req::TCS_K_UPDATE_PERIOD>);
 void Device::scan_when_due(const Instant now) noexcept {
     for (std::size_t i = 0U; (i < most_late_scans) && (next_scan_ <= now); ++i) {
         const Instant due = next_scan_;
@@ -175,7 +175,7 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
     }
 }
 
-static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010>);
+static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010> && implements<req::TCS_LIM_014>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     const own::Written change = own::written(entry.index, entry.row->subindex);
     // The sub-index is the channel, counted from 1. The value has no meaning for a parameter without a channel.
@@ -202,6 +202,7 @@ void Device::booted(const Instant now) {
     start_others_at_ = never;
     const auto* const row = own::start_mode::find(objects_.get(field::o5555_start_in_operational_mode));
     if (cell_or(row, &own::start_mode::Row::start, false)) {
+        static_assert(implements<req::TCS_START_003>);
         node_.start_at(now);
         if (cell_or(row, &own::start_mode::Row::others, false)) {
             start_others_at_ = now + milliseconds(objects_.get(field::o5556_start_in_operational_nmt_delay));
@@ -229,12 +230,13 @@ void Device::obey_lasting_faults(const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::TCS_START_003> && implements<req::TCS_START_004>);
+static_assert(implements<req::TCS_START_006> && implements<req::TCS_START_008>);
 void Device::start_others_when_due(const Instant now) noexcept {
     const bool due = start_others_at_ <= now;
     if (due) {
         start_others_at_ = never;
     }
+    static_assert(implements<req::TCS_START_009>);
     if (due && (node_.state() == NmtState::operational)) {
         Frame command = data_frame(generated::canopen::nmt_command_cob_id, 2U);  // node-ID 0: all nodes
         command.data[0] = static_cast<std::uint8_t>(NmtCommand::start);

@@ -136,7 +136,7 @@ double Scanner::converted_uv(const std::size_t channel) noexcept {
     return measured + kept.value;
 }
 
-static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_006> && implements<req::TCS_K_RANGE_MARGIN>);
+static_assert(implements<req::TCS_T1> && implements<req::TCS_CONV_011> && implements<req::TCS_K_RANGE_MARGIN>);
 Scanner::Conversion Scanner::convert(const std::size_t channel, const double microvolts) noexcept {
     const SensorType type = sensor_type(channel);
     Kept<Conversion>& kept = conversions_[channel];
@@ -144,6 +144,7 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
         return kept.value;
     }
     Conversion result{};
+    static_assert(implements<req::TCS_CONV_006>);
     result.celsius = static_cast<float>(exact_celsius(thermocouple_curve(type), microvolts * millivolts_per_microvolt));
     namespace table = own::thermocouple_type;
     const auto* const range = table::find(type);

@@ -87,23 +87,25 @@ void Scanner::reevaluate(const own::Parameter written, const std::size_t channel
     schedule();
 }
 
-static_assert(implements<req::TCS_IN_012>);
+static_assert(implements<req::TCS_IN_012> && implements<req::TCS_IN_018>);
 Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant now) noexcept {
     const std::uint8_t sub = subindex(channel);
     const bool open = converters_[channel].is_open();
     const double microvolts = converted_uv(channel);
-    static_assert(implements<req::TCS_IN_013>);
+    static_assert(implements<req::TCS_IN_013> && implements<req::TCS_IN_019>);
     if (!open) {
         objects_.set(field::o2010_tc_input_microvolts[sub], static_cast<std::int32_t>(std::round(microvolts)));
     }
     static_assert(implements<req::TCS_VAL_005>);
     if (!is_enabled(channel)) {
+        static_assert(implements<req::TCS_LIM_006>);
         for (DelayedFault& fault : faults_[channel]) {
             fault.clear();
         }
         put_channel(channel, own::field_value_invalid_bits, own::process_value_disabled);
         return Measurement{};
     }
+    static_assert(implements<req::TCS_LIM_013>);
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
     static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007>);
     if (open) {
@@ -152,6 +154,7 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
     too_hot.begins = too_hot.begins || conversion.above;
     too_hot.ends = too_hot.ends && !conversion.above;
 
+    static_assert(implements<req::TCS_LIM_012>);
     fault_of(channel, ChannelFault::low).judge(too_low, delay, now);
     fault_of(channel, ChannelFault::high).judge(high_limit(temperature, high, high - hysteresis), delay, now);
     fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
@@ -165,7 +168,7 @@ void Scanner::evaluate_average() noexcept {
     const bool enabled =
         cell_or(own::average_mode::find(mode), &own::average_mode::Row::mode, Mode::disabled) == Mode::normal;
     const Measurement mean = enabled ? average(measurements_) : Measurement{};
-    static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_002>);
+    static_assert(implements<req::TCS_AVG_001> && implements<req::TCS_AVG_005> && implements<req::TCS_AVG_002>);
     if (mean.valid) {
         const float field_value = static_cast<float>(mean.value);
         const Scaling scaling{static_cast<double>(objects_.get(field::o2126_avg_scaling_factor)),
@@ -175,7 +178,7 @@ void Scanner::evaluate_average() noexcept {
                      measured_process_value(static_cast<double>(field_value), scaling, reserved));
         return;
     }
-    static_assert(implements<req::TCS_AVG_004>);
+    static_assert(implements<req::TCS_AVG_004> && implements<req::TCS_AVG_006> && implements<req::TCS_AVG_007>);
     bool broken{false};
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
         broken = broken || (is_enabled(channel) && converters_[channel].is_open());
@@ -184,7 +187,7 @@ void Scanner::evaluate_average() noexcept {
     objects_.set(field::o2130_avg_input_process_value, (enabled && broken) ? reserved.open : reserved.disabled);
 }
 
-static_assert(implements<req::TCS_CJ_001> && implements<req::TCS_CJ_002>);
+static_assert(implements<req::TCS_CJ_001> && implements<req::TCS_CJ_002> && implements<req::TCS_CJ_004>);
 void Scanner::evaluate_cold_junction() noexcept {
     const float field_value = static_cast<float>(cold_junction_c_);
     const Scaling scaling{static_cast<double>(objects_.get(field::o3126_cj_scaling_factor)),
@@ -199,6 +202,7 @@ void Scanner::evaluate_unit(const Instant now) noexcept {
     const double steps = static_cast<double>(own::fault_steps_per_unit);
     const double temperature = std::round(cpu_temperature_c_ * steps);
     const double voltage = std::round(supply_v_ * steps);
+    static_assert(implements<req::TCS_FD_015>);
     objects_.set(field::o5040_fd_field_value[1U], static_cast<float>(temperature));
     objects_.set(field::o5040_fd_field_value[2U], static_cast<float>(voltage));
 
@@ -208,19 +212,26 @@ void Scanner::evaluate_unit(const Instant now) noexcept {
         set[i] = static_cast<double>(objects_.get(field::o5041_fd_set_threshold[subindex(i)]));
         clear[i] = static_cast<double>(objects_.get(field::o5042_fd_clear_threshold[subindex(i)]));
     }
+    static_assert(implements<req::TCS_FD_005> && implements<req::TCS_FD_013>);
     const bool temperature_enabled = objects_.get(field::o5050_fd_enable_fault_detection[1U]) != 0U;
     const bool supply_enabled = objects_.get(field::o5050_fd_enable_fault_detection[2U]) != 0U;
-    static_assert(implements<req::TCS_FD_002> && implements<req::TCS_FD_003> && implements<req::TCS_FD_007>);
+    static_assert(implements<req::TCS_FD_002> && implements<req::TCS_FD_003>);
     judge_unit(UnitFault::cpu_temperature, temperature_enabled, high_limit(temperature, set[0], clear[0]), now);
+    static_assert(implements<req::TCS_FD_008>);
+    static_assert(implements<req::TCS_FD_010>);
     judge_unit(UnitFault::over_voltage, supply_enabled, high_limit(voltage, set[1], clear[1]), now);
+    static_assert(implements<req::TCS_FD_009>);
+    static_assert(implements<req::TCS_FD_011>);
+    static_assert(implements<req::TCS_FD_007>);
     judge_unit(UnitFault::under_voltage, supply_enabled, low_limit(voltage, set[2], clear[2]), now);
 }
 
-static_assert(implements<req::TCS_FD_005>);
+static_assert(implements<req::TCS_FD_014>);
 void Scanner::judge_unit(const UnitFault fault, const bool enabled, const FaultCondition& condition,
                          const Instant now) noexcept {
     const std::size_t at = static_cast<std::size_t>(fault);
     if (enabled) {
+        static_assert(implements<req::TCS_FD_012>);
         unit_faults_[at].judge(condition, unit_delay(at), now);
     } else {
         unit_faults_[at].clear();
@@ -240,7 +251,7 @@ void Scanner::put_status() noexcept {
     }
 }
 
-static_assert(implements<req::TCS_LIM_003> && implements<req::TCS_LIM_011>);
+static_assert(implements<req::TCS_LIM_003> && implements<req::TCS_LIM_015>);
 Duration Scanner::channel_delay(const std::size_t channel) const noexcept {
     return milliseconds(objects_.get(field::o4030_tc_error_react_delay[subindex(channel)]));
 }

@@ -36,6 +36,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
     }
 }
 
+static_assert(implements<req::TCS_IN_016>);
 void GainRanging::choose(const std::size_t step, const ConverterCircuit& circuit) noexcept {
     step_ = step;
     unsettle(circuit);

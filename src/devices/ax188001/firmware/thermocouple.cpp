@@ -127,6 +127,7 @@ double exponential_mv(const ExponentialTerm& term, const double celsius) noexcep
     return from_fixed(exponential(term, held(celsius)));
 }
 
+static_assert(implements<req::TCS_CJ_005>);
 double reference_mv(const ThermocoupleCurve& curve, const double celsius) noexcept {
     return from_fixed(mv_at(curve, held(celsius)));
 }

@@ -50,6 +50,7 @@ constexpr ThermocoupleCurve make_curve(const SensorType type) noexcept {
             ++curve.inverse_count;
         }
     }
+    static_assert(implements<req::TCS_CONV_012>);
     curve.lowest = (type == SensorType::b) ? to_fixed(own::b_minimum_c) : curve.reference[0].begin;
     curve.highest = curve.reference[curve.reference_count - 1U].end;
     return curve;

@@ -41,7 +41,7 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-static_assert(implements<req::AO4_T5> && implements<req::AO4_LED_005>);
+static_assert(implements<req::AO4_T5> && implements<req::AO4_LED_005> && implements<req::AO4_LED_008>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
     namespace table = own::indicator_flashes;
     const auto* const row = table::find(state);
@@ -75,7 +75,7 @@ void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
     inputs_ = inputs;
     outputs_ = Outputs{};
     driven_.fill(Driven{});
-    static_assert(implements<req::AO4_SW_001>);
+    static_assert(implements<req::AO4_SW_001> && implements<req::AO4_SW_004>);
     node_id_ = static_cast<std::uint8_t>((inputs.switch_high * 16U) + inputs.switch_low);
     static_assert(implements<req::AO4_SW_003> && implements<req::AO4_T11>);
     bit_rate_ = cell_or(own::bit_rate_switch::find(inputs.switch_baud), &own::bit_rate_switch::Row::bit_rate,
@@ -103,7 +103,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 
 /// Reports internal faults. A stored set that could not be used also counts as an internal software error until the
 /// next reset (7.9.4).
-static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010>);
+static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010> && implements<req::AO4_ERR_018>);
 void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
     internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
@@ -126,7 +126,7 @@ AbortCode Device::check_access(const EntryRef& entry) {
     return (entry.index == index::program_data) ? AbortCode::device_state : AbortCode::none;
 }
 
-static_assert(implements<req::AO4_AOUT_005>);
+static_assert(implements<req::AO4_AOUT_005> && implements<req::AO4_AOUT_011>);
 void Device::after_write(const EntryRef& entry, const Instant) {
     using own::Parameter;
     const own::Written change = own::written(entry.index, entry.row->subindex);
@@ -151,7 +151,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
     }
 }
 
-static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_ID_001> && implements<req::AO4_PROG_003>);
+static_assert(implements<req::AO4_ID_001> && implements<req::AO4_PROG_003>);
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         put_version(index::manufacturer_hardware_version, factory_.hardware_version);
@@ -162,6 +162,7 @@ void Device::put_factory_values(const ParameterGroup group) {
         objects_.set(field::o1018_4_serial_number, factory_.serial_number);
     }
     for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
+        static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_AOUT_012>);
         objects_.set(field::o2404_calibration_offset_value[number], factory_.offset[number - 1U]);
         objects_.set(field::o2405_calibration_gain_value[number], factory_.gain[number - 1U]);
     }
@@ -174,7 +175,7 @@ void Device::put_version(const std::uint16_t index, const VersionText& text) noe
     }
 }
 
-static_assert(implements<req::AO4_AOUT_010>);
+static_assert(implements<req::AO4_AOUT_010> && implements<req::AO4_AOUT_013>);
 void Device::restart(const Instant) {
     communication_failed_ = false;
     failed_ = false;
@@ -186,10 +187,11 @@ void Device::restart(const Instant) {
     }
 }
 
-static_assert(implements<req::AO4_START_001> && implements<req::AO4_ERR_012>);
+static_assert(implements<req::AO4_START_001> && implements<req::AO4_START_005> && implements<req::AO4_ERR_012>);
 void Device::booted(const Instant now) {
     watch_internal_faults(now);
     if (objects_.get(field::o1f80_nmt_startup) == autostart_enabled) {
+        static_assert(implements<req::AO4_START_006>);
         node_.start_at(now + milliseconds(objects_.get(field::o1f91_self_starting_nodes_timing_parameters[1U])));
     }
 }
@@ -303,7 +305,7 @@ void Device::drive_leds(const Instant now) noexcept {
     next_led_change_ = never;
     outputs_.led_e = show(can_error_indicator(), red_shift(), now);
     outputs_.led_s = show(status_indicator(), Duration{}, now);
-    static_assert(implements<req::AO4_LED_003> && implements<req::AO4_T8>);
+    static_assert(implements<req::AO4_LED_003> && implements<req::AO4_LED_007> && implements<req::AO4_T8>);
     outputs_.led_m = show(led_of(own::error_led::find(inputs_.can_overrun, internal_fault_shown_)), red_shift(), now);
     static_assert(implements<req::AO4_LED_004> && implements<req::AO4_T9>);
     outputs_.led_p = show(led_of(own::power_led::find(runs_)), Duration{}, now);

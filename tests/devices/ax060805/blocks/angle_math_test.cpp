@@ -36,7 +36,7 @@ TEST(AngleMath, ArctangentErrsByAtMost30Microdegrees) {
 }
 
 TEST(AngleMath, ArctangentOfTheAxesIsExact) {
-    verifies<req::INC_ANGLE_013>();
+    verifies<req::INC_ANGLE_013, req::INC_ANGLE_018>();
     EXPECT_EQ(atan2_degrees(0.0F, 1.0F), 0.0F);
     EXPECT_EQ(atan2_degrees(1.0F, 0.0F), 90.0F);
     EXPECT_EQ(atan2_degrees(-1.0F, 0.0F), -90.0F);

@@ -43,7 +43,7 @@ FunctionInput input(const Signal& source) {
 }  // namespace
 
 TEST(SignalConversion, ContinuousToDiscreteTruncatesAndSaturates) {
-    verifies<req::INC_SIG_004>();
+    verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>();
     EXPECT_EQ(to_discrete(0.0F), 0U);
     EXPECT_EQ(to_discrete(0.99F), 0U);
     EXPECT_EQ(to_discrete(3.99F), 3U);
@@ -57,7 +57,7 @@ TEST(SignalConversion, ContinuousToDiscreteTruncatesAndSaturates) {
 }
 
 TEST(SignalConversion, DiscreteToContinuousKeepsTheValueToSinglePrecision) {
-    verifies<req::INC_SIG_003>();
+    verifies<req::INC_SIG_003, req::INC_SIG_008>();
     EXPECT_EQ(as_continuous(discrete_signal(0U)), 0.0F);
     EXPECT_EQ(as_continuous(discrete_signal(16777216U)), 16777216.0F);
     EXPECT_EQ(as_continuous(discrete_signal(16777217U)), 16777216.0F);  // 2^24 + 1 has 25 bits
@@ -194,7 +194,7 @@ TEST(FunctionBlocks, FunctionBlockFollowsEquation4) {
 }
 
 TEST(FunctionBlocks, UndefinedInputUsesItsDefaultOrMakesTheOutputUndefined) {
-    verifies<req::INC_BIN_002, req::INC_SIG_002>();
+    verifies<req::INC_BIN_002, req::INC_BIN_014, req::INC_SIG_002>();
     FunctionBlock block;
     block.operation = 1;
     block.inputs[0] = input(continuous_signal(2.0F));

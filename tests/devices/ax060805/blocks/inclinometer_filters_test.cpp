@@ -71,7 +71,7 @@ TEST(LowPass, RestartTakesTheNextSampleUnfiltered) {
 }
 
 TEST(LowPass, OutputAt5HzReaches95PercentAfterTwentySamplesWithoutOvershoot) {
-    verifies<req::INC_FILTER_003>();
+    verifies<req::INC_FILTER_003, req::INC_FILTER_007>();
     LowPass filter;
     const float share = low_pass_coefficient(5.0F, period);
     filter.update({0.0F, 0.0F, 0.0F}, share);
@@ -112,7 +112,7 @@ TEST(AngleFilter, MovingAverageOfOneSampleIsThatSample) {
 }
 
 TEST(AngleFilter, RepeatingFilterGivesTheMeanOfABlockUntilTheNextBlockIsFull) {
-    verifies<req::INC_AVG_003>();
+    verifies<req::INC_AVG_003, req::INC_AVG_011>();
     AngleFilter filter = filter_of(AngleFilterKind::repeating, 3);
     EXPECT_EQ(outputs(filter, {3.0F, 6.0F, 9.0F, 12.0F, 15.0F, 18.0F, -90.0F}),
               (std::vector<float>{3.0F, 4.5F, 6.0F, 6.0F, 6.0F, 15.0F, 15.0F}));
@@ -151,7 +151,7 @@ TEST(AngleFilter, EndlessTurnLosesNoAccuracy) {
 }
 
 TEST(AngleFilter, RestartDropsEarlierSamples) {
-    verifies<req::INC_AVG_007>();
+    verifies<req::INC_AVG_012>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 4);
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
@@ -177,7 +177,7 @@ TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
 }
 
 TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
-    verifies<req::INC_AVG_002>();
+    verifies<req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
         filter.add(sample % 50 == 0 ? 0.000049F : 0.0F);
@@ -186,7 +186,7 @@ TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
 }
 
 TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
-    verifies<req::INC_AVG_002>();
+    verifies<req::INC_AVG_009>();
     for (const int samples : {65, 128, 1000, 60000}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
         for (int sample = 0; sample < 2 * samples; ++sample) {
@@ -197,7 +197,7 @@ TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
 }
 
 TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
-    verifies<req::INC_AVG_002>();
+    verifies<req::INC_AVG_010>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
@@ -209,7 +209,7 @@ TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
 }
 
 TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
-    verifies<req::INC_AVG_002, req::INC_AVG_006>();
+    verifies<req::INC_AVG_010, req::INC_AVG_006>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 1000);  // runs of 16 samples
     const int step = 7;  // exceeds 64 turns, 23,040 degrees, for the first time at sample 3292, within a run
     for (int sample = 0; sample < 8000; ++sample) {
@@ -223,7 +223,7 @@ TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
 }
 
 TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
-    verifies<req::INC_AVG_001, req::INC_AVG_002>();
+    verifies<req::INC_AVG_001, req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
     for (int sample = 0; sample < 60000; ++sample) {
         filter.add(0.0F);
@@ -239,7 +239,7 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
 }
 
 TEST(AngleFilter, FilterOfAnyWindowNeedsAtMost592Bytes) {
-    verifies<req::INC_AVG_002>();
+    verifies<req::INC_AVG_008>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);
 }
 

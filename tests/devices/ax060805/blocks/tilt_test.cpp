@@ -113,7 +113,7 @@ TEST(Tilt, HalfATurnIsPlus180DegreesFromEitherSide) {
 }
 
 TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
-    verifies<req::INC_ANGLE_008>();
+    verifies<req::INC_ANGLE_016>();
     // sin 1° = 0.0174524
     EXPECT_TRUE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 1.0F));
     EXPECT_TRUE(in_gimbal_lock({1.0F, 0.0174F, 0.0F}, 1.0F));
@@ -143,7 +143,7 @@ TEST(AngleRange, RangeOfPlusMinus180DegreesKeepsTheAngle) {
 }
 
 TEST(AngleRange, RangeOfAFullTurnAdds360ToNegativeAngles) {
-    verifies<req::INC_RANGE_001>();
+    verifies<req::INC_RANGE_004>();
     const AngleSpan full{0, 360};
     EXPECT_EQ(in_span(0.0F, full), 0.0F);
     EXPECT_EQ(in_span(90.0F, full), 90.0F);
@@ -155,7 +155,7 @@ TEST(AngleRange, RangeOfAFullTurnAdds360ToNegativeAngles) {
 }
 
 TEST(AngleRange, RightAngleRangeGivesTheDistanceFromLevel) {
-    verifies<req::INC_RANGE_001>();
+    verifies<req::INC_RANGE_005>();
     const AngleSpan right{0, 90};
     EXPECT_EQ(in_span(30.0F, right), 30.0F);
     EXPECT_EQ(in_span(-30.0F, right), 30.0F);

@@ -34,7 +34,7 @@ void expect_angles(const LinePlot& plot, double second, double pitch, double rol
 }  // namespace
 
 TEST(InclinometerFigures, TumbleCoversAllOrientations) {
-    verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_013>();
+    verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_015, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
     // 18 degrees a second about Y, nose up; beyond 90 the roll is that of a unit upside down
@@ -75,7 +75,7 @@ TEST(InclinometerFigures, SinglePrecisionErrsByLessThan100Microdegrees) {
 }
 
 TEST(InclinometerFigures, PitchHasSettledAt5HzAfter200Milliseconds) {
-    verifies<req::INC_FILTER_003, req::INC_FILTER_002>();
+    verifies<req::INC_FILTER_003, req::INC_FILTER_007, req::INC_FILTER_002>();
     const LinePlot plot = settling_plot();
     ASSERT_EQ(plot.curves.size(), 3U);
     EXPECT_EQ(plot.curves[1].name, "5 Hz");

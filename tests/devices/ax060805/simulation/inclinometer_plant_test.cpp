@@ -101,8 +101,8 @@ TEST_F(InclinometerPlantTest, LatestStimulusGivesTheAccelerations) {
 }
 
 TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
-    verifies<req::INC_PLANT_002, req::INC_T62, req::INC_K_RESOLUTION_FACTOR, req::INC_K_RATED_CUT_OFF,
-             req::INC_S_NOISE>();
+    verifies<req::INC_PLANT_002, req::INC_PLANT_006, req::INC_T62, req::INC_K_RESOLUTION_FACTOR,
+             req::INC_K_RATED_CUT_OFF, req::INC_S_NOISE>();
     // 0.35 deg / 3.46 = 0.10116 deg = 1.7655 mrad behind a filter with coefficient 0.145364, which passes sqrt(0.145364
     // / 1.854636) = 0.27996 of white noise: 6.306 mg before it.
     const std::vector<std::pair<std::uint16_t, double>> parts{
@@ -117,7 +117,7 @@ TEST_F(InclinometerPlantTest, NoiseIsThatOfThePartNumber) {
 }
 
 TEST_F(InclinometerPlantTest, TheSameSeedGivesTheSameNoise) {
-    verifies<req::INC_PLANT_002, req::INC_S_NOISE_SEED>();
+    verifies<req::INC_PLANT_007, req::INC_S_NOISE_SEED>();
     const auto noise_of_seed = [this](std::uint32_t seed) {
         inputs.noise_of = 60805;
         inputs.noise_seed = seed;
@@ -153,7 +153,7 @@ TEST(InclinometerSimulation, SimulationSendsTheAngleOfItsStimulus) {
 }
 
 TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {
-    verifies<req::INC_PLANT_002>();
+    verifies<req::INC_PLANT_006>();
     const auto device = host::make_device("ax060805");
     device->power_on(Instant{});
     device->set_input("noise_of", 60805, Instant{});

@@ -59,19 +59,19 @@ std::string refusal(const std::string& name, const std::string& given) {
 }  // namespace
 
 TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
-    verifies<req::INC_PLANT_004>();
+    verifies<req::INC_PLANT_010>();
     expect_felt(with_errors(level, SensorErrors{}, 85.0), 0.0, 0.0, -1.0);
     expect_felt(with_errors({0.5F, -0.25F, 0.75F}, SensorErrors{}, -40.0), 0.5, -0.25, 0.75);
 }
 
 TEST(SensorErrors, InitialErrorTiltsALevelUnit) {
-    verifies<req::INC_PLANT_004>();
+    verifies<req::INC_PLANT_008>();
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);  // sin 2
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
 }
 
 TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
-    verifies<req::INC_PLANT_004, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
+    verifies<req::INC_PLANT_008, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
     expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5
@@ -79,7 +79,7 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
 }
 
 TEST(SensorErrors, NonLinearityIsLargestBetweenTheFixedPoints) {
-    verifies<req::INC_PLANT_004>();
+    verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
     expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);  // +-0.007
@@ -100,7 +100,7 @@ TEST(SensorErrors, CrossAxisErrorAddsAShareOfTheNextAxis) {
 
 /// Table 62: the errors of a unit do not exceed those of its part number.
 TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
-    verifies<req::INC_PLANT_004, req::INC_T62, req::INC_K_INITIAL_ACCURACY>();
+    verifies<req::INC_PLANT_011, req::INC_T62, req::INC_K_INITIAL_ACCURACY>();
     for (const char* first :
          {"sensor_initial_error=2", "sensor_drift=-3.5", "sensor_nonlinearity=0.7", "sensor_cross_axis=3.5"}) {
         EXPECT_EQ(refusal("ax060805", first), "taken") << first;
@@ -129,7 +129,7 @@ TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
 
 /// From 25 to 85 degC the drift of 3 degrees changes by 3 * 60 / 65 = 2.77 degrees.
 TEST(SensorErrors, DriftFollowsTheTemperatureOfTheSensor) {
-    verifies<req::INC_PLANT_004>();
+    verifies<req::INC_PLANT_008>();
     const ChosenDevice chosen = device_with("ax060841", {"sensor_drift=3"});
     chosen.device->set_input("noise_of", 0.0, Instant{});
     EXPECT_NEAR(input_of(chosen, "acceleration_x"), 0.0, 1e-6);

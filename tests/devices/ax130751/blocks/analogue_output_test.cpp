@@ -30,7 +30,7 @@ OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool over
 }  // namespace
 
 TEST(OutputPriority, ShutdownPrecedesOverrideThenEnableThenError) {
-    verifies<req::AOR_OUT_007, req::AOR_OUT_029>();
+    verifies<req::AOR_OUT_007, req::AOR_OUT_029, req::AOR_OUT_033>();
     const auto fault = FaultAction::fault_value;
     EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);
     EXPECT_EQ(chosen(true, false, fault, false, EnableAction::run), OutputDrive::shutdown);
@@ -103,7 +103,7 @@ TEST(AnalogueOutput, OutputStaysInTheRangeOfItsType) {
 }
 
 TEST(AnalogueOutput, FrequencyIsOffOrAtLeastFiftyHertz) {
-    verifies<req::AOR_OUT_016, req::AOR_OUT_015>();
+    verifies<req::AOR_OUT_034, req::AOR_OUT_015>();
     AnalogueOutput output;
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {0.0, 0.0, 0.0}, hertz, none, at(0)).value, 0.0);
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, {1.0, 0.0, 0.0}, hertz, none, at(0)).value, 50.0);

@@ -55,14 +55,14 @@ TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
 }
 
 TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileOnStartingWithOn) {
-    verifies<req::AOR_DO_004>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
     EXPECT_EQ(run(".#####", blinking), ".#####");
 }
 
 TEST_F(DigitalOutputTest, NextBlinkChangeIsReported) {
-    verifies<req::AOR_DO_004>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(output.next_change(), never);
     run("#", blinking);  // ON at 0 ms, for 3 ms
     EXPECT_EQ(output.next_change().us, 3000U);
@@ -81,7 +81,7 @@ TEST_F(DigitalOutputTest, LogicStateIgnoresThePolarity) {
 }
 
 TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
-    verifies<req::AOR_DO_006, req::AOR_DO_005>();
+    verifies<req::AOR_DO_012, req::AOR_DO_005>();
     EXPECT_EQ(run(".", inverse), "#");
     EXPECT_EQ(run("..", inverse, OutputDrive::shut_off), "..");
     EXPECT_EQ(run(".", inverse, OutputDrive::ramp_off), ".");
@@ -93,7 +93,7 @@ TEST_F(DigitalOutputTest, PolarityAppliesToTheControlOnly) {
 }
 
 TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
-    verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_005>();
+    verifies<req::AOR_DO_007, req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_005>();
     const auto logic_of = [this](OutputDrive drive, bool override_state, bool fault_state) {
         return output.advance(drive, {true, override_state, fault_state}, inverse, blink, now).logic;
     };
@@ -111,7 +111,7 @@ TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
 }
 
 TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
-    verifies<req::AOR_DO_005, req::AOR_DO_006>();
+    verifies<req::AOR_DO_005, req::AOR_DO_011>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
     EXPECT_EQ(run(".", normal), ".");
@@ -119,7 +119,7 @@ TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
 }
 
 TEST_F(DigitalOutputTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
-    verifies<req::AOR_DO_008>();
+    verifies<req::AOR_DO_008, req::AOR_DO_013>();
     EXPECT_EQ(run(".#.", latched), ".##");
     EXPECT_EQ(run(".#.#", latched, OutputDrive::shut_off), "....");
     EXPECT_EQ(run("#.", latched), "##") << "two edges passed by, the control is still ON";

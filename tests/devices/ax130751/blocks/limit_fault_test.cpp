@@ -30,7 +30,7 @@ TEST(LimitFault, FaultBeginsBeyondTheLimitAndEndsAtTheHysteresis) {
 }
 
 TEST(LimitFault, FaultEndsWhenItsDetectionIsSwitchedOff) {
-    verifies<req::AOR_DIAG_005>();
+    verifies<req::AOR_DIAG_011>();
     LimitFault fault;
     EXPECT_TRUE(under(fault, 5.0));
     EXPECT_FALSE(under(fault, 5.0, false));

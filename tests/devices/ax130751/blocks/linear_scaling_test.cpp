@@ -33,7 +33,7 @@ TEST(LinearScaling, OutputFallsWhenTheFirstValueIsTheLarger) {
 }
 
 TEST(LinearScaling, EndsOfTheScalingCountAsWithin) {
-    verifies<req::AOR_OUT_006>();
+    verifies<req::AOR_OUT_006, req::AOR_OUT_031>();
     const LinearScaling scaling{1.0, 2.0, 0.0, 1.0};
     EXPECT_EQ(position_of(0.999, scaling), ScalingPosition::below);
     EXPECT_EQ(position_of(1.0, scaling), ScalingPosition::within);
@@ -104,7 +104,7 @@ TEST(DigitalReading, EqualLimitsGiveOffAtTheLimitAndOnAbove) {
 }
 
 TEST(DigitalReading, ErrorKeepsTheReadingAndNotAvailableIsOff) {
-    verifies<req::AOR_OUT_008>();
+    verifies<req::AOR_OUT_032>();
     DigitalReading input;
     EXPECT_TRUE(input.read({9.0, 0.0, 1.0, SignalState::valid}));
     EXPECT_TRUE(input.read({0.0, 0.0, 1.0, SignalState::error}));

@@ -80,7 +80,7 @@ TEST(LogicBlock, ConditionResultsFollowTable17) {
 }
 
 TEST(LogicBlock, OperatorsFollowTables18And19) {
-    verifies<req::AOR_T18, req::AOR_T19, req::AOR_LOGIC_004>();
+    verifies<req::AOR_T18, req::AOR_T19, req::AOR_LOGIC_004, req::AOR_LOGIC_011>();
     for (const auto a : all) {
         for (const auto b : all) {
             for (const auto c : all) {
@@ -97,7 +97,7 @@ TEST(LogicBlock, OperatorsFollowTables18And19) {
 }
 
 TEST(LogicBlock, FirstTrueFunctionIsChosen) {
-    verifies<req::AOR_LOGIC_003>();
+    verifies<req::AOR_LOGIC_003, req::AOR_LOGIC_010>();
     EXPECT_EQ(chosen({function(1, yes), function(1, yes), function(0, na)}), 0U);
     EXPECT_EQ(chosen({function(1, no), function(1, yes), function(0, na)}), 1U);
     EXPECT_EQ(chosen({function(1, no), function(1, err), function(0, na)}), 2U);
@@ -123,7 +123,7 @@ TEST(LogicBlock, TableAIsChosenWithoutADefault) {
 }
 
 TEST(LogicBlock, OutputIsAPercentageOfTheLimitsOfTheTable) {
-    verifies<req::AOR_LOGIC_007>();
+    verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_012>();
     EXPECT_DOUBLE_EQ(percentage_of_limits({30.0, 0.0, 100.0, SignalState::valid}), 30.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({-50.0, -200.0, 400.0, SignalState::valid}), 25.0);
     EXPECT_DOUBLE_EQ(percentage_of_limits({400.0, -200.0, 400.0, SignalState::valid}), 100.0);

@@ -62,7 +62,7 @@ TEST(LookupTable, RampsFollowFigure6) {
 }
 
 TEST(LookupTable, StepsFollowFigure6) {
-    verifies<req::AOR_LT_003>();
+    verifies<req::AOR_LT_003, req::AOR_LT_019>();
     const auto points = defaults(jump);
     EXPECT_DOUBLE_EQ(lookup(0.0, points), 0.0);
     EXPECT_DOUBLE_EQ(lookup(0.1, points), 10.0);
@@ -85,7 +85,7 @@ TEST(LookupTable, PointsFromTheFirstIgnoredOnAreUnused) {
 }
 
 TEST(LookupTable, PointsOfEqualXGiveAJump) {
-    verifies<req::AOR_LT_005>();
+    verifies<req::AOR_LT_005, req::AOR_LT_020>();
     auto points = defaults(ramp);
     points.x[3] = 20.0;  // points 3 and 4 at X = 20
     points.y[2] = 5.0;
@@ -96,7 +96,7 @@ TEST(LookupTable, PointsOfEqualXGiveAJump) {
 }
 
 TEST(LookupTable, JoystickDeadbandFollowsFigure7) {
-    verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_004>();
+    verifies<req::AOR_LT_002, req::AOR_LT_003, req::AOR_LT_019, req::AOR_LT_004>();
     // Nothing up to 2 V, 10 % just below 2 V, 40 % at 1 V, 100 % at 0 V: the falling side of the joystick.
     LookupPoints points;
     points.x = {0.0, 1.0, 2.0, 2.0, 5.0};
@@ -132,7 +132,7 @@ TEST(LookupTable, TimeIntervalsFollowEachOther) {
 }
 
 TEST(LookupTable, ProfileStartsAtPoint1WhateverItsX) {
-    verifies<req::AOR_LT_014>();
+    verifies<req::AOR_LT_023>();
     auto profile = short_profile();
     profile.x[0] = 7e3;
     EXPECT_DOUBLE_EQ(after(5, profile), 25.0);
@@ -152,7 +152,7 @@ TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
 }
 
 TEST(LookupTable, ProfileOfTenDaysIsExact) {
-    verifies<req::AOR_LT_011>();
+    verifies<req::AOR_LT_022>();
     auto profile = defaults(ramp);
     profile.x.fill(86'400'000e3);
     profile.x[0] = 0.0;
@@ -183,7 +183,7 @@ TEST(LookupTable, TableWithoutSourceIsZeroAndNotAvailable) {
 }
 
 TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
-    verifies<req::AOR_LT_016>();
+    verifies<req::AOR_LT_016, req::AOR_LT_025>();
     LookupTable table;
     const LookupConfig config{LookupAxis::data, false, defaults(ramp)};
     table.advance({60.0, 0.0, 100.0, SignalState::valid}, config, at(0));
@@ -236,7 +236,7 @@ TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
 }
 
 TEST(LookupTable, InputErrorEndsAProfile) {
-    verifies<req::AOR_LT_016>();
+    verifies<req::AOR_LT_016, req::AOR_LT_026>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, short_profile()};
     table.advance(input_on, config, at(0));

@@ -36,7 +36,7 @@ double run(const std::array<MathInput, 4>& inputs, const std::array<std::uint8_t
 }  // namespace
 
 TEST(MathBlock, OperatorsFollowTable21) {
-    verifies<req::AOR_T21, req::AOR_MATH_003>();
+    verifies<req::AOR_T21, req::AOR_MATH_003, req::AOR_MATH_012>();
     struct Row {
         int number;
         double less, equal, greater;  // 0.4 with 0.6, 0.6 with 0.6, 0.6 with 0.4
@@ -77,7 +77,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
 }
 
 TEST(MathBlock, HalfScaleCountsAsTrue) {
-    verifies<req::AOR_MATH_003, req::AOR_K_TRUE_FROM>();
+    verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);
 }
@@ -191,7 +191,7 @@ TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
 }
 
 TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
-    verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
     // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
     // with a gain of 1 it is 0: 0 + 0 + 0.9
@@ -216,7 +216,7 @@ TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
 }
 
 TEST(MathBlock, LaterFunctionIsReadWithItsLastValue) {
-    verifies<req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_015>();
     // Input 1 is function 3 of the same block, which adds 0.1 in each cycle: a counter.
     MathBlock block;
     const MathConfig config{{result_of(3), percent(10), unused, percent(0)}, {plus, plus, plus}};
@@ -234,7 +234,7 @@ TEST(MathBlock, EarlierFunctionIsReadWithTheValueOfThisCycle) {
 }
 
 TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
-    verifies<req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_015>();
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};
     // Function 1 = function 1 + 0.1; the other functions are not used.
@@ -249,7 +249,7 @@ TEST(MathBlock, ChangingFunction1RequestsAnotherCycle) {
 }
 
 TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
-    verifies<req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the larger of function 2 and 0.5; function 2 = function 1 + input 3.
     const auto config = [](double third) {
@@ -264,7 +264,7 @@ TEST(MathBlock, ChangingFunction2RequestsAnotherCycle) {
 }
 
 TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
-    verifies<req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the larger of function 3 and 0.5; function 2 = function 1; function 3 = function 2 + input 4.
     const auto config = [](double fourth) {
@@ -279,7 +279,7 @@ TEST(MathBlock, ChangingFunction3RequestsAnotherCycle) {
 }
 
 TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
-    verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_005, req::AOR_MATH_013, req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = the smaller of 0.2 and function 2 times -1; function 2 = function 1 - input 3; function 3 = function
     // 2 + function 1.
@@ -296,7 +296,7 @@ TEST(MathBlock, DifferenceThatChangesBelow0RequestsAnotherCycle) {
 }
 
 TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
-    verifies<req::AOR_MATH_005, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_005, req::AOR_MATH_015>();
     MathBlock block;
     // Function 1 = function 2 + 0.2; function 2 = function 1 - 0.5: first as a difference, clamped to 0, then as a sum.
     const MathConfig difference{{result_of(2), percent(20), percent(50), unused}, {plus, minus, plus}};
@@ -310,7 +310,7 @@ TEST(MathBlock, DifferenceReplacedByASumRequestsAnotherCycle) {
 }
 
 TEST(MathBlock, SkippedFunctionFeedsBackZero) {
-    verifies<req::AOR_MATH_007, req::AOR_MATH_009>();
+    verifies<req::AOR_MATH_007, req::AOR_MATH_015>();
     // Function 1 = function 2 + 0.1; function 2 = function 1 + input 3, which is not used later.
     MathBlock block;
     const std::array<std::uint8_t, 3> operators{plus, plus, plus};

@@ -83,38 +83,38 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
 }
 
 TEST_F(RelayTest, AfterUnlatchingTheControlMustGoOffBeforeItLatchesAgain) {
-    verifies<req::AOR_RELAY_005>();
+    verifies<req::AOR_RELAY_020>();
     // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
     // latches again.
     EXPECT_EQ(run("######.##", latched, "..##....."), "##.....##");
 }
 
 TEST_F(RelayTest, EdgesDuringUnlatchingAreIgnored) {
-    verifies<req::AOR_RELAY_005>();
+    verifies<req::AOR_RELAY_005, req::AOR_RELAY_020>();
     // The control goes ON at 3 while unlatched and stays ON: the relay stays OFF until the control was OFF at 6 and ON
     // at 7.
     EXPECT_EQ(run("...###.#", latched, "..##...."), ".......#");
 }
 
 TEST_F(RelayTest, EdgeAtTheEndOfUnlatchingIsIgnored) {
-    verifies<req::AOR_RELAY_005>();
+    verifies<req::AOR_RELAY_020>();
     EXPECT_EQ(run("..##.#", latched, "##...."), ".....#");
 }
 
 TEST_F(RelayTest, ControlThatIsOffAtTheEndOfUnlatchingLatchesAtItsNextEdge) {
-    verifies<req::AOR_RELAY_005>();
+    verifies<req::AOR_RELAY_020>();
     EXPECT_EQ(run("#...#", latched, ".##.."), "#...#");
 }
 
 TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
-    verifies<req::AOR_RELAY_006>();
+    verifies<req::AOR_RELAY_006, req::AOR_RELAY_021>();
     // The control falls at 1: OFF. Unlatched at 3: ON. Control OFF since 1: no change until it was ON at 6 and goes OFF
     // at 7.
     EXPECT_EQ(run("#.....#..", inverse_latched, "...##...."), "#..####..");
 }
 
 TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
-    verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
+    verifies<req::AOR_RELAY_020, req::AOR_RELAY_021, req::AOR_RELAY_003>();
     // The relay is unlatched when another polarity is selected. When the latch is selected again, it accepts the first
     // edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
@@ -141,7 +141,7 @@ TEST_F(RelayTest, UnlatchHasNoEffectWithoutALatch) {
 }
 
 TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
-    verifies<req::AOR_RELAY_017>();
+    verifies<req::AOR_RELAY_017, req::AOR_RELAY_025>();
     EXPECT_EQ(run(".#.", latched), ".##");
     for (const auto drive : {OutputDrive::override_value, OutputDrive::shut_off, OutputDrive::fault_value}) {
         EXPECT_EQ(run("..##", latched, "", drive), "....") << "overridden with OFF, disabled, in error";
@@ -192,7 +192,7 @@ TEST_F(RelayTest, DelayOfADayIsExact) {
 }
 
 TEST_F(RelayTest, CommandThatEndsDuringItsDelayIsDropped) {
-    verifies<req::AOR_RELAY_013>();
+    verifies<req::AOR_RELAY_013, req::AOR_RELAY_022>();
     times = {milliseconds(3), milliseconds(3), milliseconds(2)};
     EXPECT_EQ(run("##.##.###.", normal), "..........");
     EXPECT_EQ(run("####", normal), "...#") << "and the next runs its whole delay";
@@ -207,7 +207,7 @@ TEST_F(RelayTest, DelaysApplyToEnableAsWell) {
 }
 
 TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {
-    verifies<req::AOR_RELAY_014>();
+    verifies<req::AOR_RELAY_014, req::AOR_RELAY_023>();
     times = {milliseconds(2), milliseconds(2), milliseconds(2)};
     EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
     EXPECT_EQ(run("...", normal), "##.") << "the way back is delayed";

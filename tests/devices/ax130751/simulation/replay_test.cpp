@@ -58,7 +58,7 @@ TEST(Ax130751Replay, SessionOfTheManualGivesItsFrames) {
 // By default a voltage of 0 to 5 V rises in 1000 ms: 1 V after 200 ms, 2 V after 400 ms, then a supply fault
 TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     verifies<req::AOR_PDO_001, req::AOR_PDO_004, req::AOR_OUT_012, req::AOR_DIAG_006, req::AOR_DIAG_007,
-             req::AOR_S_SUPPLY, req::AOR_S_VOLTAGE, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
+             req::AOR_DIAG_012, req::AOR_S_SUPPLY, req::AOR_S_VOLTAGE, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
     const std::string log =
         "(1.000000) can0 000#0150\n"
         "(1.000000) can0 250#E803D00701\n";

@@ -39,7 +39,7 @@ TEST(DelayedFault, FaultIsReportedWhenItHasLastedForItsDelay) {
 }
 
 TEST(DelayedFault, DelayRunsFromTheFirstMeasurementThatShowsTheFault) {
-    verifies<req::TCS_LIM_003>();
+    verifies<req::TCS_LIM_003, req::TCS_LIM_012>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
     fault.judge(there, second, at(600));
@@ -51,7 +51,7 @@ TEST(DelayedFault, DelayRunsFromTheFirstMeasurementThatShowsTheFault) {
 }
 
 TEST(DelayedFault, FaultWithoutDelayIsReportedAtOnce) {
-    verifies<req::TCS_LIM_011>();
+    verifies<req::TCS_LIM_015>();
     DelayedFault fault;
     fault.judge(there, Duration{}, at(5));
     EXPECT_TRUE(fault.told());
@@ -68,7 +68,7 @@ TEST(DelayedFault, FaultClearsAtOnceButNotBetweenTheThresholds) {
 }
 
 TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
-    verifies<req::TCS_LIM_010>();
+    verifies<req::TCS_LIM_014>();
     DelayedFault fault;
     fault.judge(there, second, at(100));
     EXPECT_EQ(fault.due(milliseconds(300)), at(400));
@@ -90,7 +90,8 @@ TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
 }
 
 TEST(LimitCondition, ConditionIsSetBeyondAndClearedAtTheThreshold) {
-    verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_003>();
+    verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003,
+             req::TCS_FD_010, req::TCS_FD_011, req::TCS_FD_012>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);
     EXPECT_TRUE(high_limit(125.001, 125.0, 124.0).begins);
     EXPECT_FALSE(high_limit(124.001, 125.0, 124.0).ends);

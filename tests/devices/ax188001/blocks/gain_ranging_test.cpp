@@ -65,7 +65,7 @@ TEST_F(Converter, FullScaleCountsAsOverdrive) {
 }
 
 TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
-    verifies<req::TCS_IN_004>();
+    verifies<req::TCS_IN_004, req::TCS_IN_016>();
     convert(70000.0, 9);
     ASSERT_EQ(adc.gain(circuit), 32);
     convert(35157.0);  // 90 % of 39062.5 is 35156.25

@@ -62,7 +62,7 @@ TEST(ProcessValue, MeasurementIsNeverAReservedValue) {
 }
 
 TEST(Average, AverageLeavesOutInvalidChannels) {
-    verifies<req::TCS_AVG_001>();
+    verifies<req::TCS_AVG_001, req::TCS_AVG_005>();
     const auto both = average(std::array<Measurement, 2>{{{10.0, true}, {20.0, true}}});
     EXPECT_TRUE(both.valid);
     EXPECT_EQ(both.value, 15.0);

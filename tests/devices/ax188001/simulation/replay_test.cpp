@@ -60,7 +60,7 @@ std::string ramp() {
 //  88      -22 degC, first below -20; read at 534 * 165 = 88.110 reported at 93.110
 TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
-             req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
+             req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
     EXPECT_EQ(replayed("", ramp(), 95.0),
               "(0.000000) can0 77F#00\n"
               "(5.000000) can0 0FF#11F0010120000000\n"
@@ -75,7 +75,7 @@ TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
 }
 
 TEST(Ax188001Replay, ReplayIsTheSameEveryTime) {
-    verifies<req::TCS_IN_001>();
+    verifies<req::TCS_IN_015>();
     std::string outputs[2];
     const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";
     EXPECT_EQ(replayed(log, ramp(), 95.0, &outputs[0]), replayed(log, ramp(), 95.0, &outputs[1]));

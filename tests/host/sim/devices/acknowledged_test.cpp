@@ -81,7 +81,7 @@ TEST_P(Acknowledged, SaveAndRestoreAreCommittedBeforeTheAnswer) {
 }
 
 TEST_P(Acknowledged, RefusedSaveAndRestoreLeaveTheMemoryUnchanged) {
-    verifies<req::CO_STORE_010, req::CO_STORE_005>();
+    verifies<req::CO_STORE_014, req::CO_STORE_005, req::CO_STORE_013>();
     EXPECT_EQ(save(), Frames{"583#6010100100000000"});
     const auto before = device->memory().bytes();
     is_sound = false;
