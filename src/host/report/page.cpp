@@ -19,7 +19,7 @@ body{margin:0;background:var(--back);color:var(--text);font:16px/1.55 system-ui,
 nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;padding:.7rem max(1rem,calc(50vw - 37rem));background:var(--head);border-bottom:1px solid var(--line)}
 nav a{color:inherit;text-decoration:none;padding:.15rem 0}nav a[aria-current]{font-weight:650;box-shadow:0 2px var(--link)}
 main{max-width:76rem;margin:0 auto;padding:1rem}
-h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem}h2{font-size:1.3rem;margin:2.2rem 0 .6rem}h3{font-size:1.05rem;margin:1.6rem 0 .4rem}
+h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem;overflow-wrap:anywhere}h2{font-size:1.3rem;margin:2.2rem 0 .6rem}h3{font-size:1.05rem;margin:1.6rem 0 .4rem}
 p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
 th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
@@ -29,40 +29,59 @@ caption{text-align:left;font-weight:600;padding:.4rem 0}li,td{overflow-wrap:anyw
 .proven{color:var(--good);background:#1c6b3a22}.unproven{color:var(--part);background:#7a5a0022}.uncovered{color:var(--bad);background:#a3201622}.aside{color:var(--quiet);background:#8882}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
+.filter{display:flex;flex-wrap:wrap;align-items:center;gap:.4rem 1rem;margin:1rem 0}select{font:inherit;padding:.35rem .4rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
+details{border-top:1px solid var(--line)}summary{cursor:pointer;padding:.5rem 0}summary h2{display:inline;font-size:1.1rem;margin:0 .6rem 0 .2rem}summary .state{margin-right:.8rem}
+.source{margin:0;padding-left:3.5rem;font-size:.9rem;line-height:1.4}.source li::marker{color:var(--quiet);font-variant-numeric:tabular-nums}.source code{white-space:pre-wrap}.source li:target{background:#c8a40033}.source a{display:inline-block;min-height:1.5rem}
 figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#fff;border-radius:.3rem}
 .wrap{overflow-x:auto}footer{max-width:76rem;margin:0 auto;padding:1rem;color:var(--quiet);font-size:.85rem;overflow-wrap:anywhere}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
 @media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
 @page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
-@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,[role=status],script,footer{display:none}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
+@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,.filter,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td a{display:inline;padding:0}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
 
 constexpr std::size_t many_columns = 4;  ///< a table with more columns is printed in landscape format
 
 const char* const search_script = R"(
 for(const field of document.querySelectorAll('input[type=search]')){
-const rows=[...field.parentElement.querySelectorAll('tbody tr')].map(r=>[r,r.textContent.toLowerCase()]);
+const box=field.closest('.filtered')||field.parentElement;
+const rows=[...box.querySelectorAll('tbody tr')].map(r=>[r,r.textContent.toLowerCase()]);
+const choices=[...box.querySelectorAll('select')],parts=[...box.querySelectorAll('details')];
 const counted=field.nextElementSibling;
 const show=()=>{const words=field.value.toLowerCase().split(/\s+/).filter(Boolean);let n=0;
-for(const[r,t]of rows){const hit=words.every(w=>t.includes(w));r.hidden=!hit;n+=hit}
+const chosen=choices.filter(c=>c.value);
+for(const[r,t]of rows){const hit=words.every(w=>t.includes(w))&&chosen.every(c=>r.querySelector(c.dataset.of)?.textContent.endsWith(c.value));r.hidden=!hit;n+=hit}
+const asked=words.length+chosen.length>0;
+for(const p of parts){const hit=!!p.querySelector('tbody tr:not([hidden])');p.hidden=!hit;if(asked||p.dataset.asked)p.open=asked&&hit;p.dataset.asked=asked||''}
 counted.textContent=n+' of '+rows.length};
-field.addEventListener('input',show);
+field.addEventListener('input',show);for(const c of choices)c.addEventListener('change',show);
 const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=asked;show();
 }
+const reveal=()=>{const part=document.getElementById(location.hash.slice(1))?.closest('details');if(part)part.open=true};
+addEventListener('hashchange',reveal);reveal();
+addEventListener('beforeprint',()=>{for(const part of document.querySelectorAll('details'))part.open=true});
 )";
 
-/// Returns the style rule that prints the origin of a page and the page number at the foot of each sheet.
-std::string printed_origin(const std::string& origin) {
-    if (origin.empty()) {
-        return "";
-    }
+const char* const search_field =
+    "<input type=search aria-label=\"Search the table\" placeholder=\"Search\"> <small role=status></small>";
+
+/// Returns the text without the characters that end a string of a style sheet.
+std::string in_style(const std::string& text) {
     std::string words;
-    for (const char c : origin) {
+    for (const char c : text) {
         words += c == '"' || c == '\\' || c == '<' || c == '\n' ? ' ' : c;
     }
-    return fmt::format(
-        "@page{{@bottom-left{{content:\"{}\";font-size:7pt}}@bottom-right{{content:counter(page);font-size:7pt}}}}\n",
-        words);
+    return words;
+}
+
+/// Returns the style rule that prints the title of a page at the head of each sheet, its origin and number at the foot.
+std::string printed_origin(const std::string& title, const std::string& origin) {
+    return origin.empty()
+               ? ""
+               : fmt::format(
+                     "@page{{@top-left{{content:\"{}\";font-size:7pt}}@bottom-left{{content:\"{}\";font-size:"
+                     "7pt}}@bottom-right{{content:counter(page);font-size:7pt}}}}\n",
+                     in_style(title), in_style(origin));
 }
 
 bool is_number(const std::string& cell) {
@@ -88,12 +107,13 @@ bool holds_numbers(const std::vector<std::vector<std::string>>& rows, const std:
 
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body) {
+    const std::string base = frame.way_back.empty() ? "" : fmt::format("<base href=\"{}\">", frame.way_back);
     std::string text = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width,initial-scale=1\">\n<title>{} · "
+        "content=\"width=device-width,initial-scale=1\">{}\n<title>{} · "
         "canproof</title><style>{}{}</style></head>\n<body>"
         "{}",
-        escaped(title), style, printed_origin(frame.origin),
+        base, escaped(title), style, printed_origin(title, frame.origin),
         frame.navigation.empty() ? "" : "<nav aria-label=\"Pages\">\n");
     for (const auto& entry : frame.navigation) {
         text += fmt::format("<a href=\"{}\"{}>{}</a>\n", escaped(entry.page),
@@ -114,8 +134,7 @@ std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<st
                        const Search search, const std::string& caption) {
     std::string text = head.size() > many_columns ? "<div class=wide>" : "<div>";
     if (search == Search::yes) {
-        text +=
-            "<input type=search aria-label=\"Search the table\" placeholder=\"Search\"> <small role=status></small>";
+        text += search_field;
     }
     text += caption.empty() ? "<table>" : fmt::format("<table><caption>{}</caption>", escaped(caption));
     text += "<thead><tr>";
@@ -137,6 +156,19 @@ std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<st
         text += "\n";
     }
     return text + "</tbody></table></div>\n";
+}
+
+std::string html_filter(const std::vector<HtmlChoice>& choices) {
+    std::string text = fmt::format("<div class=filter>{}\n", search_field);
+    for (const auto& choice : choices) {
+        text += fmt::format("<label>{} <select data-of=\"{}\"><option value=\"\">all</option>", escaped(choice.title),
+                            escaped(choice.of));
+        for (const auto& word : choice.words) {
+            text += fmt::format("<option>{}</option>", escaped(word));
+        }
+        text += "</select></label>\n";
+    }
+    return text + "</div>\n";
 }
 
 std::string html_state(const std::string& word) {

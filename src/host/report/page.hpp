@@ -17,9 +17,10 @@ struct NavigationEntry {
 struct PageFrame {
     std::vector<NavigationEntry> navigation;  ///< links to the other pages; empty when there are none
     std::string origin;                       ///< plain text below the page and on each printed sheet; may be empty
+    std::string way_back{};                   ///< `../` for each folder around the page: its links begin there
 };
 
-/// Returns a complete HTML document. `body` is markup.
+/// Returns a complete HTML document. `body` is markup. Each printed sheet shows title, origin and number.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 
@@ -33,8 +34,20 @@ enum class Search { no, yes };
 /// Returns a table as markup. The cells are markup, and the caption is plain text. Numbers in a column of numbers are
 /// right-aligned, in groups of three digits. A search field hides the rows that do not contain all of its words;
 /// without scripts, all rows show. On a phone, each row becomes a list.
+/// A search field inside an element of class `filtered` searches all tables of that element; see html_filter().
 std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
                        Search search = Search::no, const std::string& caption = "");
+
+/// A list of words, one of which the reader may choose.
+struct HtmlChoice {
+    std::string title;
+    std::string of;  ///< CSS selector of the part of a row that ends with the chosen word
+    std::vector<std::string> words;
+};
+
+/// Returns a search field and lists to choose from. Inside an element of class `filtered` they hide the rows of all its
+/// tables that do not have the searched words and the chosen ones, and each `<details>` without such a row.
+std::string html_filter(const std::vector<HtmlChoice>& choices);
 
 /// Returns the word of a state as markup with its symbol: `<span class=holds>✓ holds</span>` and so on.
 std::string html_state(const std::string& word);

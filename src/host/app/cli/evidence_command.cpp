@@ -23,6 +23,7 @@
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/assess/evidence/package_records.hpp"
 #include "host/assess/evidence/provenance.hpp"
+#include "host/assess/evidence/source_pages.hpp"
 #include "host/assess/evidence/target_html.hpp"
 #include "host/assess/evidence/verify_pack.hpp"
 #include "host/assess/mutation/mutation_json.hpp"
@@ -137,6 +138,7 @@ PackInput gather(const Places& places, const Register& content) {
         input.socketcan = read_verdict_files(places.socketcan);
     }
     input.orphans = orphans(input.evidence);
+    input.sources = sources_named_by(input.evidence, root);
     input.coverage = coverage_of(places.coverage, root);
     input.mutation = mutation_of(places.mutation);
     input.argument = read_argument(root / "reports" / "argument.toml");

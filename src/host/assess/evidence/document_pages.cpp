@@ -7,6 +7,7 @@
 #include "host/assess/documents/document.hpp"
 #include "host/assess/documents/render.hpp"
 #include "host/assess/documents/residual_errors.hpp"
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/report/markup.hpp"
 
@@ -15,22 +16,6 @@ namespace canproof::host {
 namespace {
 
 constexpr const char* list_page = "documents.html";
-
-ItemLinks links_of(const PackInput& input) {
-    ItemLinks links;
-    for (const auto& audit : input.audits) {
-        for (const auto& one : audit.items) {
-            links[one.item->id] = "audit.html#" + one.item->id;
-        }
-        for (const auto& one : audit.part->decisions) {
-            links[one.id] = "decisions.html#" + one.id;
-        }
-        for (const auto& one : audit.part->hazards) {
-            links[one.id] = "hazards.html#" + one.id;
-        }
-    }
-    return links;
-}
 
 class DocumentWriter {
   public:

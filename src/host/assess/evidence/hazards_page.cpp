@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -34,22 +35,15 @@ bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     });
 }
 
-std::string links(const std::vector<std::string>& ids, const char* page) {
-    std::string text;
-    for (const auto& id : ids) {
-        text += fmt::format("<a href=\"{0}#{1}\">{1}</a> ", page, id);
-    }
-    return text;
-}
-
-std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status) {
+std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status,
+                                     const ItemLinks& links) {
     const bool none = failure.prevented_by.empty();
     const std::string anchor = &failure == &hazard.failures.front() ? fmt::format(" id=\"{}\"", hazard.id) : "";
     return {fmt::format("<code{}>{}</code><br>{}", anchor, hazard.id, escaped(hazard.text)),
             escaped(hazard.safe_state),
             escaped(failure.text),
-            none ? escaped(failure.reason) : links(failure.prevented_by, "audit.html"),
-            links(hazard.decisions, "decisions.html"),
+            none ? escaped(failure.reason) : link_to_each(links, failure.prevented_by),
+            link_to_each(links, hazard.decisions),
             none ? "not prevented" : html_state(is_open(failure, status) ? "open" : "shown")};
 }
 
@@ -73,6 +67,7 @@ FailureCounts count_failures(const PackInput& input) {
 
 std::string hazards_page(const PackInput& input) {
     const StatusById status = status_of_items(input);
+    const ItemLinks links = links_of(input);
     std::string text =
         "<p>Each hazard of an output or a message with its safe state, the failures that can violate it, and the "
         "requirements that prevent them. A failure that the device does not prevent has a reason; the integrator must "
@@ -81,7 +76,7 @@ std::string hazards_page(const PackInput& input) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& hazard : audit.part->hazards) {
             for (const auto& failure : hazard.failures) {
-                rows.push_back(failure_row(hazard, failure, status));
+                rows.push_back(failure_row(hazard, failure, status, links));
             }
         }
         if (!rows.empty()) {

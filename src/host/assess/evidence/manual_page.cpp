@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <set>
 
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/trace/section_index.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
@@ -46,13 +46,14 @@ std::string anchor(std::string place) {
 class ManualPage {
   public:
     ManualPage(const PackInput& input, const PartAudit& audit, const Manual& manual)
-        : audit_{audit}, manual_{manual}, sections_{by_section(manual, audit.statements)}, index_{*input.content} {
+        : audit_{audit},
+          manual_{manual},
+          sections_{by_section(manual, audit.statements)},
+          index_{*input.content},
+          links_{links_of(input)} {
         for (const auto& one : input.audits) {
             for (const auto& item : one.items) {
                 states_[item.item->id] = item.status();
-            }
-            for (const auto& decision : one.part->decisions) {
-                decisions_.insert(decision.id);
             }
         }
     }
@@ -129,7 +130,7 @@ class ManualPage {
             text = "<ul>" + text + "</ul>";
         } else if (manual_.statements.empty() && section.normative) {
             for (const auto& id : index_.items_of(manual_.key, section)) {
-                text += link_to(id) + " ";
+                text += link_to(links_, id) + " ";
             }
         }
         for (const auto& condition : section.conditions) {
@@ -148,7 +149,7 @@ class ManualPage {
         const std::string place = audited.id.substr(manual_.key.size() + 1);
         std::string links;
         for (const auto& id : one.covered) {
-            links += " " + link_to(id);
+            links += " " + link_to(links_, id);
         }
         const std::string state =
             audited.status == "explained" ? "<span class=quiet>– explained</span>" : html_state(audited.status);
@@ -156,21 +157,12 @@ class ManualPage {
                            state, escaped(one.text), links, escaped(one.reason));
     }
 
-    /// Returns a link to an item; plain text for a shared item of another project, which has no page in this pack.
-    std::string link_to(const std::string& id) const {
-        if (decisions_.count(id) != 0) {
-            return fmt::format("<a href=\"decisions.html#{0}\">{0}</a>", escaped(id));
-        }
-        return states_.count(id) == 0 ? fmt::format("<code>{}</code>", escaped(id))
-                                      : fmt::format("<a href=\"audit.html#{0}\">{0}</a>", escaped(id));
-    }
-
     const PartAudit& audit_;
     const Manual& manual_;
     std::map<std::string, std::vector<std::size_t>> sections_;
     SectionIndex index_;
     std::map<std::string, std::string> states_;
-    std::set<std::string> decisions_;
+    ItemLinks links_;
 };
 
 bool all_shown(const std::vector<std::string>& states) {

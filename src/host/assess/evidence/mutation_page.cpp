@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/pack_input.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -13,14 +14,13 @@ namespace canproof::host {
 
 namespace {
 
-std::vector<std::vector<std::string>> survivors_in(const std::string& json) {
+std::vector<std::vector<std::string>> survivors_in(const std::string& json, const ItemLinks& links) {
     std::vector<std::vector<std::string>> rows;
     const auto document = nlohmann::json::parse(json);
     for (const auto& one : document.at("survivors")) {
         const std::string reason = one.at("reason");
-        const std::string item = escaped(one.at("item").get<std::string>());
-        rows.push_back({fmt::format("<a href=\"audit.html#{0}\">{0}</a>", item),
-                        escaped(one.at("cell").get<std::string>()), escaped(one.at("change").get<std::string>()),
+        rows.push_back({link_to(links, one.at("item")), escaped(one.at("cell").get<std::string>()),
+                        escaped(one.at("change").get<std::string>()),
                         reason.empty() ? html_state("open") : escaped(reason)});
     }
     return rows;
@@ -28,19 +28,20 @@ std::vector<std::vector<std::string>> survivors_in(const std::string& json) {
 
 }  // namespace
 
-std::string mutation_page(const MeasuredMutation& mutation) {
+std::string mutation_page(const PackInput& input) {
+    const MeasuredMutation& mutation = *input.mutation;
+    const ItemLinks links = links_of(input);
     std::vector<std::vector<std::string>> rows;
     for (const auto& [id, count] : mutation.items) {
         const bool closed = count.altered == count.noticed + count.justified;
-        rows.push_back({fmt::format("<a href=\"audit.html#{0}\">{0}</a>", escaped(id)), std::to_string(count.altered),
-                        std::to_string(count.noticed), std::to_string(count.justified),
-                        html_state(closed ? "holds" : "open")});
+        rows.push_back({link_to(links, id), std::to_string(count.altered), std::to_string(count.noticed),
+                        std::to_string(count.justified), html_state(closed ? "holds" : "open")});
     }
     return "<p>Each cell that was generated from the register (defaults, limits, rights, mappings, rows of tables, "
            "constants) is altered by itself; a test that claims its item has to fail.</p>\n" +
            html_table({{"Item"}, {"Altered"}, {"Noticed"}, {"Survive with a reason"}, {"State"}}, rows, Search::yes) +
            "<h2>What survives</h2>\n" +
-           html_table({{"Item", 16}, {"Cell", 28}, {"Change", 22}, {"Reason"}}, survivors_in(mutation.json),
+           html_table({{"Item", 16}, {"Cell", 28}, {"Change", 22}, {"Reason"}}, survivors_in(mutation.json, links),
                       Search::yes);
 }
 

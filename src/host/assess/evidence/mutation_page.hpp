@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: each item with altered cells, and the survivors.
-std::string mutation_page(const MeasuredMutation& mutation);
+/// Returns the body of the page as markup: each item with altered cells, and the survivors. `input` has the mutation.
+std::string mutation_page(const PackInput& input);
 
 }  // namespace canproof::host

@@ -72,7 +72,7 @@ Exhibit suspects_exhibit(const PackInput& input) {
                     suspects, read.author, read.independent,
                     read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
                     read.marked == 0 ? "" : fmt::format("; of {} of them code and tests were not read", read.marked)),
-        suspects == 0 ? "" : "audit.html?q=suspect");
+        suspects == 0 ? "" : "audit.html#suspects");
 }
 
 Exhibit sections_exhibit(const PackInput& input) {

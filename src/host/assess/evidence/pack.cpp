@@ -9,11 +9,13 @@
 #include "host/assess/coverage/coverage_json.hpp"
 #include "host/assess/evidence/argument_export.hpp"
 #include "host/assess/evidence/argument_page.hpp"
+#include "host/assess/evidence/audit_pages.hpp"
 #include "host/assess/evidence/coverage_page.hpp"
 #include "host/assess/evidence/csv.hpp"
 #include "host/assess/evidence/document_pages.hpp"
 #include "host/assess/evidence/exhibit_page.hpp"
 #include "host/assess/evidence/hazards_page.hpp"
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/junit.hpp"
 #include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/mutation_page.hpp"
@@ -25,6 +27,7 @@
 #include "host/assess/evidence/reqif.hpp"
 #include "host/assess/evidence/sacm.hpp"
 #include "host/assess/evidence/sbom.hpp"
+#include "host/assess/evidence/source_pages.hpp"
 #include "host/assess/evidence/standards_page.hpp"
 #include "host/base/sha256.hpp"
 #include "host/report/markup.hpp"
@@ -91,6 +94,7 @@ PackFiles make_pack(const PackInput& input) {
     const Exhibits exhibits = exhibits_of(input);
     const PageFrame frame{navigation_of(input, exhibits), origin_of(input.provenance)};
     PackFiles files = document_files(input, frame);
+    files.merge(source_pages(input, frame));
     const auto page = [&](const std::string& name, const std::string& title, const std::string& body) {
         files[name] = html_page(title, name, frame, body);
     };
@@ -103,6 +107,7 @@ PackFiles make_pack(const PackInput& input) {
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
     for (const auto& audit : input.audits) {
+        page(audit_page_name(*audit.part), "Audit of " + audit.part->name, part_audit_page(input, audit));
         if (const Manual* manual = input.content->manual(audit.part->info.manual)) {
             page(manual_page_name(*audit.part), "Manual " + manual->key, manual_page(input, audit, *manual));
         }
@@ -113,7 +118,7 @@ PackFiles make_pack(const PackInput& input) {
         files["data/coverage.json"] = coverage_json(input.coverage->files, input.coverage->verdict);
     }
     if (input.mutation.has_value()) {
-        page("mutation.html", "Mutation of generated cells", mutation_page(*input.mutation));
+        page("mutation.html", "Mutation of generated cells", mutation_page(input));
         files["data/mutation.json"] = input.mutation->json;
     }
     if (input.target.has_value()) {

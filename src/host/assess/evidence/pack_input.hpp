@@ -47,6 +47,7 @@ struct PackInput {
     Analysis analysis;                           ///< content of reports/analysis
     std::vector<Exhibit> exhibits;               ///< exhibits of other tools
     std::map<std::string, std::string> figures;  ///< SVG text by file name, which begins with the device's name
+    std::map<std::string, std::string> sources;  ///< text of each source that implements or tests an item, by its path
     Provenance provenance;
     PackageRecords packages;
 };

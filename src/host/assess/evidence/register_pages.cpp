@@ -2,16 +2,13 @@
 #include "host/assess/evidence/register_pages.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "host/assess/documents/item_words.hpp"
+#include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
-#include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/audit.hpp"
-#include "host/assess/trace/evidence.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -20,87 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-    return escaped(fmt::format("{}", fmt::join(words, ", ")));
-}
-
-/// Returns the places in the code without their common prefix `src/`.
-std::string places_of(const std::vector<std::string>& places) {
-    const std::string common = "src/";
-    std::string text;
-    for (const auto& place : places) {
-        const bool inside = place.rfind(common, 0) == 0;
-        text += fmt::format("<code>{}</code><br>", escaped(inside ? place.substr(common.size()) : place));
-    }
-    return text;
-}
-
-std::string tests_of(const std::string& id, const Evidence& evidence) {
-    std::string text;
-    if (const auto found = evidence.verdicts.find(id); found != evidence.verdicts.end()) {
-        for (const auto& verdict : found->second) {
-            text +=
-                fmt::format("<span class={}>{}</span>&nbsp;{} <small>{}</small><br>", verdict.passed ? "holds" : "open",
-                            verdict.passed ? "✓" : "✗", escaped(verdict.test), verdict.kind);
-        }
-    }
-    return text;
-}
-
-/// Returns the counts of the item's altered cells in words.
-std::string mutants_of(const std::string& id, const PackInput& input) {
-    if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
-        return "";
-    }
-    const MutationCount& count = input.mutation->items.at(id);
-    return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
-}
-
-/// Returns the facts of an object, the value of a constant, or the rows of a table.
-std::string facts_of(const Part& part, const std::string& id) {
-    const std::string words = item_words(part, id);
-    return words.empty() ? "" : fmt::format("<br><small>{}</small>", escaped(words));
-}
-
-std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const PackInput& input) {
-    const Item& item = *audited.item;
-    std::string decisions;
-    for (const auto& id : audited.decisions) {
-        decisions += fmt::format("<a href=\"decisions.html#{0}\">{0}</a> ", id);
-    }
-    return {
-        fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", item.id, audited.word),
-        fmt::format("{}{}<br><small>{}</small>", escaped(item.text), facts_of(part, item.id), joined(origins(item))),
-        decisions,
-        places_of(code_of(item.id, input.evidence)),
-        tests_of(item.id, input.evidence) + mutants_of(item.id, input),
-        html_state(audited.status())};
-}
-
-}  // namespace
-
-std::string audit_page(const PackInput& input) {
-    std::string text =
-        "<p>Every item of the register with its text, its place in the manual, the decisions that affect it, the code "
-        "that names it, and the tests that claim it with their results in this build.</p>\n";
-    std::vector<std::vector<std::string>> rows;
-    std::string gaps;
-    for (const auto& audit : input.audits) {
-        for (const auto& gap : audit.gaps) {
-            gaps += fmt::format("<li>{}\n", escaped(gap));
-        }
-        for (const auto& item : audit.items) {
-            rows.push_back(item_row(*audit.part, item, input));
-        }
-    }
-    if (!gaps.empty()) {
-        text += fmt::format("<h2 class=open>Gaps</h2><ul>{}</ul>\n", gaps);
-    }
-    return text + html_table({{"Item", 12}, {"Text", 30}, {"Decisions", 9}, {"Code", 16}, {"Tests", 25}, {"State", 8}},
-                             rows, Search::yes);
-}
-
-/// Returns the table of conditions that installers and operators must keep. No test can show them, because the firmware
+/// Returns the table of conditions that installers and operators must keep. No test shows them, because the firmware
 /// does not control them.
 std::string conditions_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
@@ -143,13 +60,10 @@ std::string manuals_table(const PackInput& input) {
 
 /// Returns a table of the normative sections of a manual without statements, each with the items that name it as their
 /// source.
-std::string sections_table(const PartAudit& audit) {
+std::string sections_table(const PartAudit& audit, const ItemLinks& links) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : audit.sections) {
-        std::string covered;
-        for (const auto& id : section.covered_by) {
-            covered += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
-        }
+        const std::string covered = link_to_each(links, section.covered_by);
         rows.push_back({escaped(section.section->ref), escaped(section.section->title),
                         covered.empty() ? html_state("open") : covered});
     }
@@ -169,7 +83,10 @@ std::string informative_table(const Manual& manual) {
                               html_table({{"Section", 10}, {"Title", 30}, {"Why"}}, rows, Search::no);
 }
 
+}  // namespace
+
 std::string sections_page(const PackInput& input) {
+    const ItemLinks links = links_of(input);
     std::string text =
         "<p>The demands of the manuals, and the items that cover them. The page of a manual has its sections with our "
         "statement of each normative sentence. A manual without statements counts by section.</p>\n" +
@@ -182,13 +99,14 @@ std::string sections_page(const PackInput& input) {
         text += fmt::format("<h2 id=\"{}\">{}</h2><p class=quiet>{}, {}, {}</p>\n", escaped(audit.part->name),
                             escaped(manual->title), escaped(manual->publisher), escaped(manual->revision),
                             escaped(manual->date));
-        text += manual->statements.empty() ? sections_table(audit) : "";
+        text += manual->statements.empty() ? sections_table(audit, links) : "";
         text += conditions_table(*manual) + informative_table(*manual);
     }
     return text;
 }
 
 std::string decisions_page(const PackInput& input) {
+    const ItemLinks links = links_of(input);
     std::vector<std::vector<std::string>> rows;
     for (const auto& audit : input.audits) {
         for (const auto& decision : audit.part->decisions) {
@@ -196,10 +114,7 @@ std::string decisions_page(const PackInput& input) {
             for (const auto& reading : decision.readings) {
                 readings += fmt::format("{} <small>{}</small><br>", escaped(reading.says), escaped(reading.source));
             }
-            std::string affects;
-            for (const auto& id : decision.affects) {
-                affects += fmt::format("<a href=\"audit.html#{0}\">{0}</a> ", id);
-            }
+            const std::string affects = link_to_each(links, decision.affects);
             rows.push_back({fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", decision.id,
                                         escaped(decision.severity)),
                             escaped(decision.text), readings,

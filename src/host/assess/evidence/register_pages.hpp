@@ -8,8 +8,6 @@
 
 namespace canproof::host {
 
-/// Returns a searchable list of the items with sources, code, tests and state.
-std::string audit_page(const PackInput& input);
 /// Returns the manuals with their pages and their coverage, and the sections of manuals without statements.
 std::string sections_page(const PackInput& input);
 std::string decisions_page(const PackInput& input);

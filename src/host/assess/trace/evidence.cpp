@@ -55,8 +55,9 @@ void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
                       source,
                       {}};
         for (const auto& claim : one.child("properties").children("property")) {
-            evidence.verdicts[claim.attribute("name").value()].push_back(
-                {name, claim.attribute("value").value(), passed, test.seconds, source});
+            evidence.verdicts[claim.attribute("name").value()].push_back({name, claim.attribute("value").value(),
+                                                                          passed, test.seconds, source,
+                                                                          one.attribute("line").as_uint()});
             test.items.emplace_back(claim.attribute("name").value());
         }
         evidence.runs.push_back({name, source, passed, !test.items.empty()});

@@ -25,6 +25,9 @@ class HazardsPage : public testing::Test {
         part_.name = "device";
         part_.info.title = "Device 1";
         part_.hazards = {hazard};
+        Decision decision;
+        decision.id = "D-D-1";
+        part_.decisions = {decision};
         AuditedItem item;
         item.item = &requirement_;
         PartAudit audit;
@@ -44,7 +47,7 @@ TEST_F(HazardsPage, PageNamesTheRequirementThatPreventsEachFailure) {
     const std::string page = hazards_page(input_);
     EXPECT_THAT(page, HasSubstr("<h2>Device 1</h2>"));
     EXPECT_THAT(page, HasSubstr("<code>D-H-1</code><br>The output is on."));
-    EXPECT_THAT(page, HasSubstr("<a href=\"audit.html#D-R-1\">D-R-1</a>"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"audit-device.html#D-R-1\">D-R-1</a>"));
     EXPECT_THAT(page, HasSubstr("<a href=\"decisions.html#D-D-1\">D-D-1</a>"));
     EXPECT_THAT(page, HasSubstr("The &lt;driver&gt; fails."));
     EXPECT_THAT(page, HasSubstr("Not measured."));

@@ -120,7 +120,7 @@ TEST_F(ManualPage, StatementsAreListedWithLinksToTheirItems) {
     const std::string markup = page();
     EXPECT_THAT(markup, HasSubstr("<li id=\"1/1\">"));
     EXPECT_THAT(markup, HasSubstr("A &lt;lamp&gt; of 1 blinks."));
-    EXPECT_THAT(markup, HasSubstr("<a href=\"audit.html#D-A-001\">D-A-001</a>"));
+    EXPECT_THAT(markup, HasSubstr("<a href=\"audit-lamp.html#D-A-001\">D-A-001</a>"));
     EXPECT_THAT(markup, HasSubstr("<a href=\"decisions.html#D-D-001\">D-D-001</a>"));
     EXPECT_THAT(markup, HasSubstr("repeats M:1/1"));
     EXPECT_THAT(markup, HasSubstr("It stays dry."));

@@ -72,7 +72,7 @@ TEST_F(Pack, FailedTestIsShownWithItsMessage) {
 
 TEST_F(Pack, RegisterTextIsEscapedInHtml) {
     const PackFiles files = make();
-    EXPECT_THAT(files.at("audit.html"), HasSubstr("a &lt; b &amp; &quot;c&quot;, d"));
+    EXPECT_THAT(files.at("audit-device.html"), HasSubstr("a &lt; b &amp; &quot;c&quot;, d"));
     EXPECT_THAT(files.at("sections.html"), Not(HasSubstr("<of>")));
 }
 
@@ -85,6 +85,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     for (const auto& [name, text] : make()) {
         if (name.size() > 5 && name.substr(name.size() - 5) == ".html") {
             EXPECT_THAT(text, HasSubstr("<footer>canproof abc, 2026-01-02T03:04:05Z</footer>")) << name;
+            EXPECT_THAT(text, HasSubstr("@page{@top-left{content:\"")) << name;
             EXPECT_THAT(text, HasSubstr("@bottom-left{content:\"canproof abc, 2026-01-02T03:04:05Z\"")) << name;
         }
     }
@@ -126,7 +127,7 @@ TEST_F(Pack, ItemChangedSinceItsReviewIsShownAsSuspect) {
                 HasSubstr("1 items have changed, in text, code or tests, since someone read them. Readers of the "
                           "other items and decisions: the author of the change 2, someone else 0"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
-    EXPECT_THAT(files.at("audit.html"), HasSubstr("◐ suspect"));
+    EXPECT_THAT(files.at("audit-device.html"), HasSubstr("◐ suspect"));
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));
 }
 
@@ -210,7 +211,7 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
         R"({"survivors": [{"item": "D-A-001", "cell": "limit", "change": "5 -> 6", "reason": "same bits"}]})"};
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_THAT(make().at("mutation.html"), HasSubstr("5 -&gt; 6<td data-h=\"Reason\">same bits"));
-    EXPECT_THAT(make().at("audit.html"), HasSubstr("9 of 10 altered cells noticed"));
+    EXPECT_THAT(make().at("audit-device.html"), HasSubstr("9 of 10 altered cells noticed"));
     input_.mutation->items["D-A-002"].noticed = 3;
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/assess/evidence/audit_pages.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "host/assess/documents/item_words.hpp"
+#include "host/assess/evidence/item_links.hpp"
+#include "host/assess/evidence/source_pages.hpp"
+#include "host/report/markup.hpp"
+#include "host/report/page.hpp"
+
+namespace canproof::host {
+
+namespace {
+
+constexpr std::array<const char*, 4> states{"shown", "suspect", "open", "failed"};
+
+using ItemsByService = std::map<std::string, std::vector<const AuditedItem*>>;
+
+ItemsByService by_service(const PartAudit& audit) {
+    ItemsByService services;
+    for (const auto& one : audit.items) {
+        services[service_of(*one.item)].push_back(&one);
+    }
+    return services;
+}
+
+std::map<std::string, std::size_t> count_states(const std::vector<const AuditedItem*>& items) {
+    std::map<std::string, std::size_t> counts;
+    for (const auto* one : items) {
+        ++counts[one->status()];
+    }
+    return counts;
+}
+
+/// Returns the title of a part, or its name when it has none.
+std::string title_of(const Part& part) {
+    return part.info.title.empty() ? part.name : part.info.title;
+}
+
+/// Returns `text` as a link to a line of a source; plain when the pack does not have the source.
+std::string linked(const PackInput& input, const std::string& file, const unsigned line, const std::string& text) {
+    const std::string place = source_link(input, file, line);
+    return place.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escaped(place), text);
+}
+
+/// Returns a place in the code without what all places of the part share: `firmware/canopen/sdo.cpp:12` without `src/`,
+/// `relay.cpp:12` without the folder of the device's firmware.
+std::string short_place(const Part& part, const std::string& place) {
+    for (const auto& common : {"src/devices/" + part.name + "/firmware/", std::string{"src/"}}) {
+        if (place.rfind(common, 0) == 0) {
+            return place.substr(common.size());
+        }
+    }
+    return place;
+}
+
+std::string places_of(const PackInput& input, const Part& part, const std::string& id) {
+    std::vector<std::string> all;
+    for (const auto& place : code_of(id, input.evidence)) {
+        const auto colon = place.find(':');
+        const unsigned line =
+            colon == std::string::npos ? 0U : static_cast<unsigned>(std::stoul(place.substr(colon + 1)));
+        const std::string words = fmt::format("<code>{}</code>", escaped(short_place(part, place)));
+        all.push_back(linked(input, place.substr(0, colon), line, words));
+    }
+    return all.empty() ? "" : fmt::format("<p>{}</p>", fmt::join(all, ", "));
+}
+
+/// Returns the tests of an item, those of one suite with one result in one line.
+std::string tests_of(const PackInput& input, const std::string& id) {
+    const auto found = input.evidence.verdicts.find(id);
+    if (found == input.evidence.verdicts.end()) {
+        return "";
+    }
+    std::map<std::string, std::vector<std::string>> lines;  // links by the head of their line
+    for (const auto& verdict : found->second) {
+        const auto dot = verdict.test.find('.');
+        const std::string suite = verdict.test.substr(0, dot);
+        const std::string name = dot == std::string::npos ? suite : verdict.test.substr(dot + 1);
+        const std::string head =
+            fmt::format("<span class={}>{}</span> {} <small>{}</small>", verdict.passed ? "holds" : "open",
+                        verdict.passed ? "✓" : "✗", escaped(suite), verdict.kind);
+        lines[head].push_back(linked(input, verdict.file, verdict.line, escaped(name)));
+    }
+    std::string text;
+    for (const auto& [head, names] : lines) {
+        text += fmt::format("<p>{} {}</p>", head, fmt::join(names, ", "));
+    }
+    return text;
+}
+
+/// Returns the counts of altered cells of an item.
+std::string mutants_of(const std::string& id, const PackInput& input) {
+    if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
+        return "";
+    }
+    const MutationCount& count = input.mutation->items.at(id);
+    return fmt::format("<small>{} of {} altered cells noticed</small>", count.noticed, count.altered);
+}
+
+/// Returns the text of an item, then the facts of an object, the value of a constant or the rows of a table.
+std::string text_of(const Part& part, const Item& item) {
+    const std::string facts = item_words(part, item.id);
+    return (item.text.empty() ? "" : fmt::format("<p>{}</p>", escaped(item.text))) +
+           (facts.empty() ? "" : fmt::format("<p><small>{}</small></p>", escaped(facts)));
+}
+
+std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const PackInput& input,
+                                  const ItemLinks& links) {
+    const Item& item = *audited.item;
+    const std::string decisions = link_to_each(links, audited.decisions);
+    return {fmt::format("<code id=\"{0}\">{0}</code><br><small class=kind>{1}</small><br>{2}", item.id, audited.word,
+                        html_state(audited.status())),
+            fmt::format("{}<p><small>{}{}{}</small></p>", text_of(part, item),
+                        escaped(fmt::format("{}", fmt::join(origins(item), ", "))), decisions.empty() ? "" : " · ",
+                        decisions),
+            places_of(input, part, item.id) + tests_of(input, item.id) + mutants_of(item.id, input)};
+}
+
+/// Returns the numbers of items, of shown, suspect, open and failed ones.
+std::vector<std::string> count_cells(const std::vector<const AuditedItem*>& items) {
+    auto counts = count_states(items);
+    std::vector<std::string> cells{std::to_string(items.size())};
+    for (const char* state : states) {
+        cells.push_back(std::to_string(counts[state]));
+    }
+    return cells;
+}
+
+std::string sentence_list(const char* id, const char* title, const std::vector<std::string>& sentences) {
+    if (sentences.empty()) {
+        return "";
+    }
+    std::string text = fmt::format("<h2 class=open id={}>{}</h2><ul>", id, title);
+    for (const auto& sentence : sentences) {
+        text += fmt::format("<li>{}\n", escaped(sentence));
+    }
+    return text + "</ul>\n";
+}
+
+/// Returns the markup of one service: a line with counts that opens to its table.
+std::string service_markup(const PartAudit& audit, const std::string& service,
+                           const std::vector<const AuditedItem*>& items, const PackInput& input,
+                           const ItemLinks& links) {
+    std::string counts;
+    for (const auto& [state, count] : count_states(items)) {
+        counts += fmt::format(" <small class=state>{} {}</small>", count, html_state(state));
+    }
+    std::vector<std::vector<std::string>> rows;
+    for (const auto* one : items) {
+        rows.push_back(item_row(*audit.part, *one, input, links));
+    }
+    return fmt::format("<details><summary><h2 id=\"service-{}\">{}</h2>{}</summary>\n{}</details>\n", escaped(service),
+                       escaped(service_title(service)), counts,
+                       html_table({{"Item", 12}, {"Text", 53}, {"Code and tests", 35}}, rows));
+}
+
+}  // namespace
+
+std::string service_of(const Item& item) {
+    const std::string name = std::filesystem::path{item.place.file}.stem().string();
+    return name.empty() ? "other" : name;
+}
+
+std::string service_title(const std::string& service) {
+    static const std::set<std::string> abbreviations{"can", "emcy", "lss", "nmt", "pdo", "sdo", "sync"};
+    std::string title;
+    for (std::size_t at = 0; at <= service.size();) {
+        const auto end = std::min(service.find('_', at), service.size());
+        std::string word = service.substr(at, end - at);
+        const std::size_t capitals = abbreviations.count(word) != 0 ? word.size() : at == 0 ? 1U : 0U;
+        std::transform(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(std::min(capitals, word.size())),
+                       word.begin(), [](const unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        title += (at == 0 ? "" : " ") + word;
+        at = end + 1;
+    }
+    return title;
+}
+
+std::string audit_page(const PackInput& input) {
+    std::vector<std::vector<std::string>> parts;
+    std::vector<std::vector<std::string>> services;
+    std::vector<std::string> gaps;
+    std::vector<std::string> suspects;
+    const auto add = [](std::vector<std::vector<std::string>>& rows, std::vector<std::string> head,
+                        const std::vector<const AuditedItem*>& items) {
+        const auto cells = count_cells(items);
+        head.insert(head.end(), cells.begin(), cells.end());
+        rows.push_back(std::move(head));
+    };
+    for (const auto& audit : input.audits) {
+        const std::string page = escaped(audit_page_name(*audit.part));
+        const std::string title = escaped(title_of(*audit.part));
+        std::vector<const AuditedItem*> all;
+        for (const auto& one : audit.items) {
+            all.push_back(&one);
+        }
+        add(parts, {fmt::format("<a href=\"{}\">{}</a>", page, title)}, all);
+        for (const auto& [service, items] : by_service(audit)) {
+            add(services,
+                {escaped(audit.part->name), fmt::format("<a href=\"{}#service-{}\">{}</a>", page, escaped(service),
+                                                        escaped(service_title(service)))},
+                items);
+        }
+        gaps.insert(gaps.end(), audit.gaps.begin(), audit.gaps.end());
+        suspects.insert(suspects.end(), audit.suspects.begin(), audit.suspects.end());
+    }
+    return "<p>Every item of the register has its place on the page of its device: its text, its place in the manual, "
+           "the decisions that affect it, the code that names it, and the tests that claim it with their results in "
+           "this build. Code and tests are links to their sources.</p>\n" +
+           html_table({{"Part", 40}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}}, parts) +
+           sentence_list("gaps", "Gaps", gaps) + sentence_list("suspects", "Suspects", suspects) +
+           "<h2>Services</h2>\n" +
+           html_table({{"Part", 18}, {"Service", 22}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}},
+                      services, Search::yes);
+}
+
+std::string part_audit_page(const PackInput& input, const PartAudit& audit) {
+    const ItemLinks links = links_of(input);
+    std::set<std::string> kinds;
+    for (const auto& one : audit.items) {
+        kinds.insert(one.word);
+    }
+    std::string text = fmt::format(
+        "<p>{} items of {} by service. A service opens with a click; a search opens those that have a hit.</p>\n"
+        "<div class=\"filtered wide\">\n{}",
+        audit.items.size(), escaped(title_of(*audit.part)),
+        html_filter(
+            {{"Kind", ".kind", {kinds.begin(), kinds.end()}}, {"State", "td .state", {states.begin(), states.end()}}}));
+    for (const auto& [service, items] : by_service(audit)) {
+        text += service_markup(audit, service, items, input, links);
+    }
+    return text + "</div>\n";
+}
+
+}  // namespace canproof::host

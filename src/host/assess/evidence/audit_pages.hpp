@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The audit as pages: one for each part of the register with its items by service, and one that leads to them.
+#pragma once
+
+#include <string>
+
+#include "host/assess/evidence/pack_input.hpp"
+
+namespace canproof::host {
+
+/// Returns the service of an item, which is the name of its file in the register: `sdo_block`. Items in `objects/` and
+/// in `behaviour/` of one name have the same service.
+std::string service_of(const Item& item);
+/// Returns the words for a service: `SDO block`.
+std::string service_title(const std::string& service);
+
+/// Returns the counts of items by part and service, the gaps and the suspects.
+std::string audit_page(const PackInput& input);
+
+/// Returns the items of one part by service, with sources, code, tests and state; a reader can search and filter them.
+std::string part_audit_page(const PackInput& input, const PartAudit& audit);
+
+}  // namespace canproof::host
