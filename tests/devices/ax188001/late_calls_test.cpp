@@ -47,6 +47,18 @@ TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
+TEST_F(LateCalls, ReadingThatWasDueSeesTheInputsBeforeTheirChange) {
+    verifies<req::TCS_IN_001>();
+    heat(1, 100.0);
+    now = now + milliseconds(200);  // the device was not called since 0; a reading was due at 165
+    heat(1, 50.0);
+    EXPECT_EQ(process_value(1), 100 * 16 + 4368);
+    pass(129);
+    EXPECT_EQ(process_value(1), 100 * 16 + 4368);
+    pass(1);  // 330: the next reading
+    EXPECT_EQ(process_value(1), 50 * 16 + 4368);
+}
+
 TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);

@@ -53,6 +53,18 @@ TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
     EXPECT_EQ(read(0x2010, 2).value, first);
 }
 
+/// The readings of before the reset would be due at 165 ms.
+TEST_F(Ax188001Resets, NextReadingComes165MillisecondsAfterAReset) {
+    verifies<req::TCS_IN_001, req::CO_NMT_005>();
+    pass(100);
+    send("000#817F");
+    heat(1, 100.0);
+    pass(164);
+    EXPECT_EQ(process_value(1), 4768) << "25 degrees, read before the boot-up message";
+    pass(1);
+    EXPECT_EQ(process_value(1), 100 * 16 + 4368);
+}
+
 /// 1029h:2 precedes the self-start, for every active channel fault.
 TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     verifies<req::TCS_START_005, req::TCS_START_009, req::TCS_ERR_010>();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// 29-bit identifiers (CiA 301, 7.2): a frame whose 29-bit identifier has the number of a service does not reach it.
+#include <gtest/gtest.h>
+
+#include "generated/canopen/requirements.hpp"
+#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class IdentifierFormat : public CbxTest {
+  protected:
+    void SetUp() override {
+        CbxTest::SetUp();
+        send("000#0103");
+    }
+    /// Sends a frame with its identifier as one of 29 bits.
+    Frames send_as_29_bits(const std::string& frame) { return send("00000" + frame); }
+};
+
+}  // namespace
+
+/// The reset comes last, because it ends operational.
+TEST_F(IdentifierFormat, NoServiceAnswersA29BitFrameOfItsNumber) {
+    verifies<req::CO_FRAME_001>();
+    for (const char* const request : {"603#4000100000000000", "303#R8", "703#R1", "000#8203"}) {
+        EXPECT_EQ(send_as_29_bits(request), Frames{}) << request;
+        EXPECT_EQ(send(request).size(), 1U) << request;
+    }
+}
+
+}  // namespace canproof::test
