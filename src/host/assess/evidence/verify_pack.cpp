@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::map<std::string, std::string> sums_in(const std::string& manifest, const fs::path& file) {
-    const auto json = nlohmann::json::parse(manifest, nullptr, false);
+    const auto content = nlohmann::json::parse(manifest, nullptr, false);
     try {
-        return json.at("sha256").get<std::map<std::string, std::string>>();
+        return content.at("sha256").get<std::map<std::string, std::string>>();
     } catch (const nlohmann::json::exception&) {
         throw InputError{fmt::format("{} is no manifest of a pack; `canproof evidence` writes one", file.string())};
     }
