@@ -130,7 +130,7 @@ std::uint64_t run(const std::uint8_t* data, std::size_t size, const fuzz::Circum
 }  // namespace
 
 CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
-CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_STORE_004)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(run(data, size, {}) == run(data, size, fuzz::late_and_dirty), "two runs are equal");

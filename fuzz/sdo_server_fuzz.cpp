@@ -120,7 +120,7 @@ class Both {
 }  // namespace
 
 CANPROOF_FUZZ_REPLAYS_AS_PART(naive::pair_part(), "--node 5")
-CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_036)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_SDO_036)
 CANPROOF_FUZZ_RECORDS(record_size)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

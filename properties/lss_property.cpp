@@ -208,12 +208,14 @@ void happen(const Event& event, LssBench& bench, naive::LssSlave& naive) {
 }  // namespace
 
 RC_GTEST_PROP(LssLaw, SlaveAnswersLikeTheNaiveSlave, ()) {
-    verifies<req::CO_LSS_001, req::CO_LSS_002, req::CO_LSS_003, req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_010,
-             req::CO_LSS_011, req::CO_LSS_012, req::CO_LSS_013, req::CO_LSS_014, req::CO_LSS_015, req::CO_LSS_016,
-             req::CO_LSS_017, req::CO_LSS_018, req::CO_LSS_031, req::CO_LSS_040, req::CO_LSS_041, req::CO_LSS_042,
-             req::CO_LSS_043, req::CO_LSS_044, req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_053,
-             req::CO_LSS_054, req::CO_LSS_055, req::CO_LSS_060, req::CO_LSS_061, req::CO_LSS_062, req::CO_LSS_063>(
-        "property");
+    verifies<req::CO_LSS_001, req::CO_LSS_002, req::CO_LSS_003, req::CO_LSS_068, req::CO_LSS_069, req::CO_LSS_005,
+             req::CO_LSS_006, req::CO_LSS_070, req::CO_LSS_010, req::CO_LSS_071, req::CO_LSS_011, req::CO_LSS_012,
+             req::CO_LSS_072, req::CO_LSS_013, req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015, req::CO_LSS_074,
+             req::CO_LSS_016, req::CO_LSS_075, req::CO_LSS_017, req::CO_LSS_018, req::CO_LSS_031, req::CO_LSS_040,
+             req::CO_LSS_041, req::CO_LSS_042, req::CO_LSS_043, req::CO_LSS_077, req::CO_LSS_078, req::CO_LSS_044,
+             req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_053, req::CO_LSS_054,
+             req::CO_LSS_055, req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_LSS_062,
+             req::CO_LSS_063>("property");
     const bool resets_itself = *rc::gen::arbitrary<bool>();
     const LssConfiguration first{static_cast<std::uint8_t>(below(3) == 0 ? 5 : 255), 125000};
     LssBench bench;

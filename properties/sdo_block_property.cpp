@@ -176,8 +176,10 @@ struct Wait : SdoCommand {
 }  // namespace
 
 RC_GTEST_PROP(SdoModel, ServerAnswersAsTheNaiveServerDoes, ()) {
-    verifies<req::CO_SDO_011, req::CO_SDO_015, req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026,
-             req::CO_SDO_028, req::CO_SDO_029, req::CO_SDO_032, req::CO_SDO_033, req::CO_SDO_036>("property");
+    verifies<req::CO_SDO_011, req::CO_SDO_015, req::CO_SDO_044, req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022,
+             req::CO_SDO_025, req::CO_SDO_049, req::CO_SDO_026, req::CO_SDO_050, req::CO_SDO_028, req::CO_SDO_051,
+             req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_032, req::CO_SDO_046, req::CO_SDO_033, req::CO_SDO_047,
+             req::CO_SDO_036>("property");
     Ours ours;
     rc::state::check(Model{}, ours, [](const Model& model) {
         return rc::gen::oneOf(rc::state::gen::execOneOfWithArgs<Ask>()(model),
@@ -323,8 +325,8 @@ Bytes held(const Ours& ours) {
 }  // namespace
 
 RC_GTEST_PROP(SdoBlockLaw, DownloadedValueIsUploadedWhateverSegmentsAreLost, ()) {
-    verifies<req::CO_SDO_016, req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026, req::CO_SDO_029,
-             req::CO_SDO_032, req::CO_SDO_033>("property");
+    verifies<req::CO_SDO_016, req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026,
+             req::CO_SDO_050, req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_032, req::CO_SDO_033>("property");
     Ours ours;
     const Bytes value = arbitrary_value();
     Loss loss;
@@ -336,7 +338,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadedValueIsUploadedWhateverSegmentsAreLost, ())
 }
 
 RC_GTEST_PROP(SdoBlockLaw, DownloadWithAFlippedBitIsNeverAccepted, ()) {
-    verifies<req::CO_SDO_028, req::CO_SDO_033>("property");
+    verifies<req::CO_SDO_028, req::CO_SDO_047>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});
     Bytes value = arbitrary_value();
@@ -352,7 +354,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadWithAFlippedBitIsNeverAccepted, ()) {
 }
 
 RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
-    verifies<req::CO_SDO_011, req::CO_SDO_033>("property");
+    verifies<req::CO_SDO_011, req::CO_SDO_047>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});
     const Bytes value = arbitrary_value();

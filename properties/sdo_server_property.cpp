@@ -53,7 +53,7 @@ RC_GTEST_PROP(SdoServerLaw, RefusedWriteChangesNothing, ()) {
 
 // Any eight bytes get at most one answer, of eight bytes, on 583h, with a server command specifier.
 RC_GTEST_PROP(SdoServerLaw, EveryRequestHasAtMostOneWellFormedAnswer, ()) {
-    verifies<req::CO_SDO_015>("property");
+    verifies<req::CO_SDO_015, req::CO_SDO_044>("property");
     CbxBench bench;
     bench.power_on();
     const auto requests =

@@ -273,7 +273,7 @@ TEST_F(AlteredDictionary, OctetStringMayBeShorterAndMayContainZeros) {
 }
 
 TEST_F(AlteredDictionary, ExpeditedDownloadLongerThanTheDomainIsRefused) {
-    verifies<req::CO_SDO_010, req::CO_SDO_033>();
+    verifies<req::CO_SDO_010, req::CO_SDO_047>();
     power_on();
     device->lend(0x2400, 0, 2);
     EXPECT_EQ(send("605#2B00240001020000"), Frames{"585#6000240000000000"});
@@ -293,7 +293,7 @@ TEST_F(AlteredDictionary, EntryAssignedToAServiceOfOtherIndicesIsReadAndWrittenN
 
 // 2302h has 72 bytes, more than the 64 of the server itself.
 TEST_F(AlteredDictionary, EntryLongerThanTheServerBufferUsesTheMemoryOfTheDevice) {
-    verifies<req::CO_SDO_004, req::CO_SDO_034>();
+    verifies<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_034>();
     power_on();
     EXPECT_EQ(send("605#2102230048000000"), Frames{"585#8002230005000405"});
     device->lend(0x2302, 0, 72);
@@ -321,7 +321,7 @@ TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
 }
 
 TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegment) {
-    verifies<req::CO_SDO_026, req::CO_SDO_029>();
+    verifies<req::CO_SDO_050, req::CO_SDO_029, req::CO_SDO_052>();
     power_on();
     device->lend(0x2400, 0, 14);
     EXPECT_EQ(send("605#C000240000000000"), Frames{"585#A40024007F000000"});
@@ -346,7 +346,7 @@ TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheSameWatchMarkTriggersNoT
 }
 
 TEST_F(AlteredDictionary, EntryThatFitsTheServerBufferNeedsNoMemoryOfTheDevice) {
-    verifies<req::CO_SDO_004>();
+    verifies<req::CO_SDO_004, req::CO_SDO_043>();
     power_on();
     device->lend(0x2207, 0, 2);
     EXPECT_EQ(send("605#2107220004000000"), Frames{"585#6007220000000000"});

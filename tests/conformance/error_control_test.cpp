@@ -310,6 +310,32 @@ std::string state_after_error(const std::string& begin, const std::string& react
     return bench.send("703#R1").at(0).substr(4);
 }
 
+/// Returns the state after a guarding error with this value of 1029h:1, from operational.
+NmtState state_after_guarding_error(const std::string& reaction) {
+    CbxBench bench;
+    bench.power_on();
+    bench.write("603#2B0C100064000000");  // guard time 100 ms …
+    bench.write("603#2F0D100002000000");  // … times 2
+    bench.write("603#2F291001" + reaction + "000000");
+    bench.send("000#0103");
+    bench.send("703#R1");
+    bench.pass(199);
+    EXPECT_EQ(bench.device->state(), NmtState::operational);
+    bench.pass(1);
+    return bench.device->state();
+}
+
+/// Returns the state after bus-off with this value of 1029h:1, from operational.
+NmtState state_after_bus_off(const std::string& reaction) {
+    CbxBench bench;
+    bench.power_on();
+    bench.write("603#2F291001" + reaction + "000000");
+    bench.send("000#0103");
+    bench.inputs.can_state = 3;
+    bench.set_inputs();
+    return bench.device->state();
+}
+
 }  // namespace
 
 TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
@@ -320,6 +346,15 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     EXPECT_EQ(state_after_error("80", "00"), "7F");
     EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
     EXPECT_EQ(state_after_error("80", "02"), "04");
+}
+
+TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheStateBy1029h) {
+    verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_OD_1029>();
+    for (const auto state_after : {state_after_guarding_error, state_after_bus_off}) {
+        EXPECT_EQ(state_after("00"), NmtState::pre_operational);
+        EXPECT_EQ(state_after("01"), NmtState::operational);
+        EXPECT_EQ(state_after("02"), NmtState::stopped);
+    }
 }
 
 TEST_F(ErrorControlService, EachErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {

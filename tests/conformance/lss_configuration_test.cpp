@@ -8,7 +8,8 @@ namespace canproof::test {
 
 // 6.4.2
 TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
-    verifies<req::CO_LSS_010, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID, req::CO_E_LSS_ERROR>();
+    verifies<req::CO_LSS_010, req::CO_LSS_071, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID,
+             req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1101000000000000", {"7E4#1100000000000000"}},
           {"7E5#1102000000000000", {"7E4#1100000000000000"}},
@@ -23,7 +24,7 @@ TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
 }
 
 TEST_F(Lss, ConfigureNodeIdAcceptsOrRefusesEachOf256Values) {
-    verifies<req::CO_LSS_010, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
+    verifies<req::CO_LSS_010, req::CO_LSS_071, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     configure();
     for (int node = 0; node <= 255; ++node) {
         const bool fits = (node >= 1 && node <= 127) || node == 255;
@@ -34,7 +35,7 @@ TEST_F(Lss, ConfigureNodeIdAcceptsOrRefusesEachOf256Values) {
 }
 
 TEST_F(Lss, RefusedNodeIdKeepsThePendingNodeId) {
-    verifies<req::CO_LSS_010>();
+    verifies<req::CO_LSS_071>();
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
           {"7E5#1100000000000000", {"7E4#1101000000000000"}},
@@ -83,7 +84,7 @@ TEST_F(Lss, ConfigureBitTimingAcceptsTheBitRatesOfTable0) {
 }
 
 TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
-    verifies<req::CO_LSS_012, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
+    verifies<req::CO_LSS_072, req::CO_T_LSS_BIT_RATE, req::CO_K_LSS_STANDARD_TABLE, req::CO_E_LSS_ERROR>();
     configure();
     // 500 kbit/s, which the refused requests below do not change
     talk({{"7E5#1300020000000000", {"7E4#1300000000000000"}},
@@ -100,7 +101,7 @@ TEST_F(Lss, ConfigureBitTimingRefusesReservedIndicesAndOtherTables) {
 
 // AX130751, Table 22: 666 kbit/s where CiA has 800 kbit/s
 TEST_F(Lss, BitRatesComeFromTheTableOfTheDevice) {
-    verifies<req::CO_LSS_012>();
+    verifies<req::CO_LSS_012, req::CO_LSS_072>();
     resets_itself = true;
     start({5, 125000});
     configure();
@@ -124,7 +125,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
 
 // 6.4.4; heartbeats every 30 ms show whether the node may send
 TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
-    verifies<req::CO_LSS_014, req::CO_LSS_015>();
+    verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
           {"7E5#0401000000000000", {}},
           {"7E5#1300030000000000", {"7E4#1300000000000000"}}});
@@ -153,7 +154,7 @@ TEST_F(Lss, SwitchDelayIsSixteenBitsOfMilliseconds) {
 }
 
 TEST_F(Lss, FramesReceivedDuringTheSwitchDelaysHaveNoEffect) {
-    verifies<req::CO_LSS_015>();
+    verifies<req::CO_LSS_015, req::CO_LSS_074>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#150A000000000000", {}}});
     for (int period = 0; period < 2; ++period) {
@@ -175,7 +176,7 @@ TEST_F(Lss, FramesReceivedDuringTheSwitchDelaysHaveNoEffect) {
 }
 
 TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
-    verifies<req::CO_LSS_014, req::CO_LSS_015>();
+    verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}},
           {"7E5#1500000000000000", {}},
@@ -255,7 +256,7 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
 
 // CiA 301, 7.2.8.2.2: node 31h, 100 ms, stops its heartbeat while the bit rate is switched
 TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
-    verifies<req::CO_LSS_015>();
+    verifies<req::CO_LSS_015, req::CO_LSS_074>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
@@ -319,7 +320,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
 }
 
 TEST_F(Lss, StoreConfigurationReportsAFailedMemory) {
-    verifies<req::CO_LSS_016, req::CO_LSS_017, req::CO_E_LSS_ERROR>();
+    verifies<req::CO_LSS_075, req::CO_LSS_076, req::CO_LSS_017, req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}}});
     device->answer_store_with(LssError::not_supported);

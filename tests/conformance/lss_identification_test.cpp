@@ -70,7 +70,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
 }
 
 TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
-    verifies<req::CO_LSS_043>();
+    verifies<req::CO_LSS_077>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
           {"7E5#4802000100000000", {}},
@@ -79,6 +79,21 @@ TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
           {"7E5#4802000100000000", {}},
           {"7E5#4902000100000000", {}},
           {"7E5#4A21112620000000", {}},
+          {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
+}
+
+TEST_F(Lss, OtherServicesDoNotDisturbIdentifyRemoteSlave) {
+    verifies<req::CO_LSS_078>();
+    talk({{"7E5#465F000000000000", {}},
+          {"7E5#4C00000000000000", {}},
+          {"7E5#47010302AA000000", {}},
+          {"7E5#405F000000000000", {}},
+          {"7E5#4802000100000000", {}},
+          {"7E5#0401000000000000", {}},
+          {"7E5#4902000100000000", {}},
+          {"7E5#0400000000000000", {}},
+          {"7E5#4A21112620000000", {}},
+          {"605#4000100000000000", {"585#4300100078563412"}},
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
 }
 
@@ -106,8 +121,8 @@ TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
 // -- Fastscan, 6.7: 51h, number (32 bit), bit check, number selected (0 to 3), next number ------------------------
 
 TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
-    verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_053, req::CO_LSS_054, req::CO_E_LSS_NUMBER,
-             req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
+    verifies<req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_053, req::CO_LSS_054,
+             req::CO_E_LSS_NUMBER, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},  // asks for any unconfigured slave
           {"7E5#51000000001F0000", yes},  // vendor-ID, bit 31 is 0

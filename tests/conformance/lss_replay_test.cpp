@@ -46,7 +46,7 @@ class LssReplay : public testing::TestWithParam<const char*> {};
 }  // namespace
 
 TEST_P(LssReplay, ReplayOfTheCapturedSessionGivesTheSameBytes) {
-    verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_061>();
+    verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
     const auto device = host::make_device(GetParam());
     ASSERT_NE(device, nullptr);
     device->set_node_id(80);

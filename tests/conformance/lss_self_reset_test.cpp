@@ -21,7 +21,7 @@ class AxLss : public Lss {
 
 // The screen capture, frames 95 to 102, with its times; AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2
 TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
-    verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_061>();
+    verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
     EXPECT_EQ(send("7E5#0401"), Frames{});                  // 95, 11:42:45.248
     EXPECT_EQ(pass(9220), Frames{});                        //
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 96 and 97, 11:42:54.468
@@ -42,7 +42,7 @@ TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
 
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
 TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
-    verifies<req::CO_LSS_018, req::CO_LSS_061, req::CO_LSS_016>();
+    verifies<req::CO_LSS_018, req::CO_LSS_081, req::CO_LSS_016>();
     start({127, 125000});  // as shipped
     talk({{"7E5#0401", {}},
           {"7E5#1150", {"7E4#110000"}},

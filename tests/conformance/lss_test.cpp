@@ -11,7 +11,7 @@ namespace canproof::test {
 
 // 6.3.2
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
-    verifies<req::CO_LSS_001, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
+    verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID>();
     talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
@@ -78,7 +78,7 @@ TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
 }
 
 TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
-    verifies<req::CO_LSS_003>();
+    verifies<req::CO_LSS_068>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#41010302AA000000", {}},
           {"7E5#405F000000000000", {}},
@@ -90,7 +90,7 @@ TEST_F(Lss, VendorIdRestartsSwitchStateSelective) {
 }
 
 TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
-    verifies<req::CO_LSS_003>();
+    verifies<req::CO_LSS_069>();
     talk({{"7E5#405F000000000000", {}},
           {"7E5#4C00000000000000", {}},
           {"7E5#41010302AA000000", {}},
@@ -137,7 +137,7 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
 
 // CO-T-LSS, cell by cell: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
-    verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_T_LSS>();
+    verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
     struct Row {
         const char* request;
         Frames waiting;
@@ -207,7 +207,7 @@ TEST_F(Lss, LssWorksInStopped) {
 }
 
 TEST_F(Lss, LssConfiguresNothingInOperational) {
-    verifies<req::CO_LSS_006>();
+    verifies<req::CO_LSS_070>();
     talk({{"7E5#0401000000000000", {}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"000#0105", {"185#0000"}},
@@ -237,7 +237,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // Each service with one byte too few, with just enough, with seven and with eight bytes.
 TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
-    verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
+    verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
           {"7E5#11", {}},
@@ -270,7 +270,7 @@ TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
 }
 
 TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
-    verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
+    verifies<req::CO_LSS_060, req::CO_LSS_081, req::CO_T_LSS>();
     talk(
         {{"7E5#405F0000", {}},           {"7E5#41010302AA", {}}, {"7E5#4202000100", {}}, {"7E5#4321112620", {}},
          {"7E5#405F000000", {}},         {"7E5#41010302", {}},  // ignored: the sequence continues
@@ -283,7 +283,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
 }
 
 TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
-    verifies<req::CO_LSS_060, req::CO_LSS_061, req::CO_T_LSS>();
+    verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     talk({{"7E5#51000000008000", {}},
           {"7E5#5100000000800000", {"7E4#4F00000000000000"}},
           {"7E5#4C", {"7E4#50"}},

@@ -98,7 +98,7 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
 
 // CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
 TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
-    verifies<req::CO_T_SERVICES, req::CO_SDO_017>();
+    verifies<req::CO_T_SERVICES, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // produce SYNC …
     write("603#2306100010270000");  // … every 10 ms
     // pre-operational: SDO, SYNC, EMCY; no PDO

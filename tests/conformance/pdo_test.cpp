@@ -201,8 +201,14 @@ TEST_F(Pdo, RemoteFrameOnRpdo2ReadsTheOutputs) {
     EXPECT_TRUE(send("303#R8").empty());
     write("603#2301140103030040");  // bit 30: no RTR
     EXPECT_TRUE(send("303#R8").empty());
-    send("000#8003");
-    EXPECT_TRUE(send("303#R8").empty());
+    enable_rpdo2();
+    EXPECT_EQ(send("303#R8"), (Frames{"303#B33E4DC100000400"}));
+    for (const char* state : {"000#8003", "000#0203"}) {  // pre-operational, stopped
+        send(state);
+        EXPECT_TRUE(send("303#R8").empty()) << state;
+    }
+    send("000#0103");
+    EXPECT_EQ(send("303#R8"), (Frames{"303#B33E4DC100000400"}));
 }
 
 TEST_F(Pdo, RemoteFrameOnRpdo3IsNotAnswered) {

@@ -155,7 +155,7 @@ TEST_F(SdoBlock, DownloadRequestsOutOfTurnAreAborted) {
 }
 
 TEST_F(SdoBlock, ClientAbortEndsADownloadInEveryState) {
-    verifies<req::CO_SDO_013, req::CO_SDO_033>();
+    verifies<req::CO_SDO_013, req::CO_SDO_047>();
     hold({7});
     const std::string initiate = "605#C600240009000000";
     const Frames initiated{"585#A40024007F000000"};
@@ -176,7 +176,7 @@ TEST_F(SdoBlock, ClientAbortEndsADownloadInEveryState) {
 }
 
 TEST_F(SdoBlock, StalledDownloadIsAborted) {
-    verifies<req::CO_SDO_014, req::CO_SDO_033, req::CO_SDO_037>();
+    verifies<req::CO_SDO_014, req::CO_SDO_047, req::CO_SDO_037>();
     hold({7});
     const Frames timed_out{"1:585#8000240000000405"};
     send("605#C600240009000000");
@@ -197,7 +197,7 @@ TEST_F(SdoBlock, StalledDownloadIsAborted) {
 }
 
 TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
-    verifies<req::CO_SDO_017, req::CO_SDO_033>();
+    verifies<req::CO_SDO_045, req::CO_SDO_047>();
     hold({7});
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},

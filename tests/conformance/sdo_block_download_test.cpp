@@ -8,7 +8,7 @@
 namespace canproof::test {
 
 TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
-    verifies<req::CO_SDO_026, req::CO_SDO_029, req::CO_SDO_033>();
+    verifies<req::CO_SDO_026, req::CO_SDO_050, req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_033>();
     hold({0xAA});
     talk(*this, {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
@@ -24,7 +24,7 @@ TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
 }
 
 TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
-    verifies<req::CO_SDO_029>();
+    verifies<req::CO_SDO_029, req::CO_SDO_052>();
     talk(*this, {
                     {"605#C400240000000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},
@@ -35,7 +35,7 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
 }
 
 TEST_F(SdoBlock, CrcIsIgnoredWhenTheClientHasNone) {
-    verifies<req::CO_SDO_028>();
+    verifies<req::CO_SDO_051>();
     talk(*this, {
                     {"605#C200240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},
@@ -46,7 +46,7 @@ TEST_F(SdoBlock, CrcIsIgnoredWhenTheClientHasNone) {
 }
 
 TEST_F(SdoBlock, WrongCrcRefusesTheWholeDownload) {
-    verifies<req::CO_SDO_028, req::CO_SDO_033, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_028, req::CO_SDO_047, req::CO_E_ABORT>();
     hold({1, 2, 3});
     for (const std::string end : {"605#D5C2310000000000", "605#D5C3300000000000", "605#D531C30000000000"}) {
         talk(*this, {
@@ -61,7 +61,7 @@ TEST_F(SdoBlock, WrongCrcRefusesTheWholeDownload) {
 }
 
 TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
-    verifies<req::CO_SDO_026>();
+    verifies<req::CO_SDO_026, req::CO_SDO_050>();
     const Bytes bytes = counting(28);
     const std::string crc = block_end("605", bytes);
     talk(*this, {
@@ -92,7 +92,7 @@ TEST_F(SdoBlock, SegmentReceivedTwiceCountsOnce) {
 }
 
 TEST_F(SdoBlock, FullSubBlockIsAcknowledgedAtItsEnd) {
-    verifies<req::CO_SDO_026, req::CO_K_SDO_BLOCK_SIZE>();
+    verifies<req::CO_SDO_050, req::CO_K_SDO_BLOCK_SIZE>();
     const Bytes bytes = counting(7 * 127 + 5, 3);
     send("605#C60024007E030000");  // 894 = 37Eh
     for (unsigned sequence = 1; sequence < 127; ++sequence) {
@@ -117,7 +117,7 @@ TEST_F(SdoBlock, EmptyValueCanBeDownloaded) {
 }
 
 TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
-    verifies<req::CO_SDO_029, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     const auto block_of = [](const std::string& object, const Bytes& bytes, const std::string& last) {
         return std::vector<Exchange>{
             {"605#C4" + object + "00000000", {"585#A4" + object + "7F000000"}},
@@ -154,7 +154,7 @@ TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
 }
 
 TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
-    verifies<req::CO_SDO_010, req::CO_SDO_033, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_010, req::CO_SDO_047, req::CO_E_ABORT>();
     hold({1});
     for (const std::string size : {"08", "0A", "00"}) {
         talk(*this, {
@@ -185,7 +185,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
 }
 
 TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
-    verifies<req::CO_SDO_010, req::CO_SDO_026>();
+    verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
     // each pair ends a sub-block with one segment in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
     for (int pair = 0; pair < 6; ++pair) {
@@ -234,7 +234,7 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
 }
 
 TEST_F(SdoBlock, DeviceMayRefuseTheWholeValue) {
-    verifies<req::CO_SDO_033>();
+    verifies<req::CO_SDO_047>();
     hold({7});
     device->refuse_domains_with(AbortCode::hardware_error);
     talk(*this, {

@@ -24,7 +24,7 @@ TEST(Crc16, CrcOfTheDigits1To9IsTheCheckValueOfCiA301) {
 // -- upload -----------------------------------------------------------------------------------------------------------
 
 TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
-    verifies<req::CO_SDO_020, req::CO_SDO_021, req::CO_SDO_025, req::CO_SDO_032>();
+    verifies<req::CO_SDO_020, req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_025, req::CO_SDO_049, req::CO_SDO_032>();
     hold(nine);
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240009000000"}},
@@ -47,7 +47,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
 }
 
 TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
-    verifies<req::CO_SDO_021, req::CO_SDO_022>();
+    verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
     const Bytes bytes = counting(30);  // 5 segments: 2, 2 and 1, the last with 2 bytes
     hold(bytes);
     talk(*this, {
@@ -62,7 +62,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
 }
 
 TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
-    verifies<req::CO_SDO_021, req::CO_SDO_022>();
+    verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
     const Bytes bytes = counting(30);  // 5 segments: 1, 3 and 1
     hold(bytes);
     talk(*this, {
@@ -163,7 +163,7 @@ TEST_F(SdoBlock, SmallValuesSwitchToAPlainUpload) {
 }
 
 TEST_F(SdoBlock, NumbersAndStringsCanBeUploadedInABlock) {
-    verifies<req::CO_SDO_020, req::CO_SDO_021>();
+    verifies<req::CO_SDO_020, req::CO_SDO_048>();
     talk(*this, {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h, 12345678h
                     {"605#A300000000000000", {"585#8178563412000000"}},
@@ -188,7 +188,7 @@ TEST_F(SdoBlock, BlockUploadOfAnEmptyValueIsOneSegmentWithoutData) {
 }
 
 TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
-    verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_032>();
+    verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_046>();
     talk(*this, {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
                     {"605#A40010017F000000", {"585#8000100111000906"}},
@@ -200,7 +200,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
 }
 
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
-    verifies<req::CO_SDO_021, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE, req::CO_K_SDO_BLOCK_QUEUED>();
+    verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE,
+             req::CO_K_SDO_BLOCK_QUEUED>();
     // One piece at a time: the microcontroller has no memory for the whole value beside those of the slave and the
     // answers.
     const auto piece = [](std::size_t from, std::size_t size) {
@@ -236,7 +237,7 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
 }
 
 TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
-    verifies<req::CO_SDO_039, req::CO_K_SDO_BLOCK_QUEUED>();
+    verifies<req::CO_SDO_039, req::CO_SDO_053, req::CO_K_SDO_BLOCK_QUEUED>();
     hold(counting(140));  // 20 segments
     send("605#A40024007F000000");
     device->receive(host::parse_frame("605#A300000000000000", "test"), now);
@@ -297,7 +298,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
 }
 
 TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
-    verifies<req::CO_SDO_021>();
+    verifies<req::CO_SDO_048>();
     send("000#0105");  // operational
     talk(*this, {
                     {"605#A40022007F000000", {"585#C600220002000000"}},  // 2200h = 7

@@ -56,7 +56,7 @@ TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
 }
 
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
-    verifies<req::CO_SDO_004>();
+    verifies<req::CO_SDO_004, req::CO_SDO_043>();
     EXPECT_EQ(send("603#2120100104000000"), (Frames{"583#6020100100000000"}));
     // two bytes, five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
@@ -66,7 +66,7 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
 }
 
 TEST_F(Sdo, SegmentedDownloadWithoutSizeIsAccepted) {
-    verifies<req::CO_SDO_004>();
+    verifies<req::CO_SDO_004, req::CO_SDO_043>();
     EXPECT_EQ(send("603#2017100000000000"), (Frames{"583#6017100000000000"}));
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B171000E8030000"}));
@@ -200,7 +200,7 @@ TEST_F(Sdo, TransferContinuesWhenTheNodeIsStarted) {
 }
 
 TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
-    verifies<req::CO_SDO_017>();
+    verifies<req::CO_SDO_017, req::CO_SDO_045>();
     EXPECT_EQ(send("603#4001100000000000").size(), 1U);
     send("000#0103");
     EXPECT_EQ(send("603#4001100000000000").size(), 1U);
@@ -299,7 +299,7 @@ TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
 }
 
 TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
-    verifies<req::CO_SDO_002, req::CO_SDO_004, req::CO_SDO_016>();
+    verifies<req::CO_SDO_002, req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2106220008000000", {"585#6006220000000000"}},
                     {"605#0001020304050607", {"585#2000000000000000"}},

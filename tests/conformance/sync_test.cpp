@@ -133,6 +133,24 @@ TEST_F(SyncService, SyncCounterRunsFromOneToItsOverflow) {
     EXPECT_EQ(pass(5), (Frames{"1:080#01", "2:080#02", "3:080#03", "4:080#01", "5:080#02"}));
 }
 
+TEST_F(SyncService, SyncCounterMayOverflowAt2AndAt240) {
+    verifies<req::CO_SYNC_004>();
+    write("603#2F19100002000000");
+    write("603#23061000E8030000");  // 1 ms
+    write("603#2305100080000040");
+    EXPECT_EQ(pass(3), (Frames{"1:080#01", "2:080#02", "3:080#01"}));
+    write("603#2305100080000000");
+    write("603#2306100000000000");
+    write("603#2F191000F0000000");
+    write("603#23061000E8030000");
+    write("603#2305100080000040");
+    const Frames sent = pass(241);
+    ASSERT_EQ(sent.size(), 241U);
+    EXPECT_EQ(sent[0], "1:080#01");
+    EXPECT_EQ(sent[239], "240:080#F0");
+    EXPECT_EQ(sent[240], "241:080#01");
+}
+
 TEST_F(SyncService, SyncCounterRestartsAtOneWhenAStoppedNodeContinues) {
     verifies<req::CO_SYNC_004>();
     write("603#2F1910000A000000");

@@ -227,14 +227,15 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
 }
 
 TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
-    verifies<req::CO_PDO_043>();
+    verifies<req::CO_PDO_043, req::CO_PDO_044>();
     silence_tpdo2();
-    for (const char* type : {"00", "05"}) {
+    for (const char* type : {"00", "05", "F0"}) {
         power_on();
         silence_tpdo2();
         set_type(type);
         talk(*this, {
                         {"000#0105", {}},
+                        {"185#R2", {}},  // no SYNC yet
                         {"080#", {}},
                         {"605#2F01200111000000", {"585#6001200100000000"}},
                         {"185#R2", {"185#0000"}},

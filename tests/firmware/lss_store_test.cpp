@@ -159,14 +159,14 @@ TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
 }
 
 TEST(LssStore, MemoryThatIsTooSmallStoresNothing) {
-    verifies<req::CO_LSS_016>();
+    verifies<req::CO_LSS_076>();
     host::Memory memory{8};
     expect(LssStore{memory}.load(shipped), 127, 125000);
     EXPECT_EQ(LssStore{memory}.store({6, 250000}), LssError::storage_failed);
 }
 
 TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
-    verifies<req::CO_LSS_016, req::CO_LSS_020>();
+    verifies<req::CO_LSS_076>();
     FaultyMemory memory{64};
     EXPECT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
     EXPECT_EQ(memory.commits, 1U);

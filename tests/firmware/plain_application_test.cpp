@@ -89,7 +89,7 @@ class ByHand : public testing::Test, public AlteredSlaveBench {
 }  // namespace
 
 TEST_F(Plain, DomainWithoutAnApplicationIsRefusedAndEmpty) {
-    verifies<req::CO_SDO_032, req::CO_SDO_033>();
+    verifies<req::CO_SDO_046>();
     EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});
 }
@@ -133,7 +133,7 @@ TEST_F(Plain, DeviceMayRefuseWritesToProgramEntries) {
 }
 
 TEST_F(Plain, LssStoreWithoutAMemoryIsRefused) {
-    verifies<req::CO_LSS_016>();
+    verifies<req::CO_LSS_075>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1700000000000000"), Frames{"7E4#1701000000000000"});
 }

@@ -47,7 +47,9 @@ class AxiomaticSheet : public ObjectSheet {
         for (int value = 1; value <= 9; ++value) {
             EXPECT_EQ(writing(0x1017, 0, value), AbortCode::value_too_low) << value;
         }
-        EXPECT_EQ(writing(0x1017, 0, 10), AbortCode::none);
+        for (const int value : {0, 10, 65535}) {
+            EXPECT_EQ(writing(0x1017, 0, value), AbortCode::none) << value;
+        }
     }
     /// Checks that the transmission type is fixed and that inhibit time and compatibility entry are 0.
     void check_communication(const std::vector<sheet::PdoCommunication>& pdos) const {

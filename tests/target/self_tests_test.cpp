@@ -221,6 +221,15 @@ TEST(ClockCheck, ClockThatLeavesItsPlanIsNoticedWithinAMillisecond) {
     }
 }
 
+TEST(ClockCheck, OscillatorBeside17To47KilohertzIsAFailure) {
+    verifies<req::CO_SELF_006>();
+    for (const double khz : {16.9, 47.2}) {
+        ClockCheckBench bench;
+        bench.model.oscillator_khz = khz;
+        EXPECT_LT(bench.run(1000), 1000) << khz;
+    }
+}
+
 TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
     verifies<req::CO_SELF_006>();
     for (double khz = 17; khz <= 47; khz += 1) {

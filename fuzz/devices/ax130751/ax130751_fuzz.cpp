@@ -12,7 +12,8 @@ using namespace canproof;
 
 CANPROOF_FUZZ_REPLAYS_AS("ax130751")
 CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
-CANPROOF_FUZZ_CLAIMS(req::AOR_OUT_016, req::AOR_DIAG_008, req::AOR_RELAY_001, req::CO_SDO_015, req::CO_STORE_004)
+CANPROOF_FUZZ_CLAIMS(req::AOR_OUT_016, req::AOR_DIAG_008, req::AOR_RELAY_001, req::CO_SDO_015, req::CO_SDO_044,
+                     req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return fuzz::fuzz_device<fuzz::Ax130751Unit>(data, size);

@@ -12,7 +12,7 @@ using namespace canproof;
 
 CANPROOF_FUZZ_REPLAYS_AS("cbx-ao412")
 CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
-CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_STORE_004)
+CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return fuzz::fuzz_device<fuzz::CbxAo412Unit>(data, size);

@@ -123,7 +123,7 @@ void lss_configures_in_its_state_alone() {
     shows(
         "node-ID and bit rate change, and are stored, in LSS configuration alone, and not while the node is "
         "operational");
-    proves<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_010, req::CO_LSS_013>();
+    proves<req::CO_LSS_005, req::CO_LSS_070, req::CO_LSS_071, req::CO_LSS_013>();
     Slave slave{};
     const Frame frame = any_request();
     const auto nmt = any<NmtState>();

@@ -53,7 +53,7 @@ void a_scan_begins_with_nothing_confirmed() {
 void a_scan_request_is_answered_as_cia_305_says() {
     shows(
         "a Fastscan request is answered exactly when it restarts the scan, or is sound, in turn and fits the address");
-    proves<req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_055>();
+    proves<req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_055>();
     LssFastscan scan = any<LssFastscan>();
     assume(is_consistent(scan));
     const auto request = any<LssFastscan::Request>();

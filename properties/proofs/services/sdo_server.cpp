@@ -126,7 +126,7 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
     shows(
         "a request writes at most once; the server confirms what was taken, and answers what was refused with its "
         "abort code");
-    proves<req::CO_SDO_004, req::CO_SDO_011>();
+    proves<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_011>();
     Served node{};
     const Frame frame = any_request();
     node.server.receive(frame, any_time());

@@ -72,19 +72,19 @@ void cut_a_save_behind(const std::size_t saves) {
 
 void the_first_lss_save_is_whole_or_not_at_all() {
     shows("the first save, cut after any byte, loads as shipped or as saved, for every node-ID and bit rate");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     cut_a_save_behind(0U);
 }
 
 void a_later_lss_save_is_whole_or_not_at_all() {
     shows("a save behind another, cut after any byte, loads as saved before or as saved now");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     cut_a_save_behind(1U);
 }
 
 void a_third_lss_save_is_whole_or_not_at_all() {
     shows("a save behind two others, which takes the place of the first, loads as saved before or as saved now");
-    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020>();
+    proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     cut_a_save_behind(2U);
 }
 

@@ -63,6 +63,7 @@ constexpr std::array<IdentityBound, 6U> identity_bounds{{{LssNumber::vendor_id, 
 
 /// Returns how many frames of a sequence have matched after frame `step`, when the first `done` frames matched before.
 constexpr std::uint8_t follow(const std::uint8_t done, const std::uint32_t step, const bool fits) noexcept {
+    static_assert(implements<req::CO_LSS_068> && implements<req::CO_LSS_077>);
     const bool in_order = (step == 0U) || (step == done);
     return (in_order && fits) ? static_cast<std::uint8_t>(step + 1U) : std::uint8_t{0U};
 }
@@ -114,16 +115,18 @@ std::uint8_t Lss::take_node_id() noexcept {
 
 bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noexcept {
     const requests::Row* const row = request_row(frame.data[0]);
-    static_assert(implements<req::CO_LSS_060>);
+    static_assert(implements<req::CO_LSS_060> && implements<req::CO_LSS_080>);
     if ((row == nullptr) || (std::uint32_t{frame.length} <= row->parameters) || !is_served(row->served, nmt)) {
         return false;
     }
     const LssState before = state_;
     std::uint32_t said{0U};
+    static_assert(implements<req::CO_LSS_073>);
     if (execute(row->command, frame.data, now, said) && (row->answer_length != 0U)) {
         static_assert(implements<req::CO_LSS_061> && implements<req::CO_LSS_063> &&
                       implements<req::CO_K_LSS_RESPONSE_ID>);
         const bool in_full = frame.length == full_length;
+        static_assert(implements<req::CO_LSS_081>);
         Frame answer = data_frame(generated::canopen::lss_response_cob_id,
                                   in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
         answer.data[0] = answer_specifier(row->command);
@@ -137,7 +140,7 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
     return left && (profile_.resets_when_left() || has_got_node_id);
 }
 
-static_assert(implements<req::CO_LSS_005> && implements<req::CO_LSS_006>);
+static_assert(implements<req::CO_LSS_005> && implements<req::CO_LSS_006> && implements<req::CO_LSS_070>);
 bool Lss::is_served(const Served when, const NmtState nmt) const noexcept {
     const bool configuring = state_ == LssState::configuration;
     switch (when) {
@@ -202,7 +205,7 @@ bool Lss::execute(const LssCommand command, const Request& request, const Instan
     }
 }
 
-static_assert(implements<req::CO_LSS_001> && implements<req::CO_E_LSS_STATE>);
+static_assert(implements<req::CO_LSS_001> && implements<req::CO_LSS_067> && implements<req::CO_E_LSS_STATE>);
 void Lss::switch_globally(const std::uint8_t mode) noexcept {
     if (mode == static_cast<std::uint32_t>(LssState::waiting)) {
         state_ = LssState::waiting;
@@ -215,6 +218,7 @@ void Lss::switch_globally(const std::uint8_t mode) noexcept {
 
 static_assert(implements<req::CO_LSS_002> && implements<req::CO_LSS_003>);
 bool Lss::select(const std::uint32_t number, const std::uint32_t wanted) noexcept {
+    static_assert(implements<req::CO_LSS_069>);
     selected_ = follow(selected_, number, own(number) == wanted);
     if (selected_ == lss_number_count) {
         state_ = LssState::configuration;
@@ -227,6 +231,7 @@ bool Lss::identify(const std::uint32_t step, const std::uint32_t bound) noexcept
     const IdentityBound& asked = identity_bounds[step];
     const std::uint32_t number = own(static_cast<std::uint32_t>(asked.number));
     const bool fits = (!asked.lowest || (number >= bound)) && (!asked.highest || (number <= bound));
+    static_assert(implements<req::CO_LSS_078>);
     identified_ = follow(identified_, step, fits);
     return identified_ != 0U;
 }
@@ -243,7 +248,7 @@ bool Lss::scan(const Request& request) noexcept {
     return outcome != LssFastscan::Outcome::silent;
 }
 
-static_assert(implements<req::CO_LSS_010> && implements<req::CO_E_LSS_ERROR>);
+static_assert(implements<req::CO_LSS_010> && implements<req::CO_LSS_071> && implements<req::CO_E_LSS_ERROR>);
 LssError Lss::configure_node_id(const std::uint8_t node_id) noexcept {
     if (!is_lss_node_id(node_id)) {
         return LssError::not_supported;
@@ -252,7 +257,7 @@ LssError Lss::configure_node_id(const std::uint8_t node_id) noexcept {
     return LssError::none;
 }
 
-static_assert(implements<req::CO_LSS_012> && implements<req::CO_K_LSS_STANDARD_TABLE>);
+static_assert(implements<req::CO_LSS_012> && implements<req::CO_LSS_072> && implements<req::CO_K_LSS_STANDARD_TABLE>);
 LssError Lss::configure_bit_timing(const std::uint8_t table, const std::uint8_t index) noexcept {
     const std::uint32_t bit_rate = profile_.bit_rate(index);
     if ((table != generated::canopen::lss_standard_bit_timing_table) || (bit_rate == 0U)) {

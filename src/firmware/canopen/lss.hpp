@@ -88,6 +88,7 @@ class LssApplication {
     }
     /// Stores the settings for the next power-on.
     virtual LssError store_configuration(const LssConfiguration& configuration) {
+        static_assert(implements<req::CO_LSS_075>);
         static_cast<void>(configuration);
         return LssError::not_supported;
     }

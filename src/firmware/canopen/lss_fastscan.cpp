@@ -32,6 +32,7 @@ LssFastscan::Outcome LssFastscan::scan(const Request& request, const std::uint32
     }
     static_assert(implements<req::CO_LSS_055> && implements<req::CO_K_LSS_HIGHEST_BIT>);
     const bool is_sound = (bit_check <= generated::canopen::fastscan_highest_bit) && (next < lss_number_count);
+    static_assert(implements<req::CO_LSS_079>);
     if (!is_sound || (std::uint32_t{request[number_at]} != position_) || !matches(request, own)) {
         return Outcome::silent;
     }

@@ -87,7 +87,7 @@ LssConfiguration LssStore::load(const LssConfiguration& shipped) const noexcept 
     return found;
 }
 
-static_assert(implements<req::CO_LSS_020>);
+static_assert(implements<req::CO_LSS_020> && implements<req::CO_LSS_076>);
 LssError LssStore::store(const LssConfiguration& configuration) noexcept {
     const Slot first = read(0U);
     const Slot second = read(1U);

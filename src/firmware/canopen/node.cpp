@@ -135,6 +135,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         return;
     }
     advance(now);
+    static_assert(implements<req::CO_LSS_074>);
     if (lss_.is_silent()) {
         return;
     }

@@ -74,7 +74,7 @@ class Application : public LssApplication {
     /// Returns the value of a DOMAIN entry without copying it; it stays unchanged until commit() or a reset. Fails with
     /// 06010000h when there is no such memory, with 08000024h when the entry is empty.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
-        static_assert(implements<req::CO_SDO_032>);
+        static_assert(implements<req::CO_SDO_046>);
         static_cast<void>(entry);
         return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
     }
@@ -193,6 +193,7 @@ class Node final : private ObjectAccess {
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
     void serve_sdo(const Frame& frame, const Instant now) noexcept {
+        static_assert(implements<req::CO_SDO_045>);
         if (allowed_.has(NmtService::sdo)) {
             sdo_.receive(frame, now);
             idle_until_ = earliest(idle_until_, sdo_.idle_until());

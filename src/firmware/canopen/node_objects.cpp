@@ -29,6 +29,7 @@ Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uin
     if (!entry.may(rights::read)) {
         return Read::failure(AbortCode::write_only);
     }
+    static_assert(implements<req::CO_SDO_032>);
     return (entry.row->type == DataType::domain) ? application_.domain_value(entry)
                                                  : Read::success(objects_.value(entry));
 }
@@ -52,7 +53,7 @@ Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const st
     return Place::success(WritePlace{entry.row->size, is_long ? application_.staging(entry) : MutableBytes{}});
 }
 
-static_assert(implements<req::CO_SDO_033>);
+static_assert(implements<req::CO_SDO_033> && implements<req::CO_SDO_047>);
 AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const Instant now) noexcept {
     MutableBytes staging = application_.staging(entry);
     if (staging.size() == 0U) {

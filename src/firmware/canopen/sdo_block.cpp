@@ -18,7 +18,7 @@ std::uint8_t SdoBlockDownload::acknowledge() noexcept {
     return sequence;
 }
 
-static_assert(implements<req::CO_SDO_028>);
+static_assert(implements<req::CO_SDO_028> && implements<req::CO_SDO_051>);
 AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_t crc) noexcept {
     const std::size_t checked = size_ - sdo::segment_capacity;
     size_ -= unused;
@@ -41,6 +41,7 @@ inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
     const std::uint64_t data = sdo::read_segment(value_, from);
     const std::size_t rest = value_.size() - from;
     ++sent_;
+    static_assert(implements<req::CO_SDO_048>);
     last_sent_ = rest <= sdo::segment_capacity;
     if (from < checked_) {
         // a repeated segment does not count twice

@@ -49,6 +49,7 @@ class SdoBlockDownload {
             in_order_ = static_cast<std::uint8_t>(sequence);
             complete_ = last;
         }
+        static_assert(implements<req::CO_SDO_050>);
         return (last || (sequence == generated::canopen::sdo_block_size)) ? Step::acknowledge : Step::none;
     }
     /// Ends the sub-block. Returns the sequence number of the last segment received in order, 0 when there is none. The

@@ -150,6 +150,7 @@ void SdoServer::download_segment(const sdo::Request& request, const Instant now)
     place_.copy(done_, data);
     done_ += data.size();
     last_progress_ = now;
+    static_assert(implements<req::CO_SDO_043>);
     if ((command & sdo::last_segment_flag) != 0U) {
         const AbortCode code = commit(done_, now);
         if (code != AbortCode::none) {
@@ -247,8 +248,6 @@ void SdoServer::proceed(const Instant now) noexcept {
         idle_until_ = deadline();
     }
 }
-
-static_assert(implements<req::CO_SDO_015>);
 static_assert(implements<req::CO_SDO_036>);
 static_assert(implements<req::CO_SDO_042>);
 void SdoServer::abort(const AbortCode code) noexcept {

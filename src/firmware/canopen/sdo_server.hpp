@@ -34,6 +34,7 @@ class SdoServer {
     }
 
     bool is_request(const Frame& frame) const noexcept {
+        static_assert(implements<req::CO_SDO_015>);
         return (frame.id == request_id_) && !frame.extended && !frame.remote;
     }
     /// Answers one request. Ignores frames without eight bytes.
@@ -130,6 +131,7 @@ class SdoServer {
     Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
     /// Sends a frame with these eight bytes, the first one lowest.
     void send(const std::uint64_t bytes) noexcept {
+        static_assert(implements<req::CO_SDO_044>);
         static_cast<void>(queue_.push(response_id_, max_frame_length, bytes));
     }
     /// Sends a frame with `command`, index, sub-index and four bytes of data.

@@ -76,6 +76,7 @@ void SdoServer::block_download_segment(const sdo::Request& request, const Instan
     }
 }
 
+static_assert(implements<req::CO_SDO_052>);
 void SdoServer::end_block_download(const sdo::Request& request, const Instant now) noexcept {
     if (state_ != State::block_download_ending) {
         refuse_command();
@@ -117,6 +118,7 @@ void SdoServer::block_upload(const sdo::Request& request, const Instant now) noe
             break;
         case BlockUploadCommand::end:
         default:
+            static_assert(implements<req::CO_SDO_049>);
             if (state_ == State::block_upload_ending) {
                 abandon();
             } else {
@@ -177,6 +179,7 @@ void SdoServer::send_segments(const Instant now) noexcept {
     if (!can_send_segment()) {
         return;
     }
+    static_assert(implements<req::CO_SDO_053>);
     last_progress_ = now;
     sent_.send(queue_, response_id_);
 }

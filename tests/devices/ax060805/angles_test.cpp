@@ -352,6 +352,8 @@ class RangedAngles : public Angles {
 TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     verifies<req::INC_RANGE_004, req::INC_RANGE_006, req::INC_RANGE_002, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::full_turn);
+    EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
+    EXPECT_EQ(angles_of(0.0, 180.0)[2], 1800);
     EXPECT_EQ(angles_of(0.0, -90.0), (Row{0, 2700, 900}));
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{3300, 0, 300}));
     EXPECT_EQ(angles_of(30.0, 0.0), (Row{300, 0, 300}));
@@ -363,6 +365,8 @@ TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
 TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {
     verifies<req::INC_RANGE_005, req::INC_RANGE_007, req::INC_T8>();
     start_with(ax060805::AngleConfiguration::right_angle);
+    EXPECT_EQ(angles_of(0.0, 0.0)[2], 0);
+    EXPECT_EQ(angles_of(0.0, 180.0)[2], 1800);
     EXPECT_EQ(angles_of(-30.0, 0.0), (Row{300, 0, 300}));
     EXPECT_EQ(angles_of(0.0, 150.0), (Row{0, 300, 1500}));
     EXPECT_EQ(angles_of(0.0, -150.0), (Row{0, 300, 1500}));

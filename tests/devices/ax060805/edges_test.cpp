@@ -48,6 +48,14 @@ TEST_F(InclinometerEdges, GimbalLockBeginsOneDegreeFromTheVertical) {
     EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
 }
 
+TEST_F(InclinometerEdges, AutoNullNeedsATenthOfTheGravity) {
+    verifies<req::INC_INSTALL_005>();
+    angles_at(0.0, 0.0, 0.0998);
+    EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022");
+    angles_at(0.0, 0.0, 0.1002);
+    EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
+}
+
 TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
     verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);

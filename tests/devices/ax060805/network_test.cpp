@@ -65,7 +65,7 @@ TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
 }
 
 TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
-    verifies<req::INC_LSS_004, req::INC_T21>();
+    verifies<req::INC_LSS_004, req::INC_LSS_008, req::INC_T21>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000, 0, 0};
     configure_lss();
     for (std::size_t index = 0; index < rates.size(); ++index) {

@@ -185,7 +185,12 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
     set8(0x22A0, 1, 1);
     set32(0x22A1, 1, 50);  // ON delay
     pass(50);
-    for (const float wrong : {6.9F, 39.1F, std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float sound : {7.0F, 39.0F}) {
+        supply(sound);
+        supply(24.0F);
+        EXPECT_TRUE(relay_on()) << sound;
+    }
+    for (const float wrong : {6.99F, 39.01F, std::numeric_limits<float>::quiet_NaN()}) {
         SCOPED_TRACE(wrong);
         EXPECT_TRUE(relay_on());
         supply(wrong);

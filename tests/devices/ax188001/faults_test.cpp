@@ -56,6 +56,18 @@ TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
     EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
 }
 
+TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
+    verifies<req::TCS_FD_007>();
+    inputs.supply = 9.0F;
+    set_inputs();
+    EXPECT_EQ(pass(7000), Frames{});
+    inputs.supply = 8.9F;  // measured in tenths of a volt
+    set_inputs();
+    const Frames told = pass(7000);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].substr(told[0].find(':') + 1), "0FF#0031010320000000");
+}
+
 TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;

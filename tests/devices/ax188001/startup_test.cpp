@@ -232,7 +232,7 @@ TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
 }
 
 TEST_F(LssSession, LssAcceptsTheBitRatesOfTable4) {
-    verifies<req::TCS_LSS_003, req::TCS_T4>();
+    verifies<req::TCS_LSS_003, req::TCS_LSS_008, req::TCS_T4>();
     const std::vector<std::uint32_t> rates{1000000, 800000, 500000, 250000, 125000, 0, 50000, 20000, 10000};
     for (std::size_t index = 0; index < 12; ++index) {
         send("7E5#0401");

@@ -92,6 +92,15 @@ TEST_F(Leds, CanErrorLedShowsTheWorstCondition) {
     send("731#05");
     write("603#2316100100000000");
     EXPECT_EQ(watch(e, 40), dark);
+    write("603#2B0C100064000000");  // guard time 100 ms …
+    write("603#2F0D100002000000");  // … times 2
+    send("703#R1");
+    pass(199);
+    EXPECT_FALSE(device->outputs().led_e);
+    pass(1);
+    EXPECT_TRUE(repeats(watch(e, 40), two_flashes));
+    send("603#2B0C100000000000");  // ends the guarding error
+    EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 3;
     set_inputs();
     EXPECT_EQ(watch(e, 40), lit);

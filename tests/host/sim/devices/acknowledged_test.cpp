@@ -104,7 +104,7 @@ TEST_P(AcknowledgedByLss, LssStoreIsCommittedBeforeTheAnswer) {
 }
 
 TEST_P(AcknowledgedByLss, LssStoreRefusedByTheMemoryGivesError2) {
-    verifies<req::CO_LSS_020, req::CO_LSS_016>();
+    verifies<req::CO_LSS_076>();
     const auto before = device->memory().bytes();
     is_sound = false;
     EXPECT_EQ(store_by_lss(), Frames{"7E4#1702000000000000"});
