@@ -48,8 +48,8 @@ struct Evidence {
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
     /// by id: places where code names what is generated from the item
     std::map<std::string, std::vector<std::string>> used;
-    WorkByItem work;  ///< marks of the code and tests that a review of each item
-                      ///< covers
+    /// marks of the code and tests that a review of each item covers
+    WorkByItem work;
     std::vector<TestRun> runs;
     /// files of the firmware that belong to no requirement, directly or by inclusion
     std::vector<std::string> untraced;
@@ -59,7 +59,7 @@ struct Evidence {
 };
 
 /// Returns the folder with the verdicts of the last test run: the newest among build/release/verdicts,
-/// build/debug/verdicts and build/coverage/verdicts.
+/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no verdicts.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
 /// Reads the verdicts in one folder. Throws InputError for a file that is not XML.
