@@ -112,8 +112,9 @@ void ArbitratedBus::tell_bit_rates() {
         const std::uint32_t before = port.rate;
         port.rate = port.gateway ? 0 : port.node->bit_rate();
         if (before != 0 && port.rate != before) {
-            const char* const outcome =
-                port.rate == bit_rate_ ? "the bus has it as well" : "the bus has another one; no communication";
+            const char* const outcome = port.rate == bit_rate_
+                                            ? "the bus has this bit rate"
+                                            : "the bus has another bit rate, so it cannot communicate";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }

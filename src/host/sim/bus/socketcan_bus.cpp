@@ -230,7 +230,7 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             return;
         }
         if (error != 0) {
-            notice(fmt::format("{} did not take {} ({})", interface_, format_frame(frame), std::strerror(error)));
+            notice(fmt::format("{} refused the frame {} ({})", interface_, format_frame(frame), std::strerror(error)));
         } else if (port.node != nullptr) {
             own_.sent(frame, Sender{port.node, now});
         }
