@@ -112,9 +112,8 @@ void ArbitratedBus::tell_bit_rates() {
         const std::uint32_t before = port.rate;
         port.rate = port.gateway ? 0 : port.node->bit_rate();
         if (before != 0 && port.rate != before) {
-            const char* const outcome = port.rate == bit_rate_
-                                            ? "the bus has this bit rate"
-                                            : "the bus has another bit rate, so it cannot communicate";
+            const char* const outcome =
+                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another, so no frame passes";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }
