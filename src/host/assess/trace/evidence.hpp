@@ -19,8 +19,8 @@ struct Verdict {
     std::string kind;  ///< test, property, fuzz or proof
     bool passed{false};
     double seconds{0.0};
-    std::string file{};  ///< source of the test relative to the project's folder; empty when the runner does not report
-                         ///< it
+    /// source of the test relative to the project's folder; empty when the runner does not report it
+    std::string file{};
 };
 
 /// One test case of the last run.
@@ -37,8 +37,8 @@ struct TestCase {
     bool passed{false};
     std::string failure;  ///< first message of the test if it failed
     double seconds{0.0};
-    std::string file{};                ///< source relative to the project's folder; empty when the runner does not
-                                       ///< report it
+    /// source relative to the project's folder; empty when the runner does not report it
+    std::string file{};
     std::vector<std::string> items{};  ///< ids that the case claims to show
 };
 
