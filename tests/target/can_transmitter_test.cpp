@@ -155,7 +155,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x083, 5), Pair(0x083, 6)));
 }
 
-TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
+TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) {
     verifies<req::CO_CAN_006>();
     for (const bool sent : {true, false}) {
         Bench bench;

@@ -88,7 +88,7 @@ TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
     EXPECT_EQ(check.passes(), 1U);
 }
 
-TEST(FlashCheck, DamageBehindTheSlicesOfThisPassIsFoundByTheNext) {
+TEST(FlashCheck, DamageInASliceThatWasAlreadyCheckedIsFoundInTheNextPass) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -263,7 +263,7 @@ TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
     }
 }
 
-TEST(FailureRecord, RecordKeepsEachTestOnce) {
+TEST(FailureRecord, RecordReturnsAKeptTestOnce) {
     verifies<req::CO_SELF_009>();
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};
@@ -293,7 +293,7 @@ TEST(FailureRecord, ArbitraryContentIsNoRecord) {
     }
 }
 
-TEST(FailureRecord, TestsOfTheProcessorFindFailedHardware) {
+TEST(FailureRecord, CoreClockRamAndFlashTestsFindFailedHardware) {
     verifies<req::CO_SELF_009, req::CO_D_SELF_001>();
     for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
         EXPECT_TRUE(finds_hardware(test));

@@ -116,7 +116,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
 }
 
-TEST_F(Ax130751Lookup, PointsStayInOrder) {
+TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
     verifies<req::AOR_LT_009>();
     EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
     EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
@@ -168,7 +168,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5)
 }
 
-TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
+TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
     set8(0x3020, 0, supply_source);  // 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
@@ -188,7 +188,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
-TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
+TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
     set8(0x3021, 0, 1);

@@ -229,7 +229,7 @@ TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
 }
 
-TEST_F(Ax130751Output, OverrideInErrorIsAFaultToo) {
+TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

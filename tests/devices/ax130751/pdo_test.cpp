@@ -226,7 +226,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, WriteStateOtherThanZeroIsOn) {
+TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();
@@ -271,7 +271,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
-TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
+TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");

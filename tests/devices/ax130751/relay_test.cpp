@@ -28,7 +28,7 @@ class Ax130751Relay : public Ax130751Blocks {
     }
 };
 
-TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesNo) {
+TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesContactNo) {
     verifies<req::AOR_RELAY_001, req::AOR_T_CONTACT, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
     EXPECT_FALSE(device->outputs().relay_nc) << "OFF as shipped";
     EXPECT_TRUE(device->outputs().relay_no);

@@ -303,7 +303,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
 }
 
 // 3.4.86
-TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
+TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");

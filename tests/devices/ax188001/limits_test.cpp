@@ -86,7 +86,7 @@ TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
 }
 
-TEST_F(Limits, LimitFaultsClearWithTheReadingThatShowsIt) {
+TEST_F(Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
     pass(5165);  // now 5165 ms; the readings are at 5115 and 5280 ms

@@ -117,7 +117,7 @@ TEST(LogicBlock, AndWithoutConditionsIsTrue) {
     EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);
 }
 
-TEST(LogicBlock, TableAIsChosenWithoutADefault) {
+TEST(LogicBlock, TableAIsChosenWhenNoFunctionSelectsItsTable) {
     verifies<req::AOR_LOGIC_005>();
     EXPECT_EQ(chosen({function(1, no), function(1, no), function(1, no)}), 0U);
 }
