@@ -115,8 +115,8 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
 
 TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_005, req::AOR_RELAY_006, req::AOR_RELAY_003>();
-    // The relay is unlatched when another polarity is selected. When the latch is selected again, it accepts the first
-    // edge.
+    // The latch is in state unlatched when another polarity is selected. When the latch is selected again, it accepts
+    // the first edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
