@@ -39,22 +39,22 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
 
 TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
-    const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // another vendor
+    const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // the number of another vendor
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
-                                                     {"7E5#41010302AB000000", {}},  // another product
+                                                     {"7E5#41010302AB000000", {}},  // the number of another product
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#4203000100000000", {}},  // another revision
+                                                     {"7E5#4203000100000000", {}},  // another revision number
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
-                                                     {"7E5#4320112620000000", {}}},  // another unit
+                                                     {"7E5#4320112620000000", {}}},  // another serial number
                                                     {{"7E5#41010302AA000000", {}},   // no vendor-ID
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},

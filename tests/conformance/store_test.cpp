@@ -140,7 +140,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
 
 TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     verifies<req::AO4_STORE_004, req::CO_PDO_035>();
-    write("603#2314100083000080");  // 1014h = 93h
+    write("603#2314100083000080");  // 1014h COB-ID EMCY: not valid first, then 93h
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
@@ -155,7 +155,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
 
 TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
     verifies<req::AO4_STORE_004>();
-    write("603#2310100373617665");  // application only
+    write("603#2310100373617665");  // 1010h:3 store parameters: saves the application parameters only
     inputs.switch_low = 5;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
 }

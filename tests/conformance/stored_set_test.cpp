@@ -155,7 +155,7 @@ TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNo
         ASSERT_EQ(bytes[latest + 12], 6) << name;
         bytes[latest + 12] ^= 0x01;
         unit.power_cycle();
-        EXPECT_EQ(unit.device->node_id(), 127) << name;  // as shipped
+        EXPECT_EQ(unit.device->node_id(), 127) << name;  // the node-ID as shipped
         EXPECT_EQ(unit.read(0x1003, 1), 0x6300U) << name;
         EXPECT_EQ(unit.read(0x1001, 0) & 0xFFU, 1U) << name;
         unit.move_to(7);

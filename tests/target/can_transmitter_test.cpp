@@ -145,7 +145,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     ASSERT_TRUE(on_bus);
     ASSERT_EQ(on_bus->data[0], 1);
     bench.model.end_transmission(true);
-    ASSERT_TRUE(bench.model.begin_transmission());  // #2
+    ASSERT_TRUE(bench.model.begin_transmission());  // frame #2 is on the bus
     bench.model.end_transmission(true);
     const auto last = bench.model.begin_transmission();  // #3 is on the bus when urgent frames arrive
     ASSERT_EQ(last->data[0], 3);

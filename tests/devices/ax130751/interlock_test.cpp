@@ -330,7 +330,7 @@ TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
     pass(1);
     start();
     pass(1 + 200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp has 5 V per second
 }
 
 TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
@@ -371,7 +371,7 @@ TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_026, req::AOR_START_001, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V at 0
+    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
     store();
     power_on();
     pass(100);

@@ -330,7 +330,7 @@ TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
 TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_001>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
@@ -355,7 +355,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     verifies<req::AOR_LT_016, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     connect(1, 1);
     no_ramps(1);
     set8(0x2340, 1, lookup_source);

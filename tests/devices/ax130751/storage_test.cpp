@@ -80,9 +80,9 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
         EXPECT_EQ(read(0x5B50, 0), static_cast<std::uint64_t>(index));
     }
     send("7E5#0401");
-    EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // reserved
+    EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // index 5 is reserved
     EXPECT_EQ(send("7E5#130009"), (Frames{"7E4#130100"}));
-    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table
+    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table of bit rates
 }
 
 // The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
@@ -177,7 +177,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
     send("7E5#0401");
-    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"})) << "the node-ID by SDO waits for power-on";
     EXPECT_EQ(read(0x5B51, 0), 0x30U);
@@ -185,7 +185,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
     EXPECT_EQ(device->bit_rate(), 250000U);
     node = 0x30;
-    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 5B50h = 2: 500 kbit/s
     store();
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B51, 0), 0x31U);
@@ -261,9 +261,9 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
 
 TEST_F(Ax130751Storage, ParameterGroupsAreStoredSeparately) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
-    EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // communication
-    EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // application
-    EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // manufacturer
+    EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter
+    EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter
+    EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h, a manufacturer parameter
     store(3);
     power_on();
     EXPECT_EQ(read(0x1017, 0), 0U);

@@ -54,11 +54,11 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     write(0x2522, 1, 100, 2);  // EC1: 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
-    write(0x3015, 1, 1, 1);  // over time
+    write(0x3015, 1, 1, 1);  // time response
     write(0x2500, 1, 100, 2);
     pass(5);
     EXPECT_NE(read(0x3018, 0), 0U) << "the profile runs";
-    write(0x3015, 1, 0, 1);  // over data
+    write(0x3015, 1, 0, 1);  // data response
     write(0x2500, 1, 0, 2);
     pass(5);
     write(0x2500, 1, 50, 2);
@@ -159,7 +159,7 @@ TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     connect(0x2360, 2, 1);
     write(0x2360, 2, 8, 1);  // overridden by the supply, from 8 to 35 V
     write(0x5021, 0, 0, 1);
-    write(0x1016, 1, 0x00050064, 4);  // node 5, 100 ms
+    write(0x1016, 1, 0x00050064, 4);  // 1016h:1 consumer heartbeat time: node 5, 100 ms
     start();
     send("705#05");
     pass(90);

@@ -138,8 +138,8 @@ TEST_F(Ax188001Errors, WritingZeroClearsTheErrorListOnly) {
 
 TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5>();
-    EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // node 49, 100 ms
-    EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // node 50, 200 ms
+    EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // 1016h:1 consumer heartbeat time: node 49, 100 ms
+    EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // 1016h:4 consumer heartbeat time: node 50, 200 ms
     send("731#05");
     send("732#05");
     EXPECT_EQ(pass(250), (Frames{"100:0FF#3081013180000000", "200:0FF#3081013280000000"}));

@@ -62,7 +62,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
             inputs = {};
             power_on();
             write(0x4030, channel, 2, 0);
-            EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);  // pre-operational
+            EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);  // 1029h:2 error behaviour: pre-operational
             EXPECT_EQ(write(0x5555, 0, 1, 1), 0U);
             EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
             EXPECT_EQ(power_on(), (Frames{"77F#00", "1FF#A012A012"}));

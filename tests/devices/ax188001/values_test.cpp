@@ -189,7 +189,7 @@ TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
     cut(1);
     pass(8 * 165);
     EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
-    pass(165);                          // 1485 ms
+    pass(165);                          // 1485 ms after the break
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
     EXPECT_EQ(read(0x2010, 1).value, before);
