@@ -164,7 +164,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
-    emcy.set(channel_2, true, Instant{});  // 81h, as the first
+    emcy.set(channel_2, true, Instant{});  // 1001h is 81h, as after the first error
     EXPECT_FALSE(emcy.take_register_change());
     emcy.set(channel_1, false, Instant{});
     EXPECT_FALSE(emcy.take_register_change());

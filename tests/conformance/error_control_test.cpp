@@ -60,7 +60,7 @@ TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#2B0C1000C8000000");  // 200 ms, from now on
+    write("603#2B0C1000C8000000");  // 100Ch guard time: 200 ms from now on
     EXPECT_TRUE(pass(599).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
     send("703#R1");
@@ -83,7 +83,7 @@ TEST_F(ErrorControlService, NewLifeTimeFactorRestartsLifeGuarding) {
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#2F0D100005000000");  // times 5, from now on
+    write("603#2F0D100005000000");  // 100Dh life time factor: 5 from now on
     EXPECT_TRUE(pass(499).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
@@ -95,7 +95,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
     write("603#230E100003070000");  // 703h is written again
-    write("603#2B17100000000000");  // no heartbeat, as before
+    write("603#2B17100000000000");  // 1017h producer heartbeat time: still off
     EXPECT_TRUE(pass(99).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
@@ -316,7 +316,7 @@ std::string state_after_error(const std::string& begin, const std::string& react
 
 TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
-    EXPECT_EQ(state_after_error("01", "00"), "7F");  // operational: to pre-operational
+    EXPECT_EQ(state_after_error("01", "00"), "7F");  // 1029h:1 = 0: from operational to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
     EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 = 2: stopped
     EXPECT_EQ(state_after_error("80", "00"), "7F");

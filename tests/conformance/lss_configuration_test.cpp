@@ -313,7 +313,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     const LssConfiguration kept = device->stored();
     EXPECT_EQ(kept.node_id, 32);
     EXPECT_EQ(kept.bit_rate, 500000U);
-    EXPECT_EQ(bit_rate(), 125000U);  // stored, not activated
+    EXPECT_EQ(bit_rate(), 125000U);  // the bit rate is stored, but not activated
     EXPECT_EQ(start(kept), (Frames{"720#00"}));
     EXPECT_EQ(bit_rate(), 500000U);
 }

@@ -177,7 +177,7 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5120112620010300", yes}},  // not all bits
+         {"7E5#5120112620010300", yes}},  // the bit check does not include all bits
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},

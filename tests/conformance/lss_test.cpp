@@ -16,9 +16,9 @@ TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
-          {"7E5#0401000000000000", {}},  // again: nothing changes
+          {"7E5#0401000000000000", {}},  // the same mode again: nothing changes
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
-          {"7E5#0402000000000000", {}},  // no such mode
+          {"7E5#0402000000000000", {}},  // mode 2 does not exist
           {"7E5#04FF000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0400000000000000", {}},

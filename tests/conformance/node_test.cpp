@@ -59,8 +59,8 @@ TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnother
     send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
     send("605#2B0C100032000000");  // guard time 50 ms …
     send("605#2F0D100002000000");  // 100Dh life time factor: 2
-    send("605#2B00140564000000");  // RPDO1 each 100 ms
-    send("605#2B01140564000000");  // RPDO2 as well
+    send("605#2B00140564000000");  // 1400h:5 event timer of RPDO1: 100 ms
+    send("605#2B01140564000000");  // 1401h:5 event timer of RPDO2: 100 ms
     lose_producer();               // node 10h, which stays silent
     EXPECT_EQ(state(), NmtState::pre_operational);
     for (const char* heard_once : {"711#05", "705#R1", "205#1122", "305#0100020003000400"}) {

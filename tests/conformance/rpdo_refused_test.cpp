@@ -58,11 +58,12 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"605#2303140105050000", {"585#6003140100000000"}},
                     {"405#6500", {"085#0082110100000000"}},
                     {"505#0000807F", {}},                    // infinity
-                    {"405#6400", {}},                        // RPDO4 is still wrong
+                    {"405#6400", {}},                        // the value of RPDO4 is still refused
                     {"505#0000", {"085#1082110200000000"}},  // too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},
                     {"405#6500", {"085#0082110300000000"}},
-                    {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},  // a write ends it
+                    // A write to 1402h ends the error of RPDO3.
+                    {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},
                 });
     EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1
 }

@@ -96,7 +96,7 @@ TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
     talk(*this, {
                     {"305#01", {"085#1082110100000000"}},
                     {"205#11", {}},
-                    {"305#0100020003000400", {}},  // RPDO1 is still wrong
+                    {"305#0100020003000400", {}},  // the error of RPDO1 lasts
                     {"205#1122", {"085#0000000100000000"}},
                 });
 }
@@ -142,7 +142,7 @@ TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     talk(*this, {
                     {"405#00002041", {}},  // 2202h = 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#01002041", {"085#0082110100000000"}},  // the next number above
+                    {"405#01002041", {"085#0082110100000000"}},  // the next REAL32 above 10.0 is refused
                     {"405#0000C07F", {}},                        // 2202h = NaN
                     {"405#0000807F", {}},                        // 2202h = infinity
                     {"605#4002220000000000", {"585#4302220000002041"}},
@@ -297,7 +297,7 @@ TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
 
 TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
     verifies<req::CO_PDO_032, req::CO_PDO_020>();
-    send("605#2B00140532000000");  // RPDO1 within 50 ms
+    send("605#2B00140532000000");  // 1400h:5 event timer of RPDO1: 50 ms
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 is 0

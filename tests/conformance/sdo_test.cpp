@@ -25,7 +25,8 @@ TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));  // -AO412, one unused, last
+    // `-AO412`, one unused byte, last segment
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
 TEST_F(Sdo, ExpeditedDownloadWithAndWithoutSizeIsAccepted) {
@@ -61,7 +62,8 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     // two bytes, five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(device->objects().read(0x1020, 1), 0U);  // the value is not set before the last segment
-    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));  // toggle, five unused, last
+    // Toggle bit, five unused bytes, last segment.
+    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
 
@@ -213,9 +215,11 @@ TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
 TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
     verifies<req::CO_SDO_018>();
     talk(*this, {
-                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the refused initiate
+                    // The abort contains the object of the refused initiate.
+                    {"605#403412AB00000000", {"585#803412AB00000206"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
-                    {"605#7000000000000000", {"585#8008100000000305"}},  // the ended transfer
+                    // The abort contains the object of the ended transfer.
+                    {"605#7000000000000000", {"585#8008100000000305"}},
                     {"605#7000000000000000", {"585#8000000001000405"}},  // no transfer is open
                     {"605#00AAAAAAAAAAAAAA", {"585#8000000001000405"}},  // bytes 1 to 3 of a segment are data
                     {"605#2100230005000000", {"585#6000230000000000"}},
@@ -228,7 +232,7 @@ TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // "abc"
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0F00000000000000", {"585#2000000000000000"}},  // seven unused, last
+                    {"605#0F00000000000000", {"585#2000000000000000"}},  // seven unused bytes, last segment
                     {"605#4000230000000000", {"585#4100230000000000"}},
                     {"605#6000000000000000", {"585#0F00000000000000"}},
                     {"605#6000000000000000", {"585#8000000001000405"}},
@@ -268,7 +272,7 @@ TEST_F(SlaveSdo, ThreeBytesAreTransferredExpedited) {
     verifies<req::CO_SDO_001, req::CO_SDO_003>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // 2300h = "abc"
-                    {"605#2700230078797AFF", {"585#6000230000000000"}},  // the fourth is unused
+                    {"605#2700230078797AFF", {"585#6000230000000000"}},  // the fourth byte is unused
                     {"605#4000230000000000", {"585#4700230078797A00"}},  // "xyz"
                 });
 }
@@ -309,7 +313,7 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
                     {"605#4006220000000000", {"585#4106220008000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
                     {"605#7000000000000000", {"585#1D08000000000000"}},
-                    {"605#2306220001020304", {"585#8006220013000706"}},  // four bytes of eight
+                    {"605#2306220001020304", {"585#8006220013000706"}},  // four bytes for an entry of eight
                     {"605#2206220001020304", {"585#8006220013000706"}},
                     {"605#4006220000000000", {"585#4106220008000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
@@ -362,7 +366,7 @@ TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
     talk(*this, {
                     {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
                     {"605#40001000FFFFFFFF", {"585#4300100078563412"}},
-                    {"605#3F01220008000000", {"585#6001220000000000"}},  // 2Fh with bit 4
+                    {"605#3F01220008000000", {"585#6001220000000000"}},  // command 2Fh with bit 4 set
                     {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one of the value
                     {"605#4001220000000000", {"585#4F01220002000000"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},

@@ -67,8 +67,8 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
                     // 1019h synchronous counter overflow value: counter 1 … 10
                     {"605#2F1910000A000000", {"585#6019100000000000"}},
                     {"605#2300180185010080", {"585#6000180100000000"}},
-                    {"605#2F00180202000000", {"585#6000180200000000"}},  // every second SYNC
-                    {"605#2F00180604000000", {"585#6000180600000000"}},  // from counter 4 on
+                    {"605#2F00180202000000", {"585#6000180200000000"}},  // transmission type 2: every second SYNC
+                    {"605#2F00180604000000", {"585#6000180600000000"}},  // SYNC start value 4
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
                     {"080#02", {}},
@@ -214,7 +214,7 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
     set_type("FC");
     talk(*this, {
                     {"000#0105", {}},
-                    {"185#R2", {}},  // no SYNC yet
+                    {"185#R2", {}},  // there are no values before the first SYNC
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"080#", {}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},

@@ -12,7 +12,7 @@ TEST_F(Tpdo, EventDrivenTpdosAreSentOnceOnEnteringOperational) {
     verifies<req::CO_PDO_018>();
     talk(*this, {
                     {"000#0105", {"185#0000"}},
-                    {"000#0105", {}},  // it was operational already
+                    {"000#0105", {}},  // the node was operational already
                     {"000#8005", {}},
                     {"605#2F01200155000000", {"585#6001200100000000"}},
                     {"000#0105", {"185#5500"}},
@@ -70,7 +70,7 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
                         {"605#2F01200111000000", {"585#6001200100000000"}},  // the same value
                         {"605#2F01200222000000", {"185#1122", "585#6001200200000000"}},
                         {"605#2F01200333000000", {"585#6001200300000000"}},  // 2001h:3 is not mapped
-                        {"605#2B01210101000000", {"585#6001210100000000"}},  // in TPDO2, of type 1
+                        {"605#2B01210101000000", {"585#6001210100000000"}},  // 2101h:1 is in TPDO2, which has type 1
                         {"605#2F01200100000000", {"185#0022", "585#6001200100000000"}},
                         {"080#", {"285#0100000000000000"}},
                         {"605#2B01210100000000", {"585#6001210100000000"}},
@@ -116,7 +116,8 @@ TEST_F(Tpdo, WriteOfTheUnchangedCobIdKeepsTheEventTimerRunning) {
     EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 1800h:5 event timer of TPDO1: 100 ms
     start();
     EXPECT_TRUE(pass(60).empty());
-    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, unchanged
+    // The identifier is written again, unchanged.
+    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));
     EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
 }
 

@@ -46,7 +46,7 @@ TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     device->objects().write(0x2001, 1, 0x11);
     service.value_changed(0x2001, 1, now);
     service.advance(now);
-    EXPECT_TRUE(own_queue.empty());  // a change is no event
+    EXPECT_TRUE(own_queue.empty());  // a change of a value is no event here
     now = now + milliseconds(100);
     service.advance(now);
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
@@ -163,7 +163,7 @@ TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
 TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
-    send("605#2F00180202000000");  // every second SYNC
+    send("605#2F00180202000000");  // transmission type 2: every second SYNC
     send("000#0105");
     EXPECT_EQ(send("080#"), Frames{});
     EXPECT_EQ(send("605#2B00180519000000"), (Frames{"585#6000180500000000"}));

@@ -77,7 +77,7 @@ TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
     pass(100);  // the input filter needs time until 1 g has decayed
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // all three conditions
+    fail_accelerometer();  // raises all three conditions of the error
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);

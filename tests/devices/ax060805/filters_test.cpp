@@ -317,7 +317,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
 TEST_F(Filters, LateCallTakesOneSampleAndRestartsThePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
-    now = now + milliseconds(52);  // ten samples late
+    now = now + milliseconds(52);  // the call is ten samples late
     device->advance(now);
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }

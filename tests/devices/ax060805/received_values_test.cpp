@@ -174,7 +174,7 @@ TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheO
 
 TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
     verifies<req::INC_RPDO_002>();
-    map_rpdo1(0x00050008);  // it brings nothing
+    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late

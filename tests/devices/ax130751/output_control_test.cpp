@@ -55,7 +55,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     set16(0x7323, 1, 4000);
     set16(0x2330, 1, 1000);
     set8(0x2342, 1, 1);
-    set16(0x7320, 1, 100);  // 0 is below: OFF
+    set16(0x7320, 1, 100);  // a command of 0 is below scaling 1: OFF
     pass(1);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
@@ -94,7 +94,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
         extra(1, 100 - running);
-        command(1, 2000);  // no effect any more
+        command(1, 2000);  // the command has no effect any more
         const int action = response % 3;
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";

@@ -36,7 +36,7 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
 
 TEST_F(Ax130751Storage, WritesToOtherObjectsChangeNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
-    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // a type of output
+    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5B51, 0), 127U);
 }
@@ -69,7 +69,7 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     for (const auto& [index, rate] : rates) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#1300{:02X}", index)), (Frames{"7E4#130000"})) << index;
-        send("7E5#150A00");  // two delays of 10 ms
+        send("7E5#150A00");  // both switch delays are 10 ms
         pass(25);
         EXPECT_EQ(device->bit_rate(), rate) << index;
         EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"})) << index;
@@ -242,7 +242,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
         EXPECT_EQ(read(0x1010, sub), 1U);
         EXPECT_EQ(read(0x1011, sub), 1U);
         EXPECT_EQ(write(0x1010, sub, 0x65766174, 4), "08000020");
-        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other signature
+        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // `save` is not the signature of 1011h
     }
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     power_on();

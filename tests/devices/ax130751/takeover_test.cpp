@@ -26,7 +26,7 @@ class Ax130751Takeover : public Ax130751Test {
 TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
-    write(0x2241, 1, 3, 1);   // blinks while ON
+    write(0x2241, 1, 3, 1);   // polarity 3: output 1 blinks while ON
     write(0x2223, 1, 40, 2);  // 40 ms
     write(0x2360, 1, 2, 1);   // overridden by 6220h:3
     write(0x2361, 1, 1, 1);
@@ -121,7 +121,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
 TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
     verifies<req::AOR_LT_018, req::AOR_LT_014>();
     write(0x3021, 0, 1, 1);
-    write(0x3020, 0, 3, 1);  // table 2 over table 1
+    write(0x3020, 0, 3, 1);  // table 2 reads table 1
     write(0x3015, 1, 1, 1);
     write(0x3017, 1, -60, 2);
     EXPECT_EQ(read(0x3026, 1), 0U);

@@ -164,7 +164,7 @@ TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     EXPECT_EQ(status(2), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#01F0010200000000"}));
     EXPECT_EQ(status(2), 0x05);
-    cut(2, false);  // at 6485; readings at 6435, 6600
+    cut(2, false);  // at 6485 ms; the readings are at 6435 and 6600 ms
     EXPECT_EQ(pass(165), (Frames{"115:0FF#0000000000000000"}));
     EXPECT_EQ(status(2), 0);
 }

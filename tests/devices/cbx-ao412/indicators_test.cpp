@@ -42,7 +42,7 @@ class Leds : public CbxTest {
 // Rounds of 3.2.1, one character per 100 ms
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
-const std::string two_flashes = "##..##..........";        // 200 on, 200 off, 200 on, 1000 off
+const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off
 const std::string three_flashes = "##..##..##..........";  // three flashes, same times
 const std::string lit(40, '#');
 const std::string dark(40, '.');

@@ -81,7 +81,7 @@ class OutputInError : public Output {
     void SetUp() override {
         Output::SetUp();
         write("603#2F43640100000000");  // error mode of output 1: 0 V
-        write("603#2F43640201000000");  // output 2: error value
+        write("603#2F43640201000000");  // error mode of output 2: the error value
         write("603#2F43640302000000");  // error mode of output 3: unchanged
         write("603#2344640200000040");  // 40000000h: upper half 4000h = 16384 = 2048 steps
         send("000#0103");
@@ -299,7 +299,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
-    write("603#2310100173617665");  // with an offset of 0
+    write("603#2310100173617665");  // saves an offset of 0
     for (int output = 1; output <= 4; ++output) {
         write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
         expect_steps(output, 1025);
