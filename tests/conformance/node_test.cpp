@@ -115,7 +115,7 @@ TEST_F(NodeService, SelfStartHappensAtItsDeadline) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(SelfResetting, SelfStartDoesNotOutliveAReset) {
+TEST_F(SelfResetting, ResetByLssCancelsAPlannedSelfStart) {
     verifies<req::CO_NMT_008, req::CO_NMT_006>();
     device->node().start_at(now + milliseconds(100));
     configure();

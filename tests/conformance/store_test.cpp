@@ -80,7 +80,7 @@ TEST_F(Store, SaveIsRefusedInOperational) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, StoreCapabilityIsOnCommandOnly) {
+TEST_F(Store, Objects1010hAnd1011hReportStoringOnCommandOnly) {
     verifies<req::AO4_STORE_002, req::AO4_OD_1010, req::AO4_OD_1011>();
     for (const char* object : {"101001", "101002", "101003", "101004", "111001", "111002", "111003", "111004"}) {
         EXPECT_EQ(send(std::string{"603#40"} + object + "00000000").at(0), std::string{"583#43"} + object + "01000000");

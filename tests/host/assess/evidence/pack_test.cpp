@@ -90,7 +90,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
-TEST_F(Pack, TablesOfTheStandardsAreAPage) {
+TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};
