@@ -38,7 +38,7 @@ TEST(ArrivalClock, StampIsConvertedToTheRun) {
     EXPECT_EQ(clock.at(4999500 * ns, Instant{7}), Instant{500});
 }
 
-TEST(ArrivalClock, MissingTimestampAndTimestampBeforeTheRunGiveTheTimeOfReading) {
+TEST(ArrivalClock, MissingTimestampAndTimestampBeforeTheRunAreReplacedByTheGivenTime) {
     const ArrivalClock clock = compared({1000}, 5000000);
     EXPECT_EQ(clock.at(0, Instant{7}), Instant{7});
     EXPECT_EQ(clock.at(4998999 * ns, Instant{7}), Instant{7});
