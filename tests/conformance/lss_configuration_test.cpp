@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-// 6.4.2
+// CiA 305, 6.4.2
 TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
     verifies<req::CO_LSS_010, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID, req::CO_E_LSS_ERROR>();
     configure();
@@ -303,7 +303,7 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// 6.4.5
+// CiA 305, 6.4.5
 TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     configure();

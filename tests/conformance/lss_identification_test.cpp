@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // -- inquiry and identification ---------------------------------------------------------------------------------------
 
-// 6.5
+// CiA 305, 6.5
 TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
     verifies<req::CO_LSS_040, req::CO_LSS_041, req::CO_E_LSS_COMMAND>();
     configure();
@@ -82,7 +82,7 @@ TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
 }
 
-// 6.6.4
+// CiA 305, 6.6.4
 TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
     verifies<req::CO_LSS_044, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#4C00000000000000", {}},

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 // -- states -----------------------------------------------------------------------------------------------------------
 
-// 6.3.2
+// CiA 305, 6.3.2
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     verifies<req::CO_LSS_001, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID>();
@@ -28,7 +28,7 @@ TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
           {"7E5#5E00000000000000", {}}});
 }
 
-// 6.3.3
+// CiA 305, 6.3.3
 TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
     verifies<req::CO_LSS_002, req::CO_E_LSS_ANSWER, req::CO_E_LSS_COMMAND>();
     talk(own_address);

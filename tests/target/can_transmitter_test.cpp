@@ -163,8 +163,8 @@ TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) 
         bench.serve();
         ASSERT_TRUE(bench.model.begin_transmission());
         bench.queue_up({{0x183, 2}, {0x183, 3}, {0x083, 4}});
-        bench.serve();  // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on
-                        // the bus.
+        // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on the bus.
+        bench.serve();
         bench.model.end_transmission(sent);
         const auto rest = bench.sent();
         if (sent) {

@@ -26,7 +26,7 @@ class Ax130751Errors : public Ax130751Test {
 
 }  // namespace
 
-// 3.2.4, Table 23
+// AX130751, 3.2.4, Table 23
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_003, req::AOR_ERR_010, req::AOR_DIAG_010, req::AOR_T23,
              req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016>();
@@ -217,7 +217,7 @@ TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
 }
 
-// 3.2.10
+// AX130751, 3.2.10
 TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
     verifies<req::AOR_HB_002, req::AOR_OD_1017>();
     for (int time = 1; time <= 9; ++time) {

@@ -346,7 +346,7 @@ TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "7300h is as it was";
 }
 
-// 3.2.13
+// AX130751, 3.2.13
 TEST_F(Ax130751Interlock, CommunicationFaultThatEndsOperationalPutsTheOutputsOff) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);

@@ -103,7 +103,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     }
     set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 %
+    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 % of 0 to 101, rounded
     set16(0x3017, 11, 1000);
     pass(1);
     EXPECT_EQ(get16(0x3320, 1), 5);  // 0.5 %

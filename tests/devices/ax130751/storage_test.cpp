@@ -25,7 +25,7 @@ class Ax130751Storage : public Ax130751Test {
 
 }  // namespace
 
-// 3.1
+// AX130751, 3.1
 TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     verifies<req::AOR_NODE_001, req::AOR_K_NODE_ID, req::AOR_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -41,7 +41,7 @@ TEST_F(Ax130751Storage, WritesToOtherObjectsChangeNoNodeId) {
     EXPECT_EQ(read(0x5B51, 0), 127U);
 }
 
-// 3.1.2
+// AX130751, 3.1.2
 TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
     start();
@@ -101,7 +101,7 @@ TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
 }
 
-// 3.2.14, 3.2.15
+// AX130751, 3.2.14, 3.2.15
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     verifies<req::AOR_LSS_002, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403, req::AOR_OD_1800,
              req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
@@ -234,7 +234,7 @@ TEST_F(Ax130751Storage, RestoreKeepsNodeIdAndBitRate) {
     }
 }
 
-// 3.2.7
+// AX130751, 3.2.7
 TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011>();
     silence_tpdo1();
@@ -289,7 +289,7 @@ TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     EXPECT_EQ(read(0x2260, 1), 0U);  // stored like every parameter
 }
 
-// 3.2.8
+// AX130751, 3.2.8
 TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     verifies<req::AOR_STORE_005, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
@@ -302,7 +302,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     EXPECT_EQ(read(0x6340, 2), 0U);  // a value of another group
 }
 
-// 3.4.86
+// AX130751, 3.4.86
 TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
@@ -324,7 +324,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-// 3.2.11, 3.2.12
+// AX130751, 3.2.11, 3.2.12
 TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);

@@ -51,7 +51,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 // 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_010>();
-    write(0x2522, 1, 100, 2);  // EC1: 0 to 100
+    write(0x2522, 1, 100, 2);  // 2500h:1 is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
     write(0x3015, 1, 1, 1);  // time response

@@ -157,7 +157,7 @@ TEST_F(Ax188001Errors, LifeGuardingErrorIsDistinguishedFromAHeartbeatErrorByItsF
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
-// 3.2.5, 3.2.6: 100 ms times 2
+// 3.2.5, 3.2.6: a guard time of 100 ms, times 2
 TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
     verifies<req::TCS_GUARD_001>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
