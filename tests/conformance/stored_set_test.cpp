@@ -102,7 +102,7 @@ TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
     const std::size_t size = unit.bank_size();
     unit.bytes()[size + 20] ^= 0x01;
     const auto damaged = unit.bytes();
-    const std::size_t whole = size + 3;  // invalidate, the bank, commit, and invalidate the damaged one
+    const std::size_t whole = size + 3;  // the bytes of a save: two to invalidate banks, one to commit, and the bank
     for (std::size_t cut = 0; cut <= whole; cut += cut < 24 || cut + 20 > whole ? 1 : 17) {
         unit.bytes() = damaged;
         unit.power_cycle();

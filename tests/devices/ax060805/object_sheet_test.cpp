@@ -17,7 +17,7 @@ class InclinometerObjectSheet : public AxiomaticSheet {
     InclinometerObjectSheet() : AxiomaticSheet{generated::ax060805::tables, generated::ax060805::image_size} {}
 };
 
-// "-0xFFFFFFFF to 0xFFFFFFFF"
+// The range in the manual: "-0xFFFFFFFF to 0xFFFFFFFF".
 const std::int64_t most = bits(4294967295.0F);
 const std::int64_t least_of_all = bits(-4294967295.0F);
 

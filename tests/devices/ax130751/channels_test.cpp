@@ -252,7 +252,7 @@ TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     set16(0x6310, 2, 1020);
-    set8(0x2241, 2, 2);  // latched
+    set8(0x2241, 2, 2);  // polarity 2: latched
     set8(0x6220, 2, 1);
     pass(1);
     set8(0x6220, 2, 0);
@@ -261,7 +261,7 @@ TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     set16(0x6310, 2, 1000);
     pass(1);
     EXPECT_FALSE(is_on(2));
-    set8(0x2241, 2, 3);  // blinking
+    set8(0x2241, 2, 3);  // polarity 3: blinking
     set16(0x2223, 2, 40);
     set8(0x6220, 2, 1);
     pass(1 + 30);

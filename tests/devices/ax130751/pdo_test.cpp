@@ -98,7 +98,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
         EXPECT_EQ(write(index, 5, 50, 2), "");
         EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
     }
-    // 1000 and 2000; no TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
+    // TPDO2 carries 1000 and 2000; TPDO3 is not sent; in TPDO4 24.0 is 41C00000h and 35.0 is 420C0000h.
     const Frames frames = pass(60);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");

@@ -48,12 +48,12 @@ TEST(LogicBlock, ComparisonsFollowTable16) {
     verifies<req::AOR_T16, req::AOR_LOGIC_001>();
     //              <    =    >
     const std::array<std::array<ConditionResult, 3>, 6> expected{{
-        {no, yes, no},   // 0: =
-        {yes, no, yes},  // 1: !=
-        {no, no, yes},   // 2: >
-        {no, yes, yes},  // 3: >=
-        {yes, no, no},   // 4: <
-        {yes, yes, no},  // 5: <=
+        {no, yes, no},   // operator 0: =
+        {yes, no, yes},  // operator 1: !=
+        {no, no, yes},   // operator 2: >
+        {no, yes, yes},  // operator 3: >=
+        {yes, no, no},   // operator 4: <
+        {yes, yes, no},  // operator 5: <=
     }};
     for (std::uint8_t comparison = 0; comparison < 6; ++comparison) {
         EXPECT_EQ(compare(1.0, comparison, 1.1), expected[comparison][0]) << int{comparison};
