@@ -105,7 +105,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     keep(0x1015);  // the inhibit time of EMCY
-    keep(0x1017);  // the heartbeat
+    keep(0x1017);  // producer heartbeat time
     FaultyMemory faulty{128};
     power_on_with(faulty);
     send("605#2B15100064000000");

@@ -123,7 +123,7 @@ class Run {
                 inputs.can_state = static_cast<std::uint8_t>(event.b % 5U);
                 device.set_inputs(inputs, now);
                 break;
-            case 4: {  // NMT
+            case 4: {  // an NMT command
                 Frame frame = data_frame(0U, 2U);
                 constexpr std::uint8_t commands[]{0x01, 0x01, 0x02, 0x80, 0x81, 0x82};
                 frame.data[0] = commands[event.b % 6U];

@@ -144,7 +144,7 @@ inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
     return whole ? load_le<N>(bytes.data() + at) : join_each(bytes, at, N);
 }
-/// The same for `count` (0…8) bytes.
+/// Returns `count` (0…8) bytes from `at` on as a number, as get_le() does for a fixed number of bytes.
 inline std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
     const bool whole = (at <= bytes.size()) && (count <= (bytes.size() - at));
     switch (whole ? count : 0U) {

@@ -17,7 +17,8 @@ struct Frame {
     bool extended{false};
     bool remote{false};       ///< RTR: requests the frame, carries no data
     std::uint8_t length{0U};  ///< DLC, 0…8
-    alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};  ///< aligned: moved as one word
+    /// Aligned, so that the data are moved as one word.
+    alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};
 
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };

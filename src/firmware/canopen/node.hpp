@@ -23,12 +23,12 @@ struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: a remote frame on the identifier of RPDO n + 1 reads it back
-                                                ///< (CAN-CBX-AO412, 7.7.2)
-    bool saves_in_pre_operational_only{false};  ///< a write to 1010h in another state gets 08000022h (CAN-CBX-AO412,
-                                                ///< 7.9.12)
-    bool block_sdo{false};                      ///< the device supports SDO block transfer
-    LssProfile lss{};                           ///< bit rates and behaviour of the device's LSS; the default is no LSS
+    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2).
+    std::uint8_t rpdos_answering_remote{0U};
+    /// A write to 1010h in another state gets 08000022h (CAN-CBX-AO412, 7.9.12).
+    bool saves_in_pre_operational_only{false};
+    bool block_sdo{false};  ///< the device supports SDO block transfer
+    LssProfile lss{};       ///< bit rates and behaviour of the device's LSS; the default is no LSS
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 

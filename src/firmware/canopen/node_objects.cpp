@@ -89,8 +89,8 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         return code;
     }
     if (entry.row->service == Service::store) {
-        return store(entry, static_cast<std::uint32_t>(number));  // the signature starts the save and is not kept as a
-                                                                  // value
+        // The signature starts the save and is not kept as a value.
+        return store(entry, static_cast<std::uint32_t>(number));
     }
     if (entry.row->service != Service::none) {
         code = before_write(entry, value);

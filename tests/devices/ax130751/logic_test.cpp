@@ -105,8 +105,8 @@ TEST_F(Ax130751Logic, ComparisonIgnoresTheDecimalDigits) {
     condition(1, 1, 1, 1, 0, 2);
     set8(0x2502, 1, 1);
     set8(0x2502, 2, 3);
-    set16(0x2500, 1, 123);    // 12.3
-    set16(0x2500, 2, 12300);  // 12.300
+    set16(0x2500, 1, 123);    // 2500h:1 = 12.3
+    set16(0x2500, 2, 12300);  // 2500h:2 = 12.300
     EXPECT_EQ(selected(1), 1);
     set16(0x2500, 2, 12301);
     EXPECT_EQ(selected(1), 2) << "B, whose conditions are not used";
@@ -152,9 +152,9 @@ TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
     verifies<req::AOR_LOGIC_002, req::AOR_T17>();
     set8(0x3300, 1, 1);
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // 2500h:1 to 3
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     condition(1, 1, 1, 1, 0, 1);
-    condition(1, 2, 1, 4, 2, 4);  // B never
+    condition(1, 2, 1, 4, 2, 4);  // function B never selects its table
     start();
     send("37F#000000000000");
     EXPECT_EQ(selected(1), 1);
@@ -180,8 +180,8 @@ TEST_F(Ax130751Logic, FunctionWithoutConditionsSelectsAsTheDefault) {
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);
-    condition(2, 1, 1, 1, 2, 1);  // A never
-    condition(2, 3, 1, 1, 0, 1);  // C always
+    condition(2, 1, 1, 1, 2, 1);  // function A never selects its table
+    condition(2, 3, 1, 1, 0, 1);  // function C always selects its table
     EXPECT_EQ(selected(2), 5);
 }
 
@@ -226,9 +226,9 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
         set8(at, 1, logic_source);
         set8(at, 2, block + 1);
         set8(at, 3, canopen);
-        set8(at, 4, 5);  // 2500h:2
+        set8(at, 4, 5);  // number 5: 2500h:2
         set8(at, 5, 0);
-        set8(index(block, 2), 1, 2);  // or
+        set8(index(block, 2), 1, 2);  // operator 2: or
     }
     for (int block = 1; block <= 3; ++block) {
         connect_table((3 * block) - 2, 3);

@@ -103,7 +103,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     }
     set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 %
+    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 % of 0 to 101, rounded
     set16(0x3017, 11, 1000);
     pass(1);
     EXPECT_EQ(get16(0x3320, 1), 5);  // 0.5 %
@@ -116,7 +116,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
 }
 
-TEST_F(Ax130751Lookup, PointsStayInOrder) {
+TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
     verifies<req::AOR_LT_009>();
     EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
     EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
@@ -168,7 +168,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5)
 }
 
-TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
+TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
     set8(0x3020, 0, supply_source);  // 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
@@ -188,7 +188,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
-TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
+TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
     set8(0x3021, 0, 1);
@@ -331,7 +331,7 @@ TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
 TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
@@ -356,7 +356,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     connect(1, 1);
     no_ramps(1);
     set8(0x2340, 1, lookup_source);

@@ -43,7 +43,7 @@ TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
         SCOPED_TRACE(block);
         make(block, 2);
         values({20, 35});
-        EXPECT_EQ(output(block), 5500);  // 55.00 of 100.00
+        EXPECT_EQ(output(block), 5500);  // 55.00 % of full scale
         values({80, 35});
         EXPECT_EQ(output(block), 10000) << "saturates";
         set8(0x4000, block, 0);
@@ -112,8 +112,8 @@ TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
-    set16(0x4120, 1, 200);   // 20.0 is 0
-    set16(0x4122, 1, 1000);  // 100.0 is 1
+    set16(0x4120, 1, 200);   // 20.0 is the input for 0
+    set16(0x4122, 1, 1000);  // 100.0 is the input for 1
     values({40, 0});
     EXPECT_EQ(output(1), 2500);
     values({10, 0});
@@ -159,8 +159,8 @@ TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     verifies<req::AOR_MATH_008>();
     make(1, 2);
     set8(0x4032, 1, 1);
-    set16(0x4021, 1, -200);  // -20.0
-    set16(0x4023, 1, 200);   // 20.0
+    set16(0x4021, 1, -200);  // scaling 1: -20.0
+    set16(0x4023, 1, 200);   // scaling 2: 20.0
     values({75, 0});
     EXPECT_EQ(output(1), 100);
     values({100, 100});
@@ -244,7 +244,7 @@ TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
 TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     verifies<req::AOR_MATH_006>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // 2500h:1 to 3
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     make(1, 1);
     set8(0x4101, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x4100, 2, canopen);

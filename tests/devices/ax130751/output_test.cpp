@@ -110,7 +110,7 @@ TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     EXPECT_FLOAT_EQ(level(1), 12.0F);
 }
 
-TEST_F(Ax130751Output, PwmWithoutPulsesIsOff) {
+TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_018, req::AOR_OD_2380>();
     make(40);
     command(1, 375);

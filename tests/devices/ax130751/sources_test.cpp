@@ -108,7 +108,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
         set8(static_cast<std::uint16_t>(base + 0x50), 1, 17);  // maximum of 2500h:1 with itself
         set8(0x4000, block, 1);
         set16(0x4023, block, 1000 * block);
-        set16(0x2500, 1, 500);  // 50.0 of 100.00
+        set16(0x2500, 1, 500);  // 2500h:1 = 50.0
         EXPECT_EQ(tenths(4, block), 50 * block);
     }
     for (int block = 1; block <= 3; ++block) {
@@ -318,7 +318,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);
-    set32(0x1016, 2, 0x00050064);  // node 5, 100 ms
+    set32(0x1016, 2, 0x00050064);  // 1016h:2 consumer heartbeat time: node 5, 100 ms
     set16(0x1400, 5, 50);
     start();
     send("27F#E803000000");
@@ -336,7 +336,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAReceivedCommandInError) {
     no_ramps(1);
     set16(0x7341, 1, 3000);
     command(1, 1000);
-    set32(0x1016, 2, 0x00050064);  // node 5, 100 ms
+    set32(0x1016, 2, 0x00050064);  // 1016h:2 consumer heartbeat time: node 5, 100 ms
     send("705#05");
     pass(90);
     EXPECT_FLOAT_EQ(volts(1), 1.0F);

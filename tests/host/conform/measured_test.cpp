@@ -42,14 +42,14 @@ TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     EXPECT_EQ(histogram.counts, wanted);
 }
 
-TEST(ConformHistogram, HistogramReachesToTheLimitsThatAreNear) {
+TEST(ConformHistogram, HistogramIncludesNearbyLimits) {
     const Histogram histogram = histogram_of({{100}, TimeLimits{80.0, 120.0}, {}});
     EXPECT_EQ(histogram.low, 80.0);
     EXPECT_EQ(histogram.width, 1.0);
     EXPECT_EQ(histogram.counts[20], 1U);
 }
 
-TEST(ConformHistogram, HistogramLeavesOutLimitsThatAreFarAway) {
+TEST(ConformHistogram, HistogramOmitsDistantLimits) {
     const Histogram far = histogram_of({{100}, {}, TimeLimits{0.0, 1000000.0}});
     EXPECT_EQ(far.low, 0.0);
     EXPECT_EQ(far.width, 2.5);  // 0 to 100

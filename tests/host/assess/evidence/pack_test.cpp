@@ -27,7 +27,7 @@ pugi::xml_document parsed(const std::string& text) {
 TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndItsSubclaimsHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
-    input_.evidence.verdicts.erase("D-A-002");  // a gap
+    input_.evidence.verdicts.erase("D-A-002");  // D-A-002 has no verdict: a gap
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_EQ(state_of("C"), "✗ open");
 }
@@ -91,7 +91,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
-TEST_F(Pack, TablesOfTheStandardsAreAPage) {
+TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};

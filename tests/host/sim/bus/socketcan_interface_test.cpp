@@ -156,7 +156,7 @@ TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
     EXPECT_THAT(system.rates_set, SizeIs(1));
 }
 
-TEST_F(SocketCan, BitRateOfLssIsReportedWithoutPermissionOrSupport) {
+TEST_F(SocketCan, BitRateOfLssThatCannotBeSetIsReportedToTheUser) {
     a.rate = 125000;
     start();
     a.rate = 250000;
