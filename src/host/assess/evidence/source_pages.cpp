@@ -101,7 +101,7 @@ std::map<std::string, std::string> source_pages(const PackInput& input, const Pa
     for (const auto& [file, text] : input.sources) {
         const std::string page = page_of(file);
         const std::string body = lines_markup(file, text, items, links);
-        pages[page] = html_page(file, page, {frame.navigation, frame.origin, way_back_from(page)},
+        pages[page] = html_page(file, "audit.html", {frame.navigation, frame.origin, way_back_from(page)},
                                 "<ol class=source>\n" + body + "</ol>\n");
     }
     return pages;
