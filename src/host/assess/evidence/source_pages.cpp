@@ -15,7 +15,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The ids of the items that each line of the sources implements or tests, by `src/x.cpp:12`.
+/// The ids of the items that each line of the sources implements or tests, by place:
+/// `src/firmware/canopen/node.cpp:12`.
 using ItemsByPlace = std::map<std::string, std::set<std::string>>;
 
 ItemsByPlace items_by_place(const Evidence& evidence) {
