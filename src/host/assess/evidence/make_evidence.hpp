@@ -18,7 +18,7 @@ std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits&
 
 /// Runs each command in a shell in `root`, with its output in build/log/evidence-KEY.log. It reports a failed command
 /// and continues with the next one. `tell` receives lines with progress and an estimate. Returns the number of failed
-/// commands.
+/// commands. Throws InputError while another run, or a command that outlived its run, still works in `root`.
 std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std::filesystem::path& root,
                           const std::function<void(const std::string&)>& tell);
 
