@@ -117,7 +117,7 @@ std::string html_page(const std::string& title, const std::string& own_page, con
         frame.navigation.empty() ? "" : "<nav aria-label=\"Pages\">\n");
     for (const auto& entry : frame.navigation) {
         text += fmt::format("<a href=\"{}\"{}>{}</a>\n", escaped(entry.page),
-                            entry.page == own_page ? " aria-current=\"page\"" : "", escaped(entry.title));
+                            entry.page == own_page ? " aria-current=true" : "", escaped(entry.title));
     }
     text += fmt::format("{}<main><h1>{}</h1>\n{}</main>\n", frame.navigation.empty() ? "" : "</nav>\n", escaped(title),
                         body);
