@@ -21,7 +21,7 @@ struct Verdict {
     double seconds{0.0};
     /// source of the test relative to the project's folder; empty when the runner does not report it
     std::string file{};
-    unsigned line{0};    ///< line of the test in its source; 0 when the runner does not report it
+    unsigned line{0};  ///< line of the test in its source; 0 when the runner does not report it
 };
 
 /// One test case of the last run.
