@@ -80,7 +80,7 @@ TEST_F(Nmt, CommandDuringBusOffIsIgnored) {
 TEST_F(Nmt, ResetNodeRestoresAllDefaultsAndResetCommunicationThoseOf1000hTo1FFFh) {
     verifies<req::CO_NMT_005, req::CO_NMT_006>();
     write("603#2B171000E8030000");  // 1017h producer heartbeat time: 1000 ms
-    write("603#2B116401B33E0000");  // 6411h:1 = 3EB3h
+    write("603#2B116401B33E0000");  // writes 3EB3h to 6411h:1
     send("000#8203");
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
     EXPECT_EQ(send("603#4011640100000000"), (Frames{"583#4B116401B33E0000"}));

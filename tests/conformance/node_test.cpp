@@ -240,7 +240,7 @@ TEST_F(AlteredNode, ErrorListOfOneEntryHoldsTheLatestError) {
     power_on();
     send("080#01");  // the SYNC has a wrong length: 8240h
     EXPECT_EQ(send("605#4003100100000000"), Frames{"585#4303100140820000"});
-    device->node().set_overrun(true, now);  // error 8110h
+    device->node().set_overrun(true, now);  // reports an overrun: error 8110h
     sent();
     EXPECT_EQ(send("605#4003100100000000"), Frames{"585#4303100110810000"});
     EXPECT_EQ(send("605#4003100000000000"), Frames{"585#4F03100001000000"});

@@ -16,9 +16,9 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
     send("605#2F29100101000000");                // 1029h:1 = 1: no change of state
-    map_rpdo3({"10000022"});                     // maps 2200h: -100 … 100
+    map_rpdo3({"10000022"});                     // maps 2200h, which takes -100 … 100
     send("605#2B02140532000000");                // 1402h:5 event timer of RPDO3: 50 ms
-    EXPECT_TRUE(send("405#6500").size() == 1U);  // 101 is refused: 8200h
+    EXPECT_TRUE(send("405#6500").size() == 1U);  // the value 101 is refused with error 8200h
     EXPECT_TRUE(pass(1000).empty());             // no reception yet that starts the monitoring
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
@@ -57,7 +57,7 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"605#2F03160001000000", {"585#6003160000000000"}},
                     {"605#2303140105050000", {"585#6003140100000000"}},
                     {"405#6500", {"085#0082110100000000"}},
-                    {"505#0000807F", {}},                    // infinity
+                    {"505#0000807F", {}},                    // the value is infinity
                     {"405#6400", {}},                        // the value of RPDO4 is still refused
                     {"505#0000", {"085#1082110200000000"}},  // too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},

@@ -138,7 +138,7 @@ TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
 
 TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
-    map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
+    map_rpdo3({"20000222"});  // maps 2202h, a REAL32 of -10 … 10
     talk(*this, {
                     {"405#00002041", {}},  // 2202h = 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
@@ -228,7 +228,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
 
 TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
     verifies<req::CO_PDO_059>();
-    map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
+    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2001h:3
     talk(*this, {
                     {"605#2302140105020080", {"585#6002140100000000"}},
                     // 1402h:1 COB-ID of RPDO3: the identifier of RPDO1

@@ -55,7 +55,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A202020000000000", {"585#010F101112131415", "585#02161718191A1B1C"}},
                     {"605#A202020000000000", {"585#811D1E0000000000"}},
-                    {"605#A201020000000000", {block_end("585", bytes)}},  // 5 unused bytes
+                    {"605#A201020000000000", {block_end("585", bytes)}},  // leaves 5 bytes of the last segment unused
                     {"605#A100000000000000", {}},
                 });
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#D5");
@@ -63,7 +63,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
 
 TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
-    const Bytes bytes = counting(30);  // 5 segments: 1, 3 and 1
+    const Bytes bytes = counting(30);  // 5 segments, in blocks of 1, 3 and 1
     hold(bytes);
     talk(*this, {
                     {"605#A400240001000000", {"585#C60024001E000000"}},
@@ -231,14 +231,14 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
         request = "605#A2" + hex_le(expected.size(), 1) + "7F0000000000";
         ++sub_blocks;
     }
-    EXPECT_EQ(sub_blocks, 74U);  // 65,536 / (7 × 127) = 73.7
+    EXPECT_EQ(sub_blocks, 74U);  // 65,536 bytes / (7 × 127 bytes per block) = 73.7 blocks
     EXPECT_EQ(send(request), (Frames{end}));
     EXPECT_TRUE(send("605#A100000000000000").empty());
 }
 
 TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     verifies<req::CO_SDO_039, req::CO_SDO_053, req::CO_K_SDO_BLOCK_QUEUED>();
-    hold(counting(140));  // 20 segments
+    hold(counting(140));  // 140 bytes need 20 segments of 7
     send("605#A40024007F000000");
     device->receive(host::parse_frame("605#A300000000000000", "test"), now);
     EXPECT_EQ(queue.size(), 8U);
@@ -254,7 +254,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     device->advance(now);
     EXPECT_EQ(sent().size(), 8U);
     device->advance(now);
-    EXPECT_EQ(sent().size(), 3U);  // 8 + 1 + 8 + 3
+    EXPECT_EQ(sent().size(), 3U);  // 8 + 1 + 8 + 3 = 20 segments
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
@@ -299,7 +299,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
 
 TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
     verifies<req::CO_SDO_048>();
-    send("000#0105");  // operational
+    send("000#0105");  // NMT start: the node becomes operational
     talk(*this, {
                     {"605#A40022007F000000", {"585#C600220002000000"}},  // 2200h = 7
                     {"605#A300000000000000", {"585#8107000000000000"}},

@@ -164,7 +164,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
 
 TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     verifies<req::CO_STORE_011>();
-    keep(0x2300);  // 40 bytes
+    keep(0x2300);  // 2300h holds 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));
     EXPECT_EQ(power_on(), Frames{"705#00"});
     std::array<std::uint8_t, 40> text{};

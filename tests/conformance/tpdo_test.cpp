@@ -183,10 +183,10 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
     // 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});
-    send("605#2B01210134120000");  // 1234h << 2 = 48D0h
-    send("605#2F03200201000000");  // bit 1: 2h
-    send("605#2F03200301000000");  // bit 18: 40000h
-    send("605#2F012003A5000000");  // A5h << 19 = 5280000h
+    send("605#2B01210134120000");  // 2101h:1 adds 1234h << 2 = 48D0h
+    send("605#2F03200201000000");  // 2003h:2 is bit 1 of the PDO and adds 2h
+    send("605#2F03200301000000");  // 2003h:3 is bit 18 of the PDO and adds 40000h
+    send("605#2F012003A5000000");  // 2001h:3 adds A5h << 19 = 5280000h
     // 2h + 48D0h + 40000h + 5280000h = 52C48D2h
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#D2482C05"}));
     EXPECT_EQ(send("605#2F03200301000000"), (Frames{"585#6003200300000000"}));
@@ -195,7 +195,7 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
 
 TEST_F(Tpdo, NineBitsTakeTwoBytes) {
     verifies<req::CO_PDO_028>();
-    map_tpdo3({"08030120", "01010320"});  // 8 bits, 1 bit
+    map_tpdo3({"08030120", "01010320"});  // maps 2001h:3 (8 bits) and 2003h:1 (1 bit)
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 

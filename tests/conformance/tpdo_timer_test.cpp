@@ -111,7 +111,7 @@ TEST_F(Tpdo, TransmissionsAreAtLeastTheInhibitTimeApart) {
 
 TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
-    set_inhibit_time("6400");  // 10 ms
+    set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();
     EXPECT_TRUE(send("000#8005").empty());
     EXPECT_TRUE(pass(4).empty());
@@ -189,7 +189,7 @@ TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
 TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
     send("605#2B00180505000000");  // 1800h:5 event timer of TPDO1: 5 ms
-    set_inhibit_time("5000");      // 8 ms
+    set_inhibit_time("5000");      // 80 * 100 us = 8 ms
     start();
     EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
 }

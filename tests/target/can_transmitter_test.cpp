@@ -251,7 +251,7 @@ TEST(CanTransmitter, BusOffDropsFramesInTheMailboxes) {
     bench.queue_up({{0x583, 1}});
     bench.serve();
     bench.model.count_errors(256, 0);
-    for (int i = 0; i < 1010; ++i) {  // 101 ms
+    for (int i = 0; i < 1010; ++i) {  // 1010 steps are 101 ms
         bench.serve();
     }
     bench.model.pass_recessive(128);

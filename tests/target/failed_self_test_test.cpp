@@ -43,7 +43,7 @@ class FailedSelfTest : public testing::Test {
             EXPECT_EQ(volts, 0.0F);
         }
         EXPECT_FALSE(chips_.watchdog.has_bitten());
-        EXPECT_THAT(unit_.run(10010), IsEmpty());  // 1 s
+        EXPECT_THAT(unit_.run(10010), IsEmpty());  // 10,010 steps are 1.001 s
         EXPECT_EQ(chips_.watchdog.refreshes(), refreshes);
         EXPECT_TRUE(chips_.watchdog.has_bitten());
         EXPECT_EQ(unit_.loop.failed(), test);

@@ -127,7 +127,7 @@ TEST(FlowMonitor, OneSequenceOfUpToSixStepsIsAPass) {
             EXPECT_EQ(is_pass(steps), steps == pass_steps);
         }
     }
-    EXPECT_EQ(tried, 55987U);  // (6^7 - 1) / 5
+    EXPECT_EQ(tried, 55987U);  // 1 + 6 + 6² + … + 6⁶ = (6^7 - 1) / 5
 }
 
 TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {

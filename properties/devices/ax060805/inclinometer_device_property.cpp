@@ -105,7 +105,7 @@ class Run {
                                     : (event.b % 3U == 1U ? inputs.acceleration_y : inputs.acceleration_z)) = physical;
                 device.set_inputs(inputs, now);
                 break;
-            case 1:  // a position
+            case 1:  // a position with finite accelerations
                 inputs.acceleration_x = std::sin(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_y = std::cos(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_z = static_cast<float>(event.b % 3U) - 1.0F;
@@ -130,7 +130,7 @@ class Run {
                 device.receive(frame, now);
                 break;
             }
-            case 5: {  // RPDO1
+            case 5: {  // RPDO1 of 0 to 8 bytes
                 Frame frame = data_frame(0x27FU, static_cast<std::uint8_t>(event.b % 9U));
                 write_le(MutableBytes{frame.data}, 0U, 4U, event.a);
                 device.receive(frame, now);

@@ -233,7 +233,7 @@ TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
     };
     for (const Case& one : cases) {
         begin(0, 1);
-        write(0x300A, 1, 1, 1);  // add
+        write(0x300A, 1, 1, 1);  // operation 1 adds
         write(0x3010, 1, 20, 1);
         write(0x3010, 2, 25, 1);  // 0
         write(0x1400, 5, 100, 2);

@@ -67,7 +67,7 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 45);
     write(0x2501, 3, 500, 2);  // 2 counts per unit
     EXPECT_EQ(taken_from(22, 1.0F), 2250);
-    write_real(0x2502, 3, -500.0F);  // in counts
+    write_real(0x2502, 3, -500.0F);  // the offset is in counts
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
@@ -103,7 +103,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     send("000#0100");
     send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // undefined before; the frame brought 0
     send("000#8100");
     EXPECT_EQ(value(0x2500, 2), 0);
     switch_filter_off();

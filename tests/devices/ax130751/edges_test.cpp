@@ -241,7 +241,7 @@ TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     EXPECT_EQ(get16(0x2370, 1), 32767);
     set8(0x6332, 1, 2);
     set16(0x7323, 1, 32767);
-    command(1, 30000);  // 327.67 Hz
+    command(1, 30000);  // commands 327.67 Hz
     EXPECT_EQ(get16(0x7330, 1), 32767);
     set16(0x7323, 1, 32766);
     pass(1);

@@ -41,7 +41,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
-    send("37F#000001000000");  // 1 % per cycle
+    send("37F#000001000000");  // the counter grows by 1 % per cycle
     wait(5);
     send("37F#000000000000");
     EXPECT_EQ(counted(), 500) << "five cycles with 1 %, run when the frame came";

@@ -193,7 +193,7 @@ TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
     set16(0x3077, 11, 300);
     extra(1, 75);
     EXPECT_EQ(selected(3), 7);
-    EXPECT_EQ(output(3), 250);  // 75 of 300
+    EXPECT_EQ(output(3), 250);  // 75 of 300 is 25.0 %
     extra(1, 100);
     EXPECT_EQ(output(3), 1000);
     for (int point = 1; point <= 11; ++point) {
@@ -305,8 +305,8 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     points(2, {30, 33, 36, 39, 42, 45, 48, 51, 54, 57, 60}, {60, 57, 54, 51, 48, 45, 42, 39, 36, 33, 30});
     points(3, {60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100}, {60, 63, 66, 69, 72, 75, 78, 81, 84, 87, 90});
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 5, 2);  // A: x <= 30
-    condition(1, 2, 1, 1, 5, 3);  // B: x <= 60
+    condition(1, 1, 1, 1, 5, 2);  // condition A: x <= 30
+    condition(1, 2, 1, 1, 5, 3);  // condition B: x <= 60
     const auto at = [this](int x) {
         extra(1, x);
         pass(1);
@@ -317,7 +317,7 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     EXPECT_EQ(at(45), 450);  // table 2 falls from 60 at 30 to 30 at 60
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
-    EXPECT_EQ(at(80), 750);  // table 3: 60 + 3 / 4 of 20
+    EXPECT_EQ(at(80), 750);  // table 3 rises by 3 per 4: 60 + 20 * 3 / 4 = 75
     EXPECT_EQ(at(82), 770);  // 76.5, rounded to an integer percent of Y
     EXPECT_EQ(at(100), 900);
 }

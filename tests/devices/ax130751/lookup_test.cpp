@@ -72,12 +72,12 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
-    set8(0x2502, 1, 2);  // 2500h:1 is now 0.00…1.00
+    set8(0x2502, 1, 2);  // 2500h:1 takes two decimal digits: 0.00…1.00
     set16(0x2522, 1, 10000);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
     set8(0x3014, 0, 1);  // Y in tenths: 0…10.0
-    extra(1, 2525);      // 25.25
+    extra(1, 2525);      // 2500h:1 is 25.25
     EXPECT_EQ(output(1), 25);
     EXPECT_EQ(get16(0x3018, 0), 25);
     set8(0x3013, 0, 1);  // X points are 0…10.0
@@ -106,10 +106,10 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 % of 0 to 101, rounded
     set16(0x3017, 11, 1000);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 5);  // 0.5 %
+    EXPECT_EQ(get16(0x3320, 1), 5);  // 5 of 0 to 1000 is 0.5 %
     set16(0x3017, 10, -1000);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 503);  // 1005 of 2000
+    EXPECT_EQ(get16(0x3320, 1), 503);  // 5 lies 1005 above -1000: 1005 of 2000 is 50.3 %
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
@@ -149,9 +149,9 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
     set8(0x3015, 1, 1);    // as time intervals, points need no order
-    set32(0x3016, 2, 20);  // (20, 10)
-    set32(0x3016, 3, 5);   // (5, 20)
-    set32(0x3016, 4, 30);  // (30, 30)
+    set32(0x3016, 2, 20);  // point 2 is (20, 10)
+    set32(0x3016, 3, 5);   // point 3 is (5, 20)
+    set32(0x3016, 4, 30);  // point 4 is (30, 30)
     set32(0x3016, 5, 40000);
     set8(0x3015, 1, 0);
     extra(1, 4);
@@ -159,18 +159,18 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     extra(1, 20);
     EXPECT_EQ(output(1), 10) << "point 3 lies behind";
     extra(1, 25);
-    EXPECT_EQ(output(1), 28);  // 20 + 10 * (25 - 5) / (30 - 5)
+    EXPECT_EQ(output(1), 28);  // 20 + 10 * (25 - 5) / (30 - 5) = 28
     EXPECT_EQ(write_x(1, 6, 50), "06090032") << "below point 5";
     EXPECT_EQ(write_x(1, 3, 6), "06090032") << "below point 2";
     EXPECT_EQ(write_x(1, 2, 5), "");
     EXPECT_EQ(write_x(1, 3, 30), "");
     extra(1, 20);
-    EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5)
+    EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5) = 16
 }
 
 TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
-    set8(0x3020, 0, supply_source);  // 8 to 35 V
+    set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
     }

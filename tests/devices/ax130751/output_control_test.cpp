@@ -37,7 +37,7 @@ TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo
     set16(0x7323, 1, 0);
     set16(0x2330, 1, 1000);
     set16(0x2331, 1, 100);
-    command(1, 5000);  // 0 V as before
+    command(1, 5000);  // the output stays at 0 V
     command(1, 0);     // 5 V: the output rises
     pass(100);
     EXPECT_FLOAT_EQ(volts(1), 0.5F);
@@ -216,7 +216,7 @@ TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     set16(0x7341, 1, 1500);
     set16(0x1400, 5, 100);  // RPDO1 is expected every 100 ms
     start();
-    send("27F#A00F000000");  // 4000: 4 V
+    send("27F#A00F000000");  // RPDO1 brings 4000: 4 V
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
     pass(60);

@@ -179,7 +179,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     }
     set32(0x3026, 1, -32000);
     using Pair = std::pair<int, int>;
-    EXPECT_EQ(limits(1, 1), (Pair{0, 500}));  // 7320h, 7322h: 0 to 5 V
+    EXPECT_EQ(limits(1, 1), (Pair{0, 500}));  // limits of 7320h and 7322h: 0 to 5 V
     set16(0x7322, 2, 8000);
     set16(0x7320, 2, -2000);
     EXPECT_EQ(limits(1, 2), (Pair{-200, 800}));
@@ -191,12 +191,12 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     EXPECT_EQ(limits(1, 9), (Pair{200, 3000}));
-    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // 4021h, 4023h
+    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // limits of 4021h and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
     EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
-    EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // 5022h, 5023h
-    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h minus 5033h
+    EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // limits of 5022h and 5023h: 8 to 35 V
+    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h and 5033h: 85 - 25 = 60 to 85 degrees
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
     EXPECT_EQ(limits(6, 1), (Pair{100, 400}));
@@ -206,7 +206,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set8(0x3010, 0, 1);
     set8(0x3011, 0, 4);
     pass(2);
-    EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // 0 to 100 %
+    EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // limits of a percentage: 0 to 100 %
     set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, limited by the tested range
     pass(2);
     EXPECT_EQ(limits(3, 1).first, -15000);

@@ -27,10 +27,10 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
     write(0x2241, 1, 3, 1);   // polarity 3: output 1 blinks while ON
-    write(0x2223, 1, 40, 2);  // 40 ms
-    write(0x2360, 1, 2, 1);   // overridden by 6220h:3
+    write(0x2223, 1, 40, 2);  // output 1 is ON for 40 ms, then OFF for 40 ms
+    write(0x2360, 1, 2, 1);   // 6220h:3 overrides output 1
     write(0x2361, 1, 1, 1);
-    write(0x2300, 1, 0, 2);  // to OFF
+    write(0x2300, 1, 0, 2);  // the override switches output 1 OFF
     write(0x6220, 1, 1, 1);
     start();
     pass(1);
@@ -54,11 +54,11 @@ TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     write(0x2522, 1, 100, 2);  // 2500h:1 is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
-    write(0x3015, 1, 1, 1);  // time response
+    write(0x3015, 1, 1, 1);  // lookup table 1 answers to the time
     write(0x2500, 1, 100, 2);
     pass(5);
     EXPECT_NE(read(0x3018, 0), 0U) << "the profile runs";
-    write(0x3015, 1, 0, 1);  // data response
+    write(0x3015, 1, 0, 1);  // lookup table 1 answers to its input
     write(0x2500, 1, 0, 2);
     pass(5);
     write(0x2500, 1, 50, 2);

@@ -231,9 +231,9 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
     EXPECT_EQ(read(0x4020, 1).word(), 2500);
     EXPECT_EQ(write(0x4000, 1, 2, word(-2731)), too_low);
     EXPECT_EQ(write(0x4000, 1, 2, word(-2730)), 0U);
-    EXPECT_EQ(write(0x4000, 1, 2, word(1151)), too_high);  // 1250 - 100
+    EXPECT_EQ(write(0x4000, 1, 2, word(1151)), too_high);  // at most 1250 - 100 = 1150
     EXPECT_EQ(write(0x4000, 1, 2, word(1150)), 0U);
-    EXPECT_EQ(write(0x4010, 1, 2, word(1249)), too_low);  // 1150 + 100
+    EXPECT_EQ(write(0x4010, 1, 2, word(1249)), too_low);  // at least 1150 + 100 = 1250
     EXPECT_EQ(write(0x4010, 1, 2, word(2401)), too_high);
     EXPECT_EQ(write(0x4010, 1, 2, word(2400)), 0U);
     EXPECT_EQ(write(0x4020, 1, 2, word(2499)), too_low);

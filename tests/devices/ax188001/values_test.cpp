@@ -45,7 +45,7 @@ TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
 TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
-    inputs.cold_junction = -40.0F;  // E: -2.255 mV
+    inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
     heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
     settle();
     EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);

@@ -26,7 +26,7 @@ TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
     expect_steps(1, 2006);
     EXPECT_NEAR(volts(1), 5.0F, step_v);
-    set(2, "4DC1");  // -16051
+    set(2, "4DC1");  // the value -16051
     expect_steps(2, -2006);
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
@@ -57,7 +57,7 @@ TEST_F(Output, OutputIsClampedTo4095Steps) {
 
 TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2404, req::AO4_OD_2405>();
-    set(1, "0040");  // 16384: 2048 steps
+    set(1, "0040");  // 16384 / 8 = 2048 steps
     expect_steps(1, 2048);
     write("603#2B05240100400000");  // gain 1 + 16384 / 262144 = 1.0625: 2048 * 1.0625 = 2176
     expect_steps(1, 2176);

@@ -87,7 +87,7 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
     EXPECT_EQ(places[6].first, places[0].first);  // six in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // all different
+    EXPECT_EQ(looks.size(), 18U);  // all 18 looks differ
     EXPECT_TRUE(has_grouped_tick);
 }
 

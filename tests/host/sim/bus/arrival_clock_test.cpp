@@ -10,7 +10,7 @@ namespace canproof::host::test {
 
 namespace {
 
-constexpr std::uint64_t ns = 1000;  // per microsecond
+constexpr std::uint64_t ns = 1000;  // 1 µs in nanoseconds
 
 /// A clock that first returns the times given, and then the last of them.
 ArrivalClock::Clock clock_of(std::deque<std::uint64_t> times_us) {
