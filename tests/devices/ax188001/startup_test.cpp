@@ -125,6 +125,22 @@ TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
     }
 }
 
+TEST_F(Ax188001Startup, EachUnitFaultPreventsTheSelfStartInMode1) {
+    verifies<req::TCS_START_005>();
+    write(0x5051, 1, 2, 0);
+    write(0x5051, 2, 2, 0);
+    start_with(1);
+    for (const auto& [cpu, supply] : {std::pair{120.0F, 24.0F}, {40.0F, 60.0F}, {40.0F, 8.0F}}) {
+        inputs = {};
+        inputs.cpu_temperature = cpu;
+        inputs.supply = supply;
+        power_on();
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << cpu << ' ' << supply;
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << cpu << ' ' << supply;
+    }
+}
+
 TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     write(0x5051, 1, 2, 0);
