@@ -104,4 +104,9 @@ TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
     parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
 }
 
+TEST(LinePlot, WordsNameTitleAxesAndCurves) {
+    const LinePlot plot{"Output after a step", "time in s", "voltage in V", {{"aout1", {}}, {"aout2", {}}}, {}};
+    EXPECT_EQ(plot_words(plot), "Output after a step. Plot of voltage in V against time in s: aout1, aout2.");
+}
+
 }  // namespace canproof::host::test

@@ -133,8 +133,8 @@ PackFiles make_pack(const PackInput& input) {
     files["data/requirements.csv"] = write_requirements_csv(input.audits, input.evidence);
     files["data/decisions.csv"] = write_decisions_csv(input.audits);
     files["data/statements.csv"] = write_statements_csv(input.audits);
-    for (const auto& [name, text] : input.figures) {
-        files["plots/" + name] = text;
+    for (const auto& [name, figure] : input.figures) {
+        files["plots/" + name] = figure.svg;
     }
     for (const auto& one : input.exhibits) {
         if (one.page.empty()) {

@@ -182,7 +182,7 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
                                 "<td data-h=\"case\">2.1.1"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">20<td><td data-h=\"case\">3.4"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000<td class=n data-h=\"seconds\">12,345.25"));
-    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\""));
+    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\" alt=\"Plot of the figures of Many devices\">"));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("devices in real time: <b>1,000</b>"));
@@ -215,6 +215,14 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
     input_.mutation->items["D-A-002"].noticed = 3;
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
+}
+
+TEST_F(Pack, PlotsAreDescribedForReadersWhoDoNotSeeThem) {
+    input_.figures["lamp.svg"] = {"<svg/>", "Light of a lamp. Plot of <lux> against seconds: lamp."};
+    const PackFiles files = make();
+    EXPECT_EQ(files.at("plots/lamp.svg"), "<svg/>");
+    EXPECT_THAT(files.at("plots.html"),
+                HasSubstr("alt=\"Light of a lamp. Plot of &lt;lux&gt; against seconds: lamp.\""));
 }
 
 TEST_F(Pack, OnlyExistingFilesAreLinked) {
