@@ -8,7 +8,7 @@ namespace canproof::host::test {
 
 namespace {
 
-Frame frame_of(const std::string& text) {
+Frame frame_in(const std::string& text) {
     FrameText read;
     EXPECT_EQ(read_frame_text(text, read), std::nullopt) << text;
     return read.frame;
@@ -17,17 +17,17 @@ Frame frame_of(const std::string& text) {
 }  // namespace
 
 TEST(FrameText, FramesAreAlikeOnlyWhenEachFieldIsTheSame) {
-    const Frame frame = frame_of("123#1122");
-    EXPECT_TRUE(are_alike(frame, frame_of("123#1122")));
+    const Frame frame = frame_in("123#1122");
+    EXPECT_TRUE(are_alike(frame, frame_in("123#1122")));
     // identifier, format, remote, length, data
     for (const char* const other : {"124#1122", "00000123#1122", "123#R2", "123#112200", "123#1123"}) {
-        EXPECT_FALSE(are_alike(frame, frame_of(other))) << other;
+        EXPECT_FALSE(are_alike(frame, frame_in(other))) << other;
     }
-    EXPECT_FALSE(are_alike(frame_of("123#0000"), frame_of("123#R2"))) << "a remote frame has no data";
+    EXPECT_FALSE(are_alike(frame_in("123#0000"), frame_in("123#R2"))) << "a remote frame has no data";
 }
 
 TEST(FrameText, CharactersBesideTheHexadecimalDigitsAreRefused) {
-    EXPECT_EQ(frame_of("0f9#aF").data[0], 0xAFU);
+    EXPECT_EQ(frame_in("0f9#aF").data[0], 0xAFU);
     for (const char beside : {'/', ':', '@', 'G', '`', 'g'}) {
         FrameText read;
         EXPECT_NE(read_frame_text(std::string{"123#1"} + beside, read), std::nullopt) << beside;
