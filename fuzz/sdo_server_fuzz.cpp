@@ -24,7 +24,7 @@ constexpr unsigned most_obedient = 700;  ///< requests per input; two transfers 
 
 /// Requests of a client that follows the protocol: an input can run transfers that are longer than itself.
 struct Obedient {
-    unsigned count;   ///< requests
+    unsigned count;   ///< number of requests
     bool ends;        ///< the last request is a segment that is marked as the last
     unsigned unused;  ///< number of bytes without data in that segment
     unsigned lost;    ///< 0: none, otherwise every n-th request is lost

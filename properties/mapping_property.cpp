@@ -22,7 +22,7 @@ using naive_mapping::Pdo;
 struct Event {
     unsigned kind{0};      ///< 0 and 1: COB-ID; 2 and 3: a mapping entry; 4 and 5: the count; 6: a visit to operational
     unsigned number{0};    ///< sub-index, count, or bits of the COB-ID
-    Mappable line{};       ///< to map
+    Mappable line{};       ///< the entry to map
     bool receives{false};  ///< true for RPDO 3, false for TPDO 3
 };
 

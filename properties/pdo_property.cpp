@@ -153,7 +153,7 @@ RC_GTEST_PROP(PdoLaw, SentPdoCarriesItsValuesBitByBit, ()) {
     SlaveBench bench;
     const auto mapping = *mappings(false);
     map_pdo3(bench, false, mapping);
-    bench.send("605#2300180185010080");  // TPDO1 off
+    bench.send("605#2300180185010080");  // 1800h:1 COB-ID of TPDO1: not valid
     Values values;
     for (const Mappable& line : mapping) {
         values[{line.index, line.subindex}] = put_random(bench, line);
@@ -206,7 +206,7 @@ RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
     bench.send("605#2B001803" + hex_le(inhibit * 10, 2) + "0000");
     bench.send("605#2B001805" + hex_le(event, 2) + "0000");
     bench.send("605#2300180185010000");
-    bench.send("605#2301180185020080");  // TPDO2 off
+    bench.send("605#2301180185020080");  // 1801h:1 COB-ID of TPDO2: not valid
     const auto changes =
         *rc::gen::container<std::vector<bool>>(200, rc::gen::weightedElement<bool>({{4, false}, {1, true}}));
     std::uint8_t value = 0;

@@ -127,7 +127,7 @@ struct Ask : SdoCommand {
 /// Sends many valid requests in a row, which complete a transfer of the whole DOMAIN. Some frames may be lost.
 struct Stream : SdoCommand {
     unsigned count{0};
-    unsigned lost_every{0};  ///< 0: none
+    unsigned lost_every{0};  ///< every n-th request is lost; 0: none is lost
 
     explicit Stream(const Model&)
         : count{*rc::gen::element<unsigned>(1, 2, 5, 6, 7, 20, 126, 127, 128, 290)},

@@ -47,7 +47,7 @@ struct Event {
     /// wrong signature.
     unsigned kind{0};
     unsigned group{0};     ///< group of a write, 0 to 2; otherwise the sub-index minus one
-    unsigned value{0};     ///< of a write
+    unsigned value{0};     ///< value of a write
     unsigned permille{0};  ///< place in a save or restore where power fails; 1000 and more: no failure
 };
 

@@ -79,7 +79,7 @@ std::string any_identifier() {
 
 class Conversation {
   public:
-    Conversation() { heard(); }  // the greeting
+    Conversation() { heard(); }  // takes the greeting of the server
     void go_on() {
         now_ += *rc::gen::inRange<std::uint64_t>(0, 100);
         const std::string id = any_identifier();

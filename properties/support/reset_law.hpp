@@ -210,7 +210,7 @@ void lss_law() {
     }
     ResetUnit<Traits> fresh{spared.memory.bytes(), spared.inputs, spared.now};
     RC_ASSERT(difference_of_values(used, fresh, is_communication_parameter) == "");
-    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // the second halves
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // both units now perform the second half of the law
         name_own(*unit, 0x42, 3);
         name_own(*unit, 0x43, 4);
         name_own(*unit, 0x49, 3);

@@ -38,12 +38,12 @@ void configure(Fleet& fleet) {
     for (unsigned table = 1; table <= 10; ++table) {
         const unsigned first = table < 10 ? 0x3000 + table * 0x10 : 0x3100;
         write(first, 0, 1);      // source: CANopen message
-        write(first + 1, 0, 1);  // number 1
+        write(first + 1, 0, 1);  // number of the received value: 1
     }
     for (unsigned block = 1; block <= 4; ++block) {
         for (unsigned input = 1; input <= 4; ++input) {
             write(0x4000 + block * 0x100, input, 3);          // source: lookup table
-            write(0x4000 + block * 0x100 + 1, input, block);  // its number
+            write(0x4000 + block * 0x100 + 1, input, block);  // number of the lookup table
         }
     }
     for (unsigned block = 1; block <= 3; ++block) {

@@ -27,7 +27,7 @@ TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
     verifies<req::CO_HB_004>();
     renumber(0x1029, 0x102A);
     EXPECT_EQ(power_on(), Frames{"705#00"});
-    send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
+    send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
     send("000#0105");
     send("710#05");
     // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: without 1029h the
@@ -82,7 +82,8 @@ TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedWhateverTheLimitsO
     verifies<req::CO_SYNC_007>();
     entry(0x1019, 0).limit = no_limit;
     power_on();
-    EXPECT_EQ(send("605#2F191000F1000000"), Frames{"585#8019100030000906"});  // 241
+    // 1019h synchronous counter overflow value: 241, above the limit of 240
+    EXPECT_EQ(send("605#2F191000F1000000"), Frames{"585#8019100030000906"});
     EXPECT_EQ(send("605#2F191000FF000000"), Frames{"585#8019100030000906"});
     EXPECT_EQ(send("605#2F191000F0000000"), Frames{"585#6019100000000000"});
     EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F191000F0000000"});
@@ -253,13 +254,13 @@ TEST_F(AlteredDictionary, Real32MayHaveOneLimitOnly) {
     entry(0x2207, 0).type = DataType::real32;
     limit(0x2207, 0, {no_end, end_at(one_and_a_half)});
     power_on();
-    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#6007220000000000"});  // -2
-    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#8007220031000906"});  // 2
+    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#6007220000000000"});  // 2207h = -2 is within the limits
+    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#8007220031000906"});  // 2207h = 2 is above the maximum
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#43072200000000C0"});
     limit(0x2207, 0, {end_at(one_and_a_half), no_end});
     power_on();
-    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#6007220000000000"});  // 2
-    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#8007220032000906"});  // -2
+    EXPECT_EQ(send("605#2307220000000040"), Frames{"585#6007220000000000"});  // 2207h = 2 is within the limits
+    EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#8007220032000906"});  // 2207h = -2 is below the minimum
 }
 
 TEST_F(AlteredDictionary, OctetStringMayBeShorterAndMayContainZeros) {
@@ -328,7 +329,8 @@ TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegmen
     EXPECT_TRUE(send("605#0101020304050607").empty());
     EXPECT_TRUE(send("605#0208090A0B0C0D0E").empty());
     EXPECT_EQ(send("605#8300000000000000"), Frames{"585#A2037F0000000000"});
-    EXPECT_EQ(send("605#DD00000000000000"), Frames{"585#A100000000000000"});  // C1h | 7 << 2
+    // End of the block upload: C1h | 7 unused bytes << 2.
+    EXPECT_EQ(send("605#DD00000000000000"), Frames{"585#A100000000000000"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#410024000E000000"});
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0001020304050607"});
     EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});

@@ -21,7 +21,7 @@ class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
     }
     DeviceBySdo unit{GetParam(), 3};
     const unsigned index = std::string{GetParam()} == "cbx-ao412" ? 0x1401 : 0x1400;
-    const std::uint32_t as_shipped = cob_id();  ///< of node 3
+    const std::uint32_t as_shipped = cob_id();  ///< the default COB-ID of node 3
 };
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
     verifies<req::CO_PDO_030, req::CO_PDO_060, req::AO4_STORE_004>();
     set_cob_id(as_shipped + 0x40);
     unit.power_cycle();
-    EXPECT_EQ(cob_id(), as_shipped);  // not stored
+    EXPECT_EQ(cob_id(), as_shipped);  // the new COB-ID was not stored
     set_cob_id(as_shipped + 0x40);
     ASSERT_TRUE(unit.save());
     for (const int node_id : {9, 3, 0x43}) {

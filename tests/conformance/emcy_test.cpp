@@ -100,7 +100,7 @@ TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
     EXPECT_EQ(listed(0), "0A000000");
     EXPECT_EQ(listed(1), "10810000");
     EXPECT_EQ(listed(10), "20810000");
-    overrun(true);  // the eleventh
+    overrun(true);  // the eleventh error
     EXPECT_EQ(listed(0), "0A000000");
     EXPECT_EQ(listed(10), "10810000");
     EXPECT_EQ(send("603#4003100B00000000"), (Frames{"583#8003100B11000906"}));
@@ -135,7 +135,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
 
 TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
     verifies<req::CO_EMCY_020>();
-    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
     write("603#2314100083000000");
@@ -152,7 +152,7 @@ TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
 
 TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
     verifies<req::CO_EMCY_002>();
-    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
     write("603#2314100083000080");
@@ -164,7 +164,7 @@ TEST_F(Errors, WaitingMessagesAreDroppedWhenEmcyIsSwitchedOff) {
 
 TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::AO4_OD_1015>();
-    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
     EXPECT_TRUE(overrun(false).empty());
@@ -173,7 +173,7 @@ TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
 
 TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_018>();
-    write("603#2B151000E8030000");  // 1000 * 100 us = 100 ms
+    write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
@@ -181,7 +181,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
 
 TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     verifies<req::CO_EMCY_010, req::AO4_ERR_001>();
-    write("603#2B15100064000000");  // 100 * 100 us = 10 ms
+    write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_TRUE(can_state(2).empty());
     EXPECT_TRUE(overrun(false).empty());
@@ -210,8 +210,8 @@ TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
-    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // bit 30
-    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // bit 11
+    EXPECT_EQ(send("603#2314100083000040"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 30
+    EXPECT_EQ(send("603#2314100083080000"), (Frames{"583#8014100030000906"}));  // 1014h COB-ID EMCY with bit 11
     EXPECT_EQ(send("603#2314100003060080"), (Frames{"583#8014100030000906"}));  // 603h is reserved for SDO
     write("603#2314100083000080");
     write("603#2314100084000000");

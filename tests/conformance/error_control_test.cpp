@@ -16,7 +16,7 @@ class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
 TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
     verifies<req::CO_HB_001>();
-    write("603#2B17100064000000");  // 100 ms
+    write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     EXPECT_EQ(pass(250), (Frames{"100:703#7F", "200:703#7F"}));
     send("000#0103");
     EXPECT_EQ(pass(100), (Frames{"50:703#05"}));
@@ -47,7 +47,7 @@ TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
 
 TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
     verifies<req::CO_HB_002>();
-    write("603#23161001C8003100");  // 1016h:1: node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("00000731#05");
     EXPECT_TRUE(pass(1000).empty());
     send("731#05");
@@ -56,11 +56,11 @@ TEST_F(ErrorControlService, ExtendedFrameIsNoHeartbeat) {
 
 TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero) {
     verifies<req::CO_GUARD_007>();
-    write("603#2B0C100064000000");  // 100 ms …
-    write("603#2F0D100003000000");  // … times 3
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#2B0C1000C8000000");  // 200 ms, from now on
+    write("603#2B0C1000C8000000");  // 100Ch guard time: 200 ms from now on
     EXPECT_TRUE(pass(599).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
     send("703#R1");
@@ -70,7 +70,7 @@ TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero
 
 TEST_F(ErrorControlService, HeartbeatSentLateDoesNotDelayTheNextOnes) {
     verifies<req::CO_HB_001>();
-    write("603#2B17100064000000");  // 100 ms
+    write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     now = now + milliseconds(130);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"703#7F"}));
@@ -79,30 +79,30 @@ TEST_F(ErrorControlService, HeartbeatSentLateDoesNotDelayTheNextOnes) {
 
 TEST_F(ErrorControlService, NewLifeTimeFactorRestartsLifeGuarding) {
     verifies<req::CO_GUARD_007>();
-    write("603#2B0C100064000000");  // 100 ms …
-    write("603#2F0D100003000000");  // … times 3
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#2F0D100005000000");  // times 5, from now on
+    write("603#2F0D100005000000");  // 100Dh life time factor: 5 from now on
     EXPECT_TRUE(pass(499).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
 TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     verifies<req::CO_GUARD_007, req::CO_GUARD_008>();
-    write("603#2B0C100064000000");  // 100 ms …
-    write("603#2F0D100003000000");  // … times 3
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
     write("603#230E100003070000");  // 703h is written again
-    write("603#2B17100000000000");  // no heartbeat, as before
+    write("603#2B17100000000000");  // 1017h producer heartbeat time: still off
     EXPECT_TRUE(pass(99).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
 }
 
 TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
     verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_007>();
-    write("603#23161001C8003100");    // node 31h, 200 ms
+    write("603#23161001C8003100");    // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
     EXPECT_TRUE(pass(199).empty());
@@ -115,11 +115,11 @@ TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
 
 TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
-    write("603#23161001C8000100");  // node 1, 200 ms
+    write("603#23161001C8000100");  // 1016h:1 consumer heartbeat time: node 1, 200 ms
     send("701#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
     send("701#05");
-    write("603#23161001C8007F00");  // node 127
+    write("603#23161001C8007F00");  // 1016h:1 consumer heartbeat time: node 127
     send("77F#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h
 }
@@ -145,7 +145,8 @@ TEST_F(ErrorControlService, IncompleteEntriesOf1016hMonitorNoNode) {
 
 TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
-    EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));  // node 31h, 200 ms
+    // 1016h:1 consumer heartbeat time: node 31h, 200 ms
+    EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
     EXPECT_EQ(send("605#2316100164003100"), (Frames{"585#6016100100000000"}));  // the same entry again
     EXPECT_EQ(send("605#23161002C8003100"), (Frames{"585#8016100243000406"}));
     EXPECT_EQ(send("605#2316100200003100"), (Frames{"585#6016100200000000"}));  // without a time it monitors no node
@@ -154,7 +155,8 @@ TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
 
 TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
     verifies<req::CO_HB_003>();
-    EXPECT_EQ(send("605#23161001C8008000"), (Frames{"585#6016100100000000"}));  // node 128
+    // 1016h:1 consumer heartbeat time: node 128
+    EXPECT_EQ(send("605#23161001C8008000"), (Frames{"585#6016100100000000"}));
     EXPECT_TRUE(send("780#05").empty());
     EXPECT_TRUE(pass(1000).empty());
 }
@@ -170,7 +172,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
 
 TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
     verifies<req::CO_HB_004>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("731#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
     EXPECT_EQ(send("603#23161001C8003200"), (Frames{"083#0000000100000000", "583#6016100100000000"}));
@@ -181,7 +183,7 @@ TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
 
 TEST_F(ErrorControlService, ResetEndsTheHeartbeatError) {
     verifies<req::CO_HB_004, req::CO_NMT_006>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("731#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
     EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));  // 1003h is empty
@@ -201,8 +203,8 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
     verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_007>();
-    write("603#2B0C100064000000");  // 100 ms …
-    write("603#2F0D100003000000");  // … times 3
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    write("603#2F0D100003000000");  // 100Dh life time factor: 3
     EXPECT_TRUE(pass(1000).empty());
     send("703#R1");
     EXPECT_TRUE(pass(299).empty());
@@ -213,8 +215,8 @@ TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
 TEST_F(ErrorControlService, ResetEndsAFailedLifeGuardingAndClearsTheToggleBit) {
     verifies<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_NMT_006>();
     for (const bool whole_node : {true, false}) {
-        write("603#2B0C100064000000");  // 100 ms …
-        write("603#2F0D100001000000");  // … once
+        write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+        write("603#2F0D100001000000");  // 100Dh life time factor: 1
         EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
         EXPECT_EQ(pass(100), (Frames{"100:083#3081110100000000"}));
         if (whole_node) {
@@ -240,8 +242,8 @@ TEST_F(ErrorControlService, StartingTheHeartbeatEndsAFailedLifeGuarding) {
 TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
     verifies<req::CO_GUARD_006>();
     for (const std::string off : {"603#2B0C100000000000", "603#2F0D100000000000"}) {
-        write("603#2B0C100064000000");  // 100 ms …
-        write("603#2F0D100001000000");  // … once
+        write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+        write("603#2F0D100001000000");  // 100Dh life time factor: 1
         EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
         EXPECT_EQ(pass(100), (Frames{"100:083#3081110100000000"}));
         EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
@@ -263,7 +265,7 @@ TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
 
 TEST_F(ErrorControlService, GuardingUsesTheIdentifierOf100Eh) {
     verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
-    write("603#230E100020070000");  // 720h
+    write("603#230E100020070000");  // 100Eh node guarding identifier: 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
     EXPECT_TRUE(send("703#R1").empty());
     write("603#2B17100064000000");
@@ -340,9 +342,9 @@ NmtState state_after_bus_off(const std::string& reaction) {
 
 TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
-    EXPECT_EQ(state_after_error("01", "00"), "7F");  // operational: to pre-operational
-    EXPECT_EQ(state_after_error("01", "01"), "05");  // no change
-    EXPECT_EQ(state_after_error("01", "02"), "04");  // stopped
+    EXPECT_EQ(state_after_error("01", "00"), "7F");  // 1029h:1 = 0: from operational to pre-operational
+    EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
+    EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 = 2: stopped
     EXPECT_EQ(state_after_error("80", "00"), "7F");
     EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
     EXPECT_EQ(state_after_error("80", "02"), "04");
@@ -359,9 +361,9 @@ TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheStateBy1029h) {
 
 TEST_F(ErrorControlService, EachErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
-    write("603#23161001C8003100");  // node 31h, 200 ms
+    write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     write("603#2B0C100064000000");  // guard time 100 ms …
-    write("603#2F0D100001000000");  // … times 1
+    write("603#2F0D100001000000");  // 100Dh life time factor: 1
     send("000#0103");
     send("731#05");
     pass(200);

@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-// 6.4.2
+// CiA 305, 6.4.2
 TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
     verifies<req::CO_LSS_010, req::CO_LSS_071, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID,
              req::CO_E_LSS_ERROR>();
@@ -48,7 +48,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active node-ID
-          {"605#4000180100000000", {"585#4300180185010000"}},  // TPDO1 180h + 5
+          {"605#4000180100000000", {"585#4300180185010000"}},  // the COB-ID of TPDO1 is 180h + 5
           {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY is 80h + 5
           {"7E5#0400000000000000", {}},                        // no reset without a command
           {"605#4014100000000000", {"585#4314100085000000"}},
@@ -136,7 +136,7 @@ TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
     EXPECT_EQ(pass(1), Frames{});
     EXPECT_EQ(bit_rate(), 250000U);
     EXPECT_EQ(pass(99), Frames{});
-    EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // from 199: 205 and 235
+    EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // from 199 ms on: heartbeats at 205 ms and 235 ms
 }
 
 TEST_F(Lss, SwitchDelayIsSixteenBitsOfMilliseconds) {
@@ -214,7 +214,7 @@ TEST_F(Lss, ErrorDuringTheSwitchDelaysIsReportedAfterThem) {
     EXPECT_EQ(pass(19), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // 8110h, register 11h
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // error 8110h; 1001h is 11h
 }
 
 TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
@@ -260,12 +260,12 @@ TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
           {"7E5#0401000000000000", {}},
-          {"7E5#1596000000000000", {}},  // 150 ms
+          {"7E5#1596000000000000", {}},  // activate bit timing, with a switch delay of 150 ms
           {"731#05", {}}});              // sent during the switch delays: not received
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // 8130h, register 11h
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // error 8130h; 1001h is 11h
 }
 
 TEST_F(Lss, EndOfBusOffDoesNotEndTheSwitchDelays) {
@@ -304,7 +304,7 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
-// 6.4.5
+// CiA 305, 6.4.5
 TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     configure();
@@ -314,7 +314,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     const LssConfiguration kept = device->stored();
     EXPECT_EQ(kept.node_id, 32);
     EXPECT_EQ(kept.bit_rate, 500000U);
-    EXPECT_EQ(bit_rate(), 125000U);  // stored, not activated
+    EXPECT_EQ(bit_rate(), 125000U);  // the bit rate is stored, but not activated
     EXPECT_EQ(start(kept), (Frames{"720#00"}));
     EXPECT_EQ(bit_rate(), 500000U);
 }

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // -- inquiry and identification ---------------------------------------------------------------------------------------
 
-// 6.5
+// CiA 305, 6.5
 TEST_F(Lss, InquiriesReturnTheLssAddressAndTheNodeId) {
     verifies<req::CO_LSS_040, req::CO_LSS_041, req::CO_E_LSS_COMMAND>();
     configure();
@@ -43,11 +43,11 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
                                         {"7E5#4801000100000000", {}}, {"7E5#4903000100000000", {}},
                                         {"7E5#4A20112620000000", {}}, {"7E5#4B22112620000000", {}}};
     const std::vector<std::pair<std::size_t, const char*>> misfits{
-        {0, "7E5#465E000000000000"},   // another vendor
-        {1, "7E5#4702030200000000"},   // another product
+        {0, "7E5#465E000000000000"},   // the number of another vendor
+        {1, "7E5#4702030200000000"},   // the number of another product
         {1, "7E5#47FFFFFFFF000000"},   // a higher number also counts as another product
-        {2, "7E5#4803000100000000"},   // revisions from 00010003h
-        {3, "7E5#4901000100000000"},   // revisions to 00010001h
+        {2, "7E5#4803000100000000"},   // lowest revision number: 00010003h
+        {3, "7E5#4901000100000000"},   // highest revision number: 00010001h
         {4, "7E5#4A22112620000000"},   // serial numbers from 20261122h
         {5, "7E5#4B20112620000000"}};  // serial numbers to 20261120h
     for (const auto& [at, request] : misfits) {
@@ -97,7 +97,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbIdentifyRemoteSlave) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
 }
 
-// 6.6.4
+// CiA 305, 6.6.4
 TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
     verifies<req::CO_LSS_044, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#4C00000000000000", {}},
@@ -192,11 +192,11 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5120112620010300", yes}},  // not all bits
+         {"7E5#5120112620010300", yes}},  // the bit check does not include all bits
         {{"7E5#515F000000000001", yes},
          {"7E5#51010302AA000102", yes},
          {"7E5#5102000100000203", yes},
-         {"7E5#5122112620000300", {}}},  // another unit
+         {"7E5#5122112620000300", {}}},  // the serial number of another unit
         {{"7E5#515F000000000001", yes},
          {"7E5#5100000080010103", {}},  // a mismatch changes nothing …
          {"7E5#5121112620000300", {}},
@@ -285,10 +285,10 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
     talk({{"7E5#5100000000800000", yes},
           {"7E5#515F0000001F0000", yes},
           {"7E5#515F000000200000", {}},  // bit check 32
-          {"7E5#515F0000007F0000", {}},  // 127
-          {"7E5#515F000000810000", {}},  // 129
+          {"7E5#515F0000007F0000", {}},  // bit check 127
+          {"7E5#515F000000810000", {}},  // bit check 129
           {"7E5#515F000000FF0000", {}},
-          {"7E5#515F000000000400", {}},  // a fifth number
+          {"7E5#515F000000000400", {}},  // position of a fifth number
           {"7E5#515F00000000FF00", {}},
           {"7E5#515F000000000004", {}},  // a fifth number next
           {"7E5#515F0000000000FF", {}},

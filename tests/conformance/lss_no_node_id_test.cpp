@@ -22,7 +22,7 @@ TEST_F(Unconfigured, ErrorPassiveAtBootUpIsReported) {
     EXPECT_EQ(sent(), Frames{});
     talk({{"7E5#0401", {}},
           {"7E5#1105", {"7E4#110000"}},
-          {"7E5#0400", {"705#00", "085#2081110100000000"}},  // 8120h
+          {"7E5#0400", {"705#00", "085#2081110100000000"}},  // error 8120h is reported after the boot-up
           {"605#4001100000000000", {"585#4F01100011000000"}}});
     device->node().set_can_state(CanState::error_active, now);
     EXPECT_EQ(sent(), (Frames{"085#0000000100000000"}));
@@ -53,7 +53,7 @@ TEST_F(Unconfigured, NodeIdTakesEffectAtTheSwitchToWaiting) {
     talk({{"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},
           {"7E5#1120000000000000", {"7E4#1100000000000000"}},
-          {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},  // pending
+          {"7E5#5E00000000000000", {"7E4#5EFF000000000000"}},  // the active node-ID is still FFh, while 20h is pending
           {"620#4000100000000000", {}},
           {"7E5#0400000000000000", {"720#00"}},
           {"620#4000100000000000", {"5A0#4300100078563412"}},
@@ -67,7 +67,7 @@ TEST_F(Unconfigured, LeavingConfigurationWithoutANodeIdChangesNothing) {
           {"7E5#0400000000000000", {}},
           {"7E5#0401000000000000", {}},
           {"7E5#1120000000000000", {"7E4#1100000000000000"}},
-          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // removed again
+          {"7E5#11FF000000000000", {"7E4#1100000000000000"}},  // the node-ID is removed again
           {"7E5#0400000000000000", {}}});
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(state(), NmtState::initialising);

@@ -22,19 +22,19 @@ class AxLss : public Lss {
 // The screen capture, frames 95 to 102, with its times; AX130751 3.1.3, AX188001 3.1.1.2, AX060805 4.1.1.2
 TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
     verifies<req::CO_LSS_019, req::CO_LSS_018, req::CO_LSS_081>();
-    EXPECT_EQ(send("7E5#0401"), Frames{});                  // 95, 11:42:45.248
+    EXPECT_EQ(send("7E5#0401"), Frames{});                  // frame 95 of the capture, 11:42:45.248
     EXPECT_EQ(pass(9220), Frames{});                        //
-    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 96 and 97, 11:42:54.468
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // frames 96 and 97, 11:42:54.468
     EXPECT_EQ(pass(4219), Frames{});                        //
-    EXPECT_EQ(send("7E5#158813"), Frames{});                // 98, 11:42:58.687: 1388h = 5000 ms
+    EXPECT_EQ(send("7E5#158813"), Frames{});                // frame 98, 11:42:58.687: a switch delay of 1388h = 5000 ms
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(pass(1), Frames{});
     EXPECT_EQ(bit_rate(), 250000U);
     EXPECT_EQ(pass(12892), Frames{});                   // 17.892 s after frame 98
-    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));  // 99 and 100, 11:43:16.579
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));  // frames 99 and 100, 11:43:16.579
     EXPECT_EQ(pass(6438), Frames{});                    //
-    EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));    // 101 and 102, 11:43:23.017
+    EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));    // frames 101 and 102, 11:43:23.017
     EXPECT_EQ(state(), NmtState::pre_operational);
     EXPECT_EQ(device->stored().node_id, 80);
     EXPECT_EQ(device->stored().bit_rate, 250000U);
@@ -43,7 +43,7 @@ TEST_F(AxLss, CapturedSessionTo250KbitPerSecondGivesTheSameFrames) {
 // AX130751 3.1.2, AX188001 3.1.1.1, AX060805 4.1.1.1
 TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
     verifies<req::CO_LSS_018, req::CO_LSS_081, req::CO_LSS_016>();
-    start({127, 125000});  // as shipped
+    start({127, 125000});  // node-ID and bit rate as shipped
     talk({{"7E5#0401", {}},
           {"7E5#1150", {"7E4#110000"}},
           {"7E5#17", {"7E4#170000"}},
@@ -64,7 +64,7 @@ TEST_F(AxLss, LeavingLssConfigurationResetsEvenWhenNothingChanged) {
 
 TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationOnly) {
     verifies<req::CO_LSS_018>();
-    talk({{"650#2B17100064000000", {"5D0#6017100000000000"}},  // 1017h = 100 ms
+    talk({{"650#2B17100064000000", {"5D0#6017100000000000"}},  // 1017h producer heartbeat time: 100 ms
           {"650#2F002001AA000000", {"5D0#6000200100000000"}},
           {"7E5#0401", {}},
           {"7E5#0400", {"750#00"}},

@@ -9,16 +9,16 @@ namespace canproof::test {
 
 // -- states -----------------------------------------------------------------------------------------------------------
 
-// 6.3.2
+// CiA 305, 6.3.2
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
              req::CO_K_LSS_RESPONSE_ID>();
     talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
-          {"7E5#0401000000000000", {}},  // again: nothing changes
+          {"7E5#0401000000000000", {}},  // the same mode again: nothing changes
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
-          {"7E5#0402000000000000", {}},  // no such mode
+          {"7E5#0402000000000000", {}},  // mode 2 does not exist
           {"7E5#04FF000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
           {"7E5#0400000000000000", {}},
@@ -28,7 +28,7 @@ TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
           {"7E5#5E00000000000000", {}}});
 }
 
-// 6.3.3
+// CiA 305, 6.3.3
 TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
     verifies<req::CO_LSS_002, req::CO_E_LSS_ANSWER, req::CO_E_LSS_COMMAND>();
     talk(own_address);
@@ -39,22 +39,22 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
 
 TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
-    const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // another vendor
+    const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // the number of another vendor
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
-                                                     {"7E5#41010302AB000000", {}},  // another product
+                                                     {"7E5#41010302AB000000", {}},  // the number of another product
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#4203000100000000", {}},  // another revision
+                                                     {"7E5#4203000100000000", {}},  // another revision number
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
-                                                     {"7E5#4320112620000000", {}}},  // another unit
+                                                     {"7E5#4320112620000000", {}}},  // another serial number
                                                     {{"7E5#41010302AA000000", {}},   // no vendor-ID
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},

@@ -79,8 +79,8 @@ TEST_F(Nmt, CommandDuringBusOffIsIgnored) {
 
 TEST_F(Nmt, ResetNodeRestoresAllDefaultsAndResetCommunicationThoseOf1000hTo1FFFh) {
     verifies<req::CO_NMT_005, req::CO_NMT_006>();
-    write("603#2B171000E8030000");  // 1017h = 1000 ms
-    write("603#2B116401B33E0000");  // 6411h:1 = 3EB3h
+    write("603#2B171000E8030000");  // 1017h producer heartbeat time: 1000 ms
+    write("603#2B116401B33E0000");  // writes 3EB3h to 6411h:1
     send("000#8203");
     EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));
     EXPECT_EQ(send("603#4011640100000000"), (Frames{"583#4B116401B33E0000"}));
@@ -99,8 +99,8 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
 // CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
 TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_SDO_017, req::CO_SDO_045>();
-    write("603#2305100080000040");  // produce SYNC …
-    write("603#2306100010270000");  // … every 10 ms
+    write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC
+    write("603#2306100010270000");  // 1006h communication cycle period: 10 ms
     // pre-operational: SDO, SYNC, EMCY; no PDO
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));

@@ -56,11 +56,11 @@ TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
 
 TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007>();
-    send("605#2316100264001100");  // node 11h, 100 ms
+    send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
     send("605#2B0C100032000000");  // guard time 50 ms …
-    send("605#2F0D100002000000");  // … times 2
-    send("605#2B00140564000000");  // RPDO1 each 100 ms
-    send("605#2B01140564000000");  // RPDO2 as well
+    send("605#2F0D100002000000");  // 100Dh life time factor: 2
+    send("605#2B00140564000000");  // 1400h:5 event timer of RPDO1: 100 ms
+    send("605#2B01140564000000");  // 1401h:5 event timer of RPDO2: 100 ms
     lose_producer();               // node 10h, which stays silent
     EXPECT_EQ(state(), NmtState::pre_operational);
     for (const char* heard_once : {"711#05", "705#R1", "205#1122", "305#0100020003000400"}) {
@@ -77,7 +77,7 @@ TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnother
     device->node().set_can_state(CanState::error_active, now);
     EXPECT_EQ(device->communication_errors(),
               1);                  // the error of node 10h is the only one counted: it has been silent all the time
-    send("605#2F29100102000000");  // stopped
+    send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     send("000#0105");
     send("711#05");
     pass(100);
@@ -96,7 +96,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
 
 TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
     verifies<req::CO_NMT_007>();
-    send("605#2F29100102000000");  // stopped
+    send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
     can_state = 3;
     EXPECT_EQ(power_on(), Frames{});
@@ -115,7 +115,7 @@ TEST_F(NodeService, SelfStartHappensAtItsDeadline) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(SelfResetting, SelfStartDoesNotOutliveAReset) {
+TEST_F(SelfResetting, ResetByLssCancelsAPlannedSelfStart) {
     verifies<req::CO_NMT_008, req::CO_NMT_006>();
     device->node().start_at(now + milliseconds(100));
     configure();
@@ -177,14 +177,14 @@ TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
 
 TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
-    send("605#2316100164001000");  // node 10h, 100 ms
-    send("605#2316100264001100");  // node 11h, 100 ms
+    send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
+    send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
     for (const char* entry : {"605#2316100164001000", "605#2316100100000000"}) {
         send("710#05");
         send("711#05");
         send(entry);
         EXPECT_EQ(pass(99), Frames{});
-        EXPECT_EQ(pass(1).size(), 1U) << entry;  // 11h
+        EXPECT_EQ(pass(1).size(), 1U) << entry;  // the heartbeat of node 11h is missing
         EXPECT_EQ(send("711#05").size(), 1U) << entry;
         send("605#2316100200000000");
         send("605#2316100264001100");
@@ -240,7 +240,7 @@ TEST_F(AlteredNode, ErrorListOfOneEntryHoldsTheLatestError) {
     power_on();
     send("080#01");  // the SYNC has a wrong length: 8240h
     EXPECT_EQ(send("605#4003100100000000"), Frames{"585#4303100140820000"});
-    device->node().set_overrun(true, now);  // 8110h
+    device->node().set_overrun(true, now);  // reports an overrun: error 8110h
     sent();
     EXPECT_EQ(send("605#4003100100000000"), Frames{"585#4303100110810000"});
     EXPECT_EQ(send("605#4003100000000000"), Frames{"585#4F03100001000000"});

@@ -95,8 +95,8 @@ TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
 TEST_F(Pdo, IdentifierChangesOnlyWhileThePdoIsNotValid) {
     verifies<req::CO_PDO_007, req::CO_PDO_054, req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
-    EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // bit 29
-    EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // bit 12
+    EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // 1401h:1 COB-ID of RPDO2 with bit 29
+    EXPECT_EQ(send("603#2301140103130000"), (Frames{"583#8001140130000906"}));  // 1401h:1 COB-ID of RPDO2 with bit 12
     disable_rpdo2();
     write("603#2301140133020000");
     send("233#0100000000000000");
@@ -125,12 +125,12 @@ TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
 
 TEST_F(Pdo, RemappingIsAcceptedInItsOrderOnly) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
-    EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // still valid
+    EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // refused: RPDO2 is still valid
     disable_rpdo2();
-    EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // sub 0 still 4
+    EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // refused: 1601h:0 is still 4
     write("603#2F01160000000000");
-    write("603#2301160110041164");  // 6411h:4
-    write("603#2301160210031164");  // 6411h:3
+    write("603#2301160110041164");  // maps 6411h:4
+    write("603#2301160210031164");  // maps 6411h:3
     write("603#2F01160002000000");
     enable_rpdo2();
     send("303#44443333");
@@ -153,9 +153,9 @@ TEST_F(Pdo, MappingHoldsAtMost64Bits) {
     disable_rpdo2();
     write("603#2F01160000000000");
     for (const char* entry : {"01", "02", "03"}) {
-        write(std::string{"603#230116"} + entry + "20000700");  // dummy UNSIGNED32
+        write(std::string{"603#230116"} + entry + "20000700");  // maps the dummy UNSIGNED32
     }
-    EXPECT_EQ(send("603#2F01160003000000"), (Frames{"583#8001160042000406"}));  // 96 bits
+    EXPECT_EQ(send("603#2F01160003000000"), (Frames{"583#8001160042000406"}));  // refused: 96 bits in total
     write("603#2F01160002000000");
     write("603#2F01160000000000");
     write("603#2301160200000000");                                              // an empty entry …
@@ -166,7 +166,7 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
     verifies<req::CO_PDO_012>();
     disable_rpdo2();
     write("603#2F01160000000000");
-    write("603#2301160108000500");  // dummy UNSIGNED8
+    write("603#2301160108000500");  // maps the dummy UNSIGNED8
     write("603#2301160210011164");
     write("603#2F01160002000000");
     enable_rpdo2();

@@ -112,15 +112,15 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
     hold({
         {parameter("01"), not_valid(), ""},
         {line("00"), "00", ""},
-        {line("01"), "08003412", object_missing},    // 1234h
-        {line("01"), "08090020", subindex_missing},  // 2000h:9
-        {line("01"), "10001710", cannot_be_mapped},  // 1017h
+        {line("01"), "08003412", object_missing},    // 1234h is absent
+        {line("01"), "08090020", subindex_missing},  // 2000h:9 is absent
+        {line("01"), "10001710", cannot_be_mapped},  // 1017h is not mappable
         {line("01"), GetParam().foreign, cannot_be_mapped},
-        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 of 8 bits
+        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 of the 8 bits of the entry
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 is a BOOLEAN of one bit, and only an RPDO can carry it
-        {line("01"), "40000722", cannot_be_mapped},  // 64 of 32 bits
+        {line("01"), "40000722", cannot_be_mapped},  // 64 of the 32 bits of 2207h
         {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},
@@ -144,8 +144,8 @@ TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
         {line("01"), "08000100", cannot_be_mapped},
         {line("01"), "01000500", cannot_be_mapped},
         {line("01"), "20000600", cannot_be_mapped},
-        {line("01"), "08010500", cannot_be_mapped},  // sub-index 1
-        {line("01"), "00000500", cannot_be_mapped},  // no bits
+        {line("01"), "08010500", cannot_be_mapped},  // a dummy with sub-index 1
+        {line("01"), "00000500", cannot_be_mapped},  // a dummy of no bits
         {line("01"), "20000800", object_missing},    // REAL32 is no dummy
     });
 }
@@ -159,8 +159,8 @@ TEST_P(Remapping, NumberOfMappedObjectsIsChecked) {
         {line("02"), "20000722", ""},
         {line("03"), GetParam().entry, ""},
         {line("04"), "00000000", ""},
-        {line("00"), "03", longer_than_a_pdo},  // 72 bits
-        {line("00"), "02", ""},                 // 64 bits
+        {line("00"), "03", longer_than_a_pdo},  // 72 bits in total
+        {line("00"), "02", ""},                 // 64 bits in total
         {line("00"), "00", ""},
         {line("01"), "00000000", ""},
         {line("00"), "01", cannot_be_mapped},  // an empty entry
@@ -178,7 +178,7 @@ TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {
     hold({
         {parameter("01"), other + "0000", present_state},
         {parameter("01"), other + "0040", present_state},
-        {parameter("01"), valid(), ""},                     // the same
+        {parameter("01"), valid(), ""},                     // the same COB-ID again
         {parameter("01"), GetParam().cob_id + "0040", ""},  // bit 30 may change while the PDO is valid
         {parameter("01"), other + "0080", ""},              // a write that sets bit 31 may change the identifier
         {parameter("01"), other + "0000", ""},
@@ -234,10 +234,10 @@ TEST_P(Remapping, ReservedTransmissionTypesAreRefused) {
         {parameter("02"), "00", ""},
         {parameter("02"), "01", ""},
         {parameter("02"), "F0", ""},
-        {parameter("02"), "F1", out_of_range},  // 241
+        {parameter("02"), "F1", out_of_range},  // type 241 is reserved
         {parameter("02"), "F2", out_of_range},
         {parameter("02"), "FA", out_of_range},
-        {parameter("02"), "FB", out_of_range},  // 251
+        {parameter("02"), "FB", out_of_range},  // type 251 is reserved
         {parameter("02"), "FC", on_request},
         {parameter("02"), "FD", on_request},
         {parameter("02"), "FE", ""},
@@ -288,10 +288,10 @@ class DefaultIdentifiers : public testing::Test, public SlaveBench {};
 TEST_F(DefaultIdentifiers, DefaultIdentifiersFollowTheNodeId) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
-                    {"605#4000140100000000", {"585#4300140105020000"}},  // 205h
-                    {"605#4003140100000000", {"585#4303140105050080"}},  // 505h, not valid
-                    {"605#4000180100000000", {"585#4300180185010000"}},  // 185h
-                    {"605#4003180100000000", {"585#4303180185040080"}},  // 485h, not valid
+                    {"605#4000140100000000", {"585#4300140105020000"}},  // COB-ID of RPDO1: 205h
+                    {"605#4003140100000000", {"585#4303140105050080"}},  // COB-ID of RPDO4: 505h, not valid
+                    {"605#4000180100000000", {"585#4300180185010000"}},  // COB-ID of TPDO1: 185h
+                    {"605#4003180100000000", {"585#4303180185040080"}},  // COB-ID of TPDO4: 485h, not valid
                 });
     node_id = 0x2A;
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
@@ -308,8 +308,8 @@ TEST_F(DefaultIdentifiers, StoredIdentifierStaysWhenTheNodeIdChanges) {
     verifies<req::CO_PDO_030>();
     talk(*this, {
                     {"605#2300140105020080", {"585#6000140100000000"}},
-                    {"605#2300140133020000", {"585#6000140100000000"}},  // 233h
-                    {"605#2310100173617665", {"585#6010100100000000"}},  // save
+                    {"605#2300140133020000", {"585#6000140100000000"}},  // 1400h:1 COB-ID of RPDO1: 233h
+                    {"605#2310100173617665", {"585#6010100100000000"}},  // 1010h:1 store parameters: save
                 });
     node_id = 0x2A;
     power_on();

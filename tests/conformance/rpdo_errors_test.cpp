@@ -19,7 +19,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheLengthErrorOfAnother) {
 
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
     verifies<req::CO_PDO_034, req::CO_PDO_039>();
-    map_rpdo3({"10000022"});  // 2200h, at most 100
+    map_rpdo3({"10000022"});  // maps 2200h, whose maximum is 100
     talk(*this, {
                     {"405#6500", {"085#0082110100000000"}},
                     {"605#2F011402FE000000", {"585#6001140200000000"}},
@@ -30,7 +30,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
     verifies<req::CO_PDO_021, req::CO_PDO_039>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
-    send("605#2B0014050A000000");  // RPDO1: 10 ms
+    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
     EXPECT_EQ(send("605#2F011402FE000000"), (Frames{"585#6001140200000000"}));
@@ -40,8 +40,8 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
 TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
-    send("605#2B0014050A000000");  // RPDO1: 10 ms
-    send("605#2B01140514000000");  // RPDO2: 20 ms
+    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
+    send("605#2B01140514000000");  // 1401h:5 event timer of RPDO2: 20 ms
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(20), (Frames{"10:085#5082110100000000"}));
@@ -52,8 +52,8 @@ TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
 TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
-    send("605#2F00140201000000");  // type 1
-    send("605#2B0014050A000000");  // 10 ms
+    send("605#2F00140201000000");  // 1400h:2 transmission type of RPDO1: 1
+    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("205#1122");
     EXPECT_TRUE(pass(9).empty());
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC was received

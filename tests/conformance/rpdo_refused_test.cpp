@@ -16,9 +16,9 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
     send("605#2F29100101000000");                // 1029h:1 = 1: no change of state
-    map_rpdo3({"10000022"});                     // 2200h: -100 … 100
-    send("605#2B02140532000000");                // 50 ms
-    EXPECT_TRUE(send("405#6500").size() == 1U);  // 101: 8200h
+    map_rpdo3({"10000022"});                     // maps 2200h, which takes -100 … 100
+    send("605#2B02140532000000");                // 1402h:5 event timer of RPDO3: 50 ms
+    EXPECT_TRUE(send("405#6500").size() == 1U);  // the value 101 is refused with error 8200h
     EXPECT_TRUE(pass(1000).empty());             // no reception yet that starts the monitoring
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
@@ -26,7 +26,8 @@ TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the valid one: 8250h
     EXPECT_TRUE(send("405#9BFF").empty());                     // refused: the time-out continues
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
-    EXPECT_EQ(send("405#6300"), (Frames{"085#0000110300000000", "085#0000000300000000"}));  // 99
+    // 99 is accepted, which ends the error
+    EXPECT_EQ(send("405#6300"), (Frames{"085#0000110300000000", "085#0000000300000000"}));
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100000000000"}));
 }
 
@@ -34,10 +35,10 @@ TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_002>();
     map_rpdo3({"10000022"});
     talk(*this, {
-                    {"605#2F02140201000000", {"585#6002140200000000"}},  // type 1
-                    {"405#3200", {}},                                    // 50 waits
+                    {"605#2F02140201000000", {"585#6002140200000000"}},  // 1402h:2 transmission type of RPDO3: 1
+                    {"405#3200", {}},                                    // the value 50 waits for a SYNC
                     {"405#6500", {"085#0082110100000000"}},              // 101: reported on reception
-                    {"605#4000220000000000", {"585#4B00220007000000"}},  // the default
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h has its default
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220032000000"}},
                     {"605#4001100000000000", {"585#4F01100011000000"}},  // the latest one was refused
@@ -56,12 +57,13 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     {"605#2F03160001000000", {"585#6003160000000000"}},
                     {"605#2303140105050000", {"585#6003140100000000"}},
                     {"405#6500", {"085#0082110100000000"}},
-                    {"505#0000807F", {}},                    // infinity
-                    {"405#6400", {}},                        // RPDO4 is still wrong
+                    {"505#0000807F", {}},                    // the value is infinity
+                    {"405#6400", {}},                        // the value of RPDO4 is still refused
                     {"505#0000", {"085#1082110200000000"}},  // too short: an additional error
                     {"505#00000000", {"085#0000110200000000", "085#0000000200000000"}},
                     {"405#6500", {"085#0082110300000000"}},
-                    {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},  // a write ends it
+                    // A write to 1402h ends the error of RPDO3.
+                    {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},
                 });
     EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1
 }
@@ -81,12 +83,12 @@ TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
                     {"605#2F02140201000000", {"585#6002140200000000"}},  // type 1: at the next SYNC
                     {"605#2302140105040000", {"585#6002140100000000"}},
                     {"000#0105", {}},
-                    {"405#3200", {}},                                    // 50 waits
-                    {"605#2B00210128000000", {"585#6000210100000000"}},  // at most 40
+                    {"405#3200", {}},                                    // the value 50 waits for a SYNC
+                    {"605#2B00210128000000", {"585#6000210100000000"}},  // the maximum is 40 now
                     {"080#", {"085#0082110100000000"}},
-                    {"605#4000220000000000", {"585#4B00220007000000"}},  // the default
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h has its default
                     {"080#", {}},                                        // no RPDO waits for a SYNC
-                    {"405#2800", {"085#0000000100000000"}},              // 40
+                    {"405#2800", {"085#0000000100000000"}},              // the value 40 is accepted
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220028000000"}},
                 });

@@ -14,7 +14,7 @@ TEST_F(Rpdo, RpdosOfTypes254And255SetTheirObjectsAtOnce) {
                     {"205#1122", {}},
                     {"605#4000200100000000", {"585#4F00200111000000"}},
                     {"605#4000200200000000", {"585#4F00200222000000"}},
-                    {"605#2F001402FE000000", {"585#6000140200000000"}},  // type 254
+                    {"605#2F001402FE000000", {"585#6000140200000000"}},  // 1400h:2 transmission type of RPDO1: 254
                     {"205#3344", {}},
                     {"605#4000200100000000", {"585#4F00200133000000"}},
                     {"605#4000200200000000", {"585#4F00200244000000"}},
@@ -50,7 +50,7 @@ TEST_F(Rpdo, RpdosOfTypes0To240WaitForTheSyncAndUseTheLastValues) {
 TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
     verifies<req::CO_PDO_003, req::CO_PDO_036>();
     talk(*this, {
-                    {"605#2F00140201000000", {"585#6000140200000000"}},  // RPDO1: type 1
+                    {"605#2F00140201000000", {"585#6000140200000000"}},  // 1400h:2 transmission type of RPDO1: 1
                     {"205#1122", {}},
                     {"000#8005", {}},
                     {"305#0100020003000400", {}},
@@ -61,7 +61,7 @@ TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     {"605#4000210100000000", {"585#4B00210100000000"}},
                     {"205#5566", {}},
-                    {"000#0205", {}},  // stopped
+                    {"000#0205", {}},  // the node is stopped
                     {"080#", {}},
                     {"000#0105", {}},
                     {"080#", {}},
@@ -96,7 +96,7 @@ TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
     talk(*this, {
                     {"305#01", {"085#1082110100000000"}},
                     {"205#11", {}},
-                    {"305#0100020003000400", {}},  // RPDO1 is still wrong
+                    {"305#0100020003000400", {}},  // the error of RPDO1 lasts
                     {"205#1122", {"085#0000000100000000"}},
                 });
 }
@@ -120,17 +120,17 @@ TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
     map_rpdo3({"08030020", "10000022"});  // 2000h:3, then 2200h: -100 … 100
     talk(*this, {
-                    {"405#016400", {}},  // 100
+                    {"405#016400", {}},  // 2200h = 100
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
                     {"405#026500", {"085#0082110100000000"}},  // 101: 8200h, bits 0 and 4 of 1001h, one listed
                     {"405#029BFF", {}},                        // -101: the error continues
                     {"605#4000200300000000", {"585#4F00200301000000"}},
                     {"605#4000220000000000", {"585#4B00220064000000"}},
-                    {"405#029CFF", {"085#0000000100000000"}},  // -100
+                    {"405#029CFF", {"085#0000000100000000"}},  // 2200h = -100
                     {"605#4000200300000000", {"585#4F00200302000000"}},
                     {"605#4000220000000000", {"585#4B0022009CFF0000"}},
-                    {"405#039BFF", {"085#0082110200000000"}},  // -101
+                    {"405#039BFF", {"085#0082110200000000"}},  // 2200h = -101 is refused
                     {"605#4000200300000000", {"585#4F00200302000000"}},
                     {"605#4000220000000000", {"585#4B0022009CFF0000"}},
                 });
@@ -138,15 +138,15 @@ TEST_F(Rpdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
 
 TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
     verifies<req::CO_PDO_005, req::CO_PDO_034>();
-    map_rpdo3({"20000222"});  // 2202h: REAL32, -10 … 10
+    map_rpdo3({"20000222"});  // maps 2202h, a REAL32 of -10 … 10
     talk(*this, {
-                    {"405#00002041", {}},  // 10.0
+                    {"405#00002041", {}},  // 2202h = 10.0
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#01002041", {"085#0082110100000000"}},  // the next number above
-                    {"405#0000C07F", {}},                        // NaN
-                    {"405#0000807F", {}},                        // infinity
+                    {"405#01002041", {"085#0082110100000000"}},  // the next REAL32 above 10.0 is refused
+                    {"405#0000C07F", {}},                        // 2202h = NaN
+                    {"405#0000807F", {}},                        // 2202h = infinity
                     {"605#4002220000000000", {"585#4302220000002041"}},
-                    {"405#000020C1", {"085#0000000100000000"}},  // -10.0
+                    {"405#000020C1", {"085#0000000100000000"}},  // 2202h = -10.0
                     {"605#4002220000000000", {"585#43022200000020C1"}},
                 });
 }
@@ -183,7 +183,7 @@ TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
 
 TEST_F(Rpdo, SixtyFourBitsCanBeOneValueOrEight) {
     verifies<req::CO_PDO_001>();
-    map_rpdo3({"40000622"});  // 2206h: UNSIGNED64
+    map_rpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     talk(*this, {
                     {"405#0123456789ABCDEF", {}},
                     {"605#4006220000000000", {"585#4106220008000000"}},  // eight bytes, in segments
@@ -209,15 +209,16 @@ TEST_F(Rpdo, SixtyFourBitsCanBeOneValueOrEight) {
 TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
     verifies<req::CO_PDO_006, req::CO_FRAME_001>();
     talk(*this, {
-                    {"00000205#1122", {}},  // 29 bits
+                    {"00000205#1122", {}},  // the same identifier with 29 bits
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
                     {"205#R2", {}},    // a receive PDO is not requested
                     {"605#4000200100000000", {"585#4F00200100000000"}},
-                    {"605#2300140105020080", {"585#6000140100000000"}},  // bit 31
+                    // 1400h:1 COB-ID of RPDO1 with bit 31: not valid
+                    {"605#2300140105020080", {"585#6000140100000000"}},
                     {"205#1122", {}},
                     {"605#4000200100000000", {"585#4F00200100000000"}},
-                    {"605#2300140115020000", {"585#6000140100000000"}},  // 215h
+                    {"605#2300140115020000", {"585#6000140100000000"}},  // 1400h:1 COB-ID of RPDO1: 215h
                     {"205#1122", {}},
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     {"215#1122", {}},
@@ -227,10 +228,11 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
 
 TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
     verifies<req::CO_PDO_059>();
-    map_rpdo3({"08000500", "08030020"});  // a gap, then 2000h:3
+    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2001h:3
     talk(*this, {
                     {"605#2302140105020080", {"585#6002140100000000"}},
-                    {"605#2302140105020000", {"585#6002140100000000"}},  // as RPDO1
+                    // 1402h:1 COB-ID of RPDO3: the identifier of RPDO1
+                    {"605#2302140105020000", {"585#6002140100000000"}},
                     {"205#1122", {}},
                     {"605#4000200100000000", {"585#4F00200111000000"}},
                     {"605#4000200200000000", {"585#4F00200222000000"}},
@@ -244,13 +246,13 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     verifies<req::CO_PDO_021>();
     talk(*this, {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
-                    {"605#2B00140532000000", {"585#6000140500000000"}},  // 50 ms
+                    {"605#2B00140532000000", {"585#6000140500000000"}},  // 1400h:5 event timer of RPDO1: 50 ms
                 });
     EXPECT_TRUE(pass(1000).empty());  // the first reception starts it
     EXPECT_TRUE(send("205#1122").empty());
     EXPECT_TRUE(pass(49).empty());
     EXPECT_TRUE(send("205#1122").empty());
-    EXPECT_EQ(pass(60), (Frames{"50:085#5082110100000000"}));  // 8250h
+    EXPECT_EQ(pass(60), (Frames{"50:085#5082110100000000"}));  // error 8250h
     EXPECT_TRUE(pass(1000).empty());
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
@@ -282,23 +284,23 @@ TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
     const int before = device->communication_errors();
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
-    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 is 0
     EXPECT_EQ(device->communication_errors(), before + 1);
     send("000#0105");
     EXPECT_EQ(device->node().state(), NmtState::operational);
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(device->communication_errors(), before + 2);
-    send("605#2F29100102000000");  // stopped
+    send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110200000000"}));
     EXPECT_EQ(device->node().state(), NmtState::stopped);
 }
 
 TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
     verifies<req::CO_PDO_032, req::CO_PDO_020>();
-    send("605#2B00140532000000");  // RPDO1 within 50 ms
+    send("605#2B00140532000000");  // 1400h:5 event timer of RPDO1: 50 ms
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
-    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // 1029h:1 = 0
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 is 0
     send("000#0105");
     const int before = device->communication_errors();
     EXPECT_EQ(send("305#11"), (Frames{"085#1082110200000000"}));  // RPDO2 is too short
@@ -309,8 +311,8 @@ TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
 TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
-    send("605#2B0014050A000000");  // RPDO1: 10 ms
-    send("605#2B01140514000000");  // RPDO2: 20 ms
+    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
+    send("605#2B01140514000000");  // 1401h:5 event timer of RPDO2: 20 ms
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
@@ -322,8 +324,8 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
 TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     verifies<req::CO_PDO_021>();
     send("605#2F29100101000000");
-    send("605#2B0014050A000000");  // RPDO1: 10 ms
-    send("605#2B01140564000000");  // RPDO2: 100 ms
+    send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
+    send("605#2B01140564000000");  // 1401h:5 event timer of RPDO2: 100 ms
     send("205#1122");
     send("000#8005");
     send("000#0105");

@@ -17,7 +17,7 @@ TEST_F(SdoBlock, DownloadOfNineBytesStoresThem) {
                 });
     EXPECT_EQ(held(), Bytes{0xAA});  // the value is not set before the end
     talk(*this, {
-                    {"605#D5C3310000000000", {"585#A100000000000000"}},  // five unused, 31C3h
+                    {"605#D5C3310000000000", {"585#A100000000000000"}},  // five unused bytes, CRC 31C3h
                     {"605#D5C3310000000000", {stray}},
                 });
     EXPECT_EQ(held(), nine);
@@ -71,7 +71,7 @@ TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
                     {"605#84161718191A1B1C", {"585#A2017F0000000000"}},
                     {"605#0108090A0B0C0D0E", {}},                        // the repeated segment has number 1
                     {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now the next segment was lost
-                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // lost again
+                    {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // the segment is lost again
                     {"605#010F101112131415", {}},
                     {"605#82161718191A1B1C", {"585#A2027F0000000000"}},
                     {crc, {"585#A100000000000000"}},
@@ -94,7 +94,7 @@ TEST_F(SdoBlock, SegmentReceivedTwiceCountsOnce) {
 TEST_F(SdoBlock, FullSubBlockIsAcknowledgedAtItsEnd) {
     verifies<req::CO_SDO_050, req::CO_K_SDO_BLOCK_SIZE>();
     const Bytes bytes = counting(7 * 127 + 5, 3);
-    send("605#C60024007E030000");  // 894 = 37Eh
+    send("605#C60024007E030000");  // the size is 894 = 37Eh bytes
     for (unsigned sequence = 1; sequence < 127; ++sequence) {
         ASSERT_TRUE(send(block_segment("605", sequence, bytes, (sequence - 1) * std::size_t{7})).empty());
     }
@@ -126,16 +126,16 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
         };
     };
     const std::string done = "585#A100000000000000";
-    talk(*this, block_of("002200", {0x64, 0x00}, done));                          // 100
+    talk(*this, block_of("002200", {0x64, 0x00}, done));                          // writes 100 to 2200h
     talk(*this, block_of("002200", {0x65, 0x00}, "585#8000220031000906"));        // 101, above its limit
-    talk(*this, block_of("002200", {0x9B, 0xFF}, "585#8000220032000906"));        // −101, below
-    talk(*this, block_of("002200", {0x01}, "585#8000220013000706"));              // too short
-    talk(*this, block_of("002200", {0x01, 0x00, 0x00}, "585#8000220012000706"));  // too long
-    talk(*this, {{"605#4000220000000000", {"585#4B00220064000000"}}});            // still 100
+    talk(*this, block_of("002200", {0x9B, 0xFF}, "585#8000220032000906"));        // -101 is below the minimum
+    talk(*this, block_of("002200", {0x01}, "585#8000220013000706"));              // the value is one byte too short
+    talk(*this, block_of("002200", {0x01, 0x00, 0x00}, "585#8000220012000706"));  // the value is one byte too long
+    talk(*this, {{"605#4000220000000000", {"585#4B00220064000000"}}});            // 2200h is still 100
     talk(*this, block_of("012200", {5}, "585#8001220030000906"));                 // the entry accepts 2 and 8 only
     talk(*this, block_of("002300", {'x', 'y', 'z', 'z', 'y'}, done));             // a string may be shorter
     talk(*this, {{"605#4000230000000000", {"585#4100230005000000"}}});
-    talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // no signature
+    talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // not the signature
 }
 
 TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
@@ -146,7 +146,7 @@ TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
                     {"605#C634120004000000", {"585#8034120000000206"}},
                     {"605#C600220104000000", {"585#8000220111000906"}},
                     {"605#C600220003000000", {"585#8000220012000706"}},  // three bytes for an INTEGER16
-                    {"605#C600240001000100", {"585#8000240012000706"}},  // 65,537 bytes
+                    {"605#C600240001000100", {"585#8000240012000706"}},  // the size is 65,537 bytes
                     {"605#C6002400FFFFFFFF", {"585#8000240012000706"}},
                     {"605#C601240004000000", {"585#8001240005000405"}},  // no memory to collect it
                     {"605#0131323334353637", {stray}},
@@ -223,7 +223,7 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},
                     {"605#4000100000000000", {}},                        // number 64, out of order
-                    {"605#2F01220008000000", {}},                        // number 47
+                    {"605#2F01220008000000", {}},                        // segment number 47, out of order
                     {"605#C600240009000000", {"585#A2017F0000000000"}},  // number 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
                     // the last one was received: from here on an initiate counts as an initiate
@@ -262,8 +262,8 @@ TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
     EXPECT_EQ(held(), (Bytes{5, 6, 7, 8}));
     talk(*this, {{"605#1B38390000000000", {"585#3000000000000000"}}});
     EXPECT_EQ(held(), nine);
-    talk(*this, {{"605#2301240001020304", {"585#8001240005000405"}},    // no memory
-                 {"605#2302240001020304", {"585#8002240002000106"}}});  // read-only
+    talk(*this, {{"605#2301240001020304", {"585#8001240005000405"}},    // the entry has no memory
+                 {"605#2302240001020304", {"585#8002240002000106"}}});  // the entry is read-only
 }
 
 // -- a device without block transfer ----------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637", "585#8238390000000000"}},
-                    {"605#A2027F0000000000", {"585#D5C3310000000000"}},  // C1h | 5 << 2
+                    {"605#A2027F0000000000", {"585#D5C3310000000000"}},  // C1h | 5 unused bytes << 2
                     {"605#A100000000000000", {}},
                     {"605#A100000000000000", {stray}},
                 });
@@ -55,7 +55,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A202020000000000", {"585#010F101112131415", "585#02161718191A1B1C"}},
                     {"605#A202020000000000", {"585#811D1E0000000000"}},
-                    {"605#A201020000000000", {block_end("585", bytes)}},  // 5 unused
+                    {"605#A201020000000000", {block_end("585", bytes)}},  // leaves 5 bytes of the last segment unused
                     {"605#A100000000000000", {}},
                 });
     EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#D5");
@@ -63,7 +63,7 @@ TEST_F(SdoBlock, UploadIsSentInSubBlocksOfTwoSegments) {
 
 TEST_F(SdoBlock, EachAcknowledgementOfAnUploadGivesTheNextBlockSize) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022>();
-    const Bytes bytes = counting(30);  // 5 segments: 1, 3 and 1
+    const Bytes bytes = counting(30);  // 5 segments, in blocks of 1, 3 and 1
     hold(bytes);
     talk(*this, {
                     {"605#A400240001000000", {"585#C60024001E000000"}},
@@ -83,7 +83,7 @@ TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", whole},
-                    {"605#A2007F0000000000", whole},  // the client received none
+                    {"605#A2007F0000000000", whole},  // the client received no segment
                     {"605#A2017F0000000000",
                      {"585#0108090A0B0C0D0E", "585#820F101112131415"}},  // the client received the first segment
                     {"605#A201010000000000",
@@ -182,7 +182,7 @@ TEST_F(SdoBlock, BlockUploadOfAnEmptyValueIsOneSegmentWithoutData) {
     talk(*this, {
                     {"605#A40024007F000000", {"585#C600240000000000"}},
                     {"605#A300000000000000", {"585#8100000000000000"}},
-                    {"605#A2017F0000000000", {"585#DD00000000000000"}},  // C1h | 7 << 2, CRC of nothing
+                    {"605#A2017F0000000000", {"585#DD00000000000000"}},  // C1h | 7 unused bytes << 2, CRC of no data
                     {"605#A100000000000000", {}},
                 });
 }
@@ -231,14 +231,14 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
         request = "605#A2" + hex_le(expected.size(), 1) + "7F0000000000";
         ++sub_blocks;
     }
-    EXPECT_EQ(sub_blocks, 74U);  // 65,536 / (7 × 127) = 73.7
+    EXPECT_EQ(sub_blocks, 74U);  // 65,536 bytes / (7 × 127 bytes per block) = 73.7 blocks
     EXPECT_EQ(send(request), (Frames{end}));
     EXPECT_TRUE(send("605#A100000000000000").empty());
 }
 
 TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     verifies<req::CO_SDO_039, req::CO_SDO_053, req::CO_K_SDO_BLOCK_QUEUED>();
-    hold(counting(140));  // 20 segments
+    hold(counting(140));  // 140 bytes need 20 segments of 7
     send("605#A40024007F000000");
     device->receive(host::parse_frame("605#A300000000000000", "test"), now);
     EXPECT_EQ(queue.size(), 8U);
@@ -254,7 +254,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     device->advance(now);
     EXPECT_EQ(sent().size(), 8U);
     device->advance(now);
-    EXPECT_EQ(sent().size(), 3U);  // 8 + 1 + 8 + 3
+    EXPECT_EQ(sent().size(), 3U);  // 8 + 1 + 8 + 3 = 20 segments
     EXPECT_TRUE(pass(999).empty());
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
@@ -281,7 +281,7 @@ TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
     talk(*this, {
                     {"605#4000240000000000", {"585#410024000E000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
-                    {"605#7000000000000000", {"585#1108090A0B0C0D0E"}},  // toggle, none unused, last
+                    {"605#7000000000000000", {"585#1108090A0B0C0D0E"}},  // toggle bit, no unused byte, last segment
                     {"605#6000000000000000", {stray}},
                 });
 }
@@ -299,7 +299,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
 
 TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
     verifies<req::CO_SDO_048>();
-    send("000#0105");  // operational
+    send("000#0105");  // NMT start: the node becomes operational
     talk(*this, {
                     {"605#A40022007F000000", {"585#C600220002000000"}},  // 2200h = 7
                     {"605#A300000000000000", {"585#8107000000000000"}},
@@ -307,9 +307,10 @@ TEST_F(SdoBlock, ShortValueIsSentAsItWasAtTheStartOfTheUpload) {
                     {"605#A40121017F000000", {"585#C601210102000000"}},  // 2101h:1 = 0
                     {"605#A300000000000000", {"585#8100000000000000"}},
                 });
-    device->objects().write(0x2101, 1, 0x1234);  // changed by the device
+    device->objects().write(0x2101, 1, 0x1234);  // the device changes the value
     EXPECT_EQ(send("605#A2007F0000000000"), (Frames{"585#8100000000000000"}));
-    EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));  // five unused, CRC of 0000h
+    // Five unused bytes, CRC of the old value 0000h.
+    EXPECT_EQ(send("605#A2017F0000000000"), (Frames{"585#D500000000000000"}));
 }
 
 }  // namespace canproof::test

@@ -15,17 +15,18 @@ class SlaveSdo : public testing::Test, public SlaveBench {};
 
 TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
     verifies<req::CO_SDO_001, req::CO_K_SDO_REQUEST_ID, req::CO_K_SDO_RESPONSE_ID>();
-    EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));  // one byte
-    EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));  // two
-    EXPECT_EQ(send("603#4000100000000000"), (Frames{"583#4300100091010800"}));  // four
+    EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));  // the value has one byte
+    EXPECT_EQ(send("603#4017100000000000"), (Frames{"583#4B17100000000000"}));  // the value has two bytes
+    EXPECT_EQ(send("603#4000100000000000"), (Frames{"583#4300100091010800"}));  // the value has four bytes
 }
 
 TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     verifies<req::CO_SDO_002>();
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
-    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // CAN-CBX
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));  // -AO412, one unused, last
+    EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
+    // `-AO412`, one unused byte, last segment
+    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
 TEST_F(Sdo, ExpeditedDownloadWithAndWithoutSizeIsAccepted) {
@@ -61,7 +62,8 @@ TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     // two bytes, five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(device->objects().read(0x1020, 1), 0U);  // the value is not set before the last segment
-    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));  // toggle, five unused, last
+    // Toggle bit, five unused bytes, last segment.
+    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }
 
@@ -113,16 +115,18 @@ TEST_F(Sdo, AbsentObjectsAndSubIndicesAreRefused) {
 TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
     verifies<req::CO_SDO_009, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#2300100000000000"), (Frames{"583#8000100002000106"}));
-    EXPECT_EQ(send("603#2F11640004000000"), (Frames{"583#8011640002000106"}));  // sub 0
+    EXPECT_EQ(send("603#2F11640004000000"), (Frames{"583#8011640002000106"}));  // 6411h:0 is read-only
     EXPECT_EQ(send("603#210810000D000000"), (Frames{"583#8008100002000106"}));
 }
 
 TEST_F(Sdo, WrongLengthsAreRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes for an entry of two
-    EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));  // one byte
-    EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));  // three announced
-    send("603#2117100001000000");                                               // one byte announced, two sent
+    // 1017h producer heartbeat time: one byte instead of two
+    EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));
+    // Three bytes are announced, instead of two.
+    EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));
+    send("603#2117100001000000");  // one byte announced, two sent
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#8017100010000706"}));
     send("603#2017100000000000");
     EXPECT_EQ(send("603#01E8030000000000"), (Frames{"583#8017100012000706"}));  // seven bytes for an entry of two
@@ -211,10 +215,12 @@ TEST_F(Sdo, SdoIsServedInPreOperationalAndOperationalOnly) {
 TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
     verifies<req::CO_SDO_018>();
     talk(*this, {
-                    {"605#403412AB00000000", {"585#803412AB00000206"}},  // the refused initiate
+                    // The abort contains the object of the refused initiate.
+                    {"605#403412AB00000000", {"585#803412AB00000206"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
-                    {"605#7000000000000000", {"585#8008100000000305"}},  // the ended transfer
-                    {"605#7000000000000000", {"585#8000000001000405"}},  // no transfer
+                    // The abort contains the object of the ended transfer.
+                    {"605#7000000000000000", {"585#8008100000000305"}},
+                    {"605#7000000000000000", {"585#8000000001000405"}},  // no transfer is open
                     {"605#00AAAAAAAAAAAAAA", {"585#8000000001000405"}},  // bytes 1 to 3 of a segment are data
                     {"605#2100230005000000", {"585#6000230000000000"}},
                     {"605#6000000000000000", {"585#8000230001000405"}},
@@ -226,7 +232,7 @@ TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // "abc"
                     {"605#2100230000000000", {"585#6000230000000000"}},
-                    {"605#0F00000000000000", {"585#2000000000000000"}},  // seven unused, last
+                    {"605#0F00000000000000", {"585#2000000000000000"}},  // seven unused bytes, last segment
                     {"605#4000230000000000", {"585#4100230000000000"}},
                     {"605#6000000000000000", {"585#0F00000000000000"}},
                     {"605#6000000000000000", {"585#8000000001000405"}},
@@ -266,7 +272,7 @@ TEST_F(SlaveSdo, ThreeBytesAreTransferredExpedited) {
     verifies<req::CO_SDO_001, req::CO_SDO_003>();
     talk(*this, {
                     {"605#4000230000000000", {"585#4700230061626300"}},  // 2300h = "abc"
-                    {"605#2700230078797AFF", {"585#6000230000000000"}},  // the fourth is unused
+                    {"605#2700230078797AFF", {"585#6000230000000000"}},  // the fourth byte is unused
                     {"605#4000230000000000", {"585#4700230078797A00"}},  // "xyz"
                 });
 }
@@ -286,14 +292,14 @@ TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                     {"605#2100230028000000", {"585#6000230000000000"}},  // 40 bytes fit
                     {"605#8000230000000008", {}},
-                    {"605#2100230029000000", {"585#8000230012000706"}},  // 41 do not
+                    {"605#2100230029000000", {"585#8000230012000706"}},  // 41 bytes do not fit
                     {"605#2000230000000000", {"585#6000230000000000"}},
                     {"605#0061616161616161", {"585#2000000000000000"}},
                     {"605#1061616161616161", {"585#3000000000000000"}},
                     {"605#0061616161616161", {"585#2000000000000000"}},
                     {"605#1061616161616161", {"585#3000000000000000"}},
-                    {"605#0061616161616161", {"585#2000000000000000"}},  // 35
-                    {"605#1361616161616100", {"585#8000230012000706"}},  // six more
+                    {"605#0061616161616161", {"585#2000000000000000"}},  // 35 bytes so far
+                    {"605#1361616161616100", {"585#8000230012000706"}},  // six more bytes
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                 });
 }
@@ -307,7 +313,7 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
                     {"605#4006220000000000", {"585#4106220008000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
                     {"605#7000000000000000", {"585#1D08000000000000"}},
-                    {"605#2306220001020304", {"585#8006220013000706"}},  // four bytes of eight
+                    {"605#2306220001020304", {"585#8006220013000706"}},  // four bytes for an entry of eight
                     {"605#2206220001020304", {"585#8006220013000706"}},
                     {"605#4006220000000000", {"585#4106220008000000"}},
                     {"605#6000000000000000", {"585#0001020304050607"}},
@@ -360,7 +366,7 @@ TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
     talk(*this, {
                     {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
                     {"605#40001000FFFFFFFF", {"585#4300100078563412"}},
-                    {"605#3F01220008000000", {"585#6001220000000000"}},  // 2Fh with bit 4
+                    {"605#3F01220008000000", {"585#6001220000000000"}},  // command 2Fh with bit 4 set
                     {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one of the value
                     {"605#4001220000000000", {"585#4F01220002000000"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},

@@ -105,7 +105,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
     verifies<req::CO_NMT_005, req::CO_STORE_006>();
     keep(0x1015);  // the inhibit time of EMCY
-    keep(0x1017);  // the heartbeat
+    keep(0x1017);  // producer heartbeat time
     FaultyMemory faulty{128};
     power_on_with(faulty);
     send("605#2B15100064000000");
@@ -164,7 +164,7 @@ TEST_F(SmallStore, FirstSaveReadsNothingThatWasStoredBefore) {
 
 TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     verifies<req::CO_STORE_011>();
-    keep(0x2300);  // 40 bytes
+    keep(0x2300);  // 2300h holds 40 bytes
     memory.bytes().resize(2 * (bank_size + 40));
     EXPECT_EQ(power_on(), Frames{"705#00"});
     std::array<std::uint8_t, 40> text{};

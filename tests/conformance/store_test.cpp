@@ -80,7 +80,7 @@ TEST_F(Store, SaveIsRefusedInOperational) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, StoreCapabilityIsOnCommandOnly) {
+TEST_F(Store, Objects1010hAnd1011hReportStoringOnCommandOnly) {
     verifies<req::AO4_STORE_002, req::AO4_OD_1010, req::AO4_OD_1011>();
     for (const char* object : {"101001", "101002", "101003", "101004", "111001", "111002", "111003", "111004"}) {
         EXPECT_EQ(send(std::string{"603#40"} + object + "00000000").at(0), std::string{"583#43"} + object + "01000000");
@@ -140,7 +140,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
 
 TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     verifies<req::AO4_STORE_004, req::AO4_STORE_006, req::CO_PDO_035, req::CO_PDO_060>();
-    write("603#2314100083000080");  // 1014h = 93h
+    write("603#2314100083000080");  // 1014h COB-ID EMCY: not valid first, then 93h
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
@@ -155,7 +155,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
 
 TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
     verifies<req::AO4_STORE_006>();
-    write("603#2310100373617665");  // application only
+    write("603#2310100373617665");  // 1010h:3 store parameters: saves the application parameters only
     inputs.switch_low = 5;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
 }

@@ -102,7 +102,7 @@ TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
     const std::size_t size = unit.bank_size();
     unit.bytes()[size + 20] ^= 0x01;
     const auto damaged = unit.bytes();
-    const std::size_t whole = size + 3;  // invalidate, the bank, commit, and invalidate the damaged one
+    const std::size_t whole = size + 3;  // the bytes of a save: two to invalidate banks, one to commit, and the bank
     for (std::size_t cut = 0; cut <= whole; cut += cut < 24 || cut + 20 > whole ? 1 : 17) {
         unit.bytes() = damaged;
         unit.power_cycle();
@@ -155,7 +155,7 @@ TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNo
         ASSERT_EQ(bytes[latest + 12], 6) << name;
         bytes[latest + 12] ^= 0x01;
         unit.power_cycle();
-        EXPECT_EQ(unit.device->node_id(), 127) << name;  // as shipped
+        EXPECT_EQ(unit.device->node_id(), 127) << name;  // the node-ID as shipped
         EXPECT_EQ(unit.read(0x1003, 1), 0x6300U) << name;
         EXPECT_EQ(unit.read(0x1001, 0) & 0xFFU, 1U) << name;
         unit.move_to(7);

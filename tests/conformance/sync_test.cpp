@@ -26,7 +26,7 @@ TEST_F(SyncService, SyncHasNoDataWithoutACounterAndOneByteWithACounter) {
     send("303#1100000000000000");
     send("080#");
     EXPECT_EQ(output1(), "1100");
-    write("603#2F1910000A000000");  // 1019h = 10
+    write("603#2F1910000A000000");  // 1019h synchronous counter overflow value: 10
     send("303#2200000000000000");
     send("080#01");
     EXPECT_EQ(output1(), "2200");
@@ -76,7 +76,7 @@ TEST_F(SyncService, StoppedNodeDoesNotCheckTheSyncLength) {
 
 TEST_F(SyncService, SyncIsProducedEachPeriod) {
     verifies<req::CO_SYNC_003>();
-    write("603#2306100088130000");  // 5000 us
+    write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h is clear
     write("603#2305100080000040");
     EXPECT_EQ(pass(11), (Frames{"5:080#", "10:080#"}));
@@ -90,7 +90,7 @@ TEST_F(SyncService, SyncIsProducedEachPeriod) {
 
 TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     verifies<req::CO_SYNC_003>();
-    write("603#2306100088130000");  // 5000 us
+    write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");
     now = now + milliseconds(17);  // SYNCs at 5, 10 and 15 ms are due
     device->advance(now);
@@ -100,7 +100,7 @@ TEST_F(SyncService, MissedSyncsAreNotSentLater) {
 
 TEST_F(SyncService, SyncSentLateDoesNotDelayTheNextOnes) {
     verifies<req::CO_SYNC_003>();
-    write("603#2306100088130000");  // 5000 us
+    write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");
     now = now + milliseconds(7);
     device->advance(now);
@@ -110,7 +110,7 @@ TEST_F(SyncService, SyncSentLateDoesNotDelayTheNextOnes) {
 
 TEST_F(SyncService, SyncProducerContinuesWhenTheNodeIsStarted) {
     verifies<req::CO_SYNC_003>();
-    write("603#2306100088130000");  // 5000 us
+    write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");
     EXPECT_TRUE(pass(3).empty());
     send("000#0103");
@@ -128,7 +128,7 @@ TEST_F(SyncService, SyncIsNotProducedWithoutAPeriod) {
 TEST_F(SyncService, SyncCounterRunsFromOneToItsOverflow) {
     verifies<req::CO_SYNC_004>();
     write("603#2F19100003000000");
-    write("603#23061000E8030000");  // 1 ms
+    write("603#23061000E8030000");  // 1006h communication cycle period: 1 ms
     write("603#2305100080000040");
     EXPECT_EQ(pass(5), (Frames{"1:080#01", "2:080#02", "3:080#03", "4:080#01", "5:080#02"}));
 }
@@ -154,7 +154,7 @@ TEST_F(SyncService, SyncCounterMayOverflowAt2AndAt240) {
 TEST_F(SyncService, SyncCounterRestartsAtOneWhenAStoppedNodeContinues) {
     verifies<req::CO_SYNC_004>();
     write("603#2F1910000A000000");
-    write("603#23061000E8030000");  // 1 ms
+    write("603#23061000E8030000");  // 1006h communication cycle period: 1 ms
     write("603#2305100080000040");
     EXPECT_EQ(pass(2), (Frames{"1:080#01", "2:080#02"}));
     send("000#0203");
@@ -192,9 +192,10 @@ TEST_F(SyncService, SyncCounterAndIdentifierAreLockedWhileInUse) {
 
 TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
     verifies<req::CO_SYNC_010, req::CO_SYNC_008, req::AO4_OD_1005>();
-    EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));  // 0 is NMT
-    EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // bit 29
-    EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // bit 11
+    // 1005h COB-ID SYNC: identifier 0, which is that of NMT
+    EXPECT_EQ(send("603#2305100000000000"), (Frames{"583#8005100030000906"}));
+    EXPECT_EQ(send("603#2305100080000020"), (Frames{"583#8005100030000906"}));  // 1005h COB-ID SYNC with bit 29
+    EXPECT_EQ(send("603#2305100080080000"), (Frames{"583#8005100030000906"}));  // 1005h COB-ID SYNC with bit 11
     // CiA 301, 7.3.5: first and last identifiers that are reserved for NMT, SDO, error control and LSS; flags: none,
     // bit 30 (produces SYNC), bit 31
     for (const char* id : {"7F00", "0101", "8001", "8105", "FF05", "0106", "7F06", "E006", "FF06", "0107", "FF07"}) {

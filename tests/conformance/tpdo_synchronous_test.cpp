@@ -19,7 +19,7 @@ TEST_F(Tpdo, TpdoOfType0IsSentAtTheSyncAfterAChange) {
                     {"605#2F01200222000000", {"585#6001200200000000"}},
                     {"080#", {"185#1122"}},
                     {"080#", {}},
-                    {"605#2F01200222000000", {"585#6001200200000000"}},  // no change
+                    {"605#2F01200222000000", {"585#6001200200000000"}},  // the value is not changed
                     {"080#", {}},
                     {"605#2F01200200000000", {"585#6001200200000000"}},
                     {"080#", {"185#1100"}},
@@ -42,7 +42,7 @@ TEST_F(Tpdo, TpdoOfTypeNIsSentAtEveryNthSync) {
                     {"080#", {}},
                     {"000#8005", {}},
                     {"080#", {}},
-                    {"000#0105", {}},  // counting restarts
+                    {"000#0105", {}},  // the count of SYNCs restarts
                     {"080#", {}},
                     {"080#", {}},
                     {"080#", {"185#1100"}},
@@ -64,15 +64,16 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
     verifies<req::CO_PDO_019, req::CO_SYNC_001>();
     silence_tpdo2();
     talk(*this, {
-                    {"605#2F1910000A000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 10
+                    // 1019h synchronous counter overflow value: counter 1 … 10
+                    {"605#2F1910000A000000", {"585#6019100000000000"}},
                     {"605#2300180185010080", {"585#6000180100000000"}},
-                    {"605#2F00180202000000", {"585#6000180200000000"}},  // every second SYNC
-                    {"605#2F00180604000000", {"585#6000180600000000"}},  // from counter 4 on
+                    {"605#2F00180202000000", {"585#6000180200000000"}},  // transmission type 2: every second SYNC
+                    {"605#2F00180604000000", {"585#6000180600000000"}},  // SYNC start value 4
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
                     {"080#02", {}},
                     {"080#03", {}},
-                    {"080#04", {}},  // the first
+                    {"080#04", {}},  // the SYNC with the start value, from which the count begins
                     {"080#05", {"185#0000"}},
                     {"080#06", {}},
                     {"080#07", {"185#0000"}},
@@ -92,7 +93,7 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
 
 TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
     verifies<req::CO_PDO_019, req::CO_PDO_014>();
-    send("605#2F1910000A000000");  // 1019h: counter 1 … 10
+    send("605#2F1910000A000000");  // 1019h synchronous counter overflow value: counter 1 … 10
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
     EXPECT_EQ(send("080#07"), (Frames{"285#0000000000000000"}));  // TPDO2 is of type 1
     EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
@@ -116,13 +117,14 @@ TEST_F(Tpdo, ProducedSyncAndItsCounterTriggerTheProducersTpdos) {
     verifies<req::CO_SYNC_005, req::CO_PDO_019>();
     silence_tpdo2();
     talk(*this, {
-                    {"605#2F19100003000000", {"585#6019100000000000"}},  // counter 1 … 3
+                    // 1019h synchronous counter overflow value: counter 1 … 3
+                    {"605#2F19100003000000", {"585#6019100000000000"}},
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F00180203000000", {"585#6000180200000000"}},
                     {"605#2F00180602000000", {"585#6000180600000000"}},
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
-                    {"605#2306100010270000", {"585#6006100000000000"}},  // 10 ms
+                    {"605#2306100010270000", {"585#6006100000000000"}},  // 1006h communication cycle period: 10 ms
                     {"605#2305100080000040", {"585#6005100000000000"}},
                 });
     EXPECT_EQ(pass(70), (Frames{"10:080#01", "20:080#02", "30:080#03", "40:080#01", "40:185#0000", "50:080#02",
@@ -138,7 +140,7 @@ TEST_F(Tpdo, ProducedSyncWithoutACounterIgnoresTheStartValue) {
                     {"605#2F00180604000000", {"585#6000180600000000"}},
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
-                    {"605#2306100010270000", {"585#6006100000000000"}},  // 10 ms
+                    {"605#2306100010270000", {"585#6006100000000000"}},  // 1006h communication cycle period: 10 ms
                     {"605#2305100080000040", {"585#6005100000000000"}},
                 });
     EXPECT_EQ(pass(20), (Frames{"10:080#", "10:185#0000", "20:080#", "20:185#0000"}));
@@ -155,7 +157,7 @@ TEST_F(Tpdo, EventTimerSendsNoSynchronousTpdo) {
 TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
     verifies<req::CO_SYNC_009>();
     start();
-    EXPECT_EQ(send("080#01"), (Frames{"085#4082110100000000"}));  // 8240h
+    EXPECT_EQ(send("080#01"), (Frames{"085#4082110100000000"}));  // error 8240h
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
 }
 
@@ -212,7 +214,7 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
     set_type("FC");
     talk(*this, {
                     {"000#0105", {}},
-                    {"185#R2", {}},  // no SYNC yet
+                    {"185#R2", {}},  // there are no values before the first SYNC
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"080#", {}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},
@@ -248,7 +250,7 @@ TEST_F(Tpdo, EventDrivenTpdoAnswersARequestAfterTheInhibitTime) {
     start();
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
     send("000#8005");
-    set_inhibit_time("6400");  // 10 ms
+    set_inhibit_time("6400");  // an inhibit time of 10 ms
     start();
     EXPECT_TRUE(send("185#R2").empty());
     EXPECT_EQ(pass(30), (Frames{"10:185#0000"}));

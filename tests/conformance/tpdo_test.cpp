@@ -12,7 +12,7 @@ TEST_F(Tpdo, EventDrivenTpdosAreSentOnceOnEnteringOperational) {
     verifies<req::CO_PDO_018>();
     talk(*this, {
                     {"000#0105", {"185#0000"}},
-                    {"000#0105", {}},  // it was operational already
+                    {"000#0105", {}},  // the node was operational already
                     {"000#8005", {}},
                     {"605#2F01200155000000", {"585#6001200100000000"}},
                     {"000#0105", {"185#5500"}},
@@ -25,7 +25,7 @@ TEST_F(Tpdo, EventDrivenTpdosAreSentOnceOnEnteringOperational) {
 TEST_F(Tpdo, NoTpdoIsSentOutsideOperational) {
     verifies<req::CO_PDO_027>();
     talk(*this, {
-                    {"605#2B0018050A000000", {"585#6000180500000000"}},  // 10 ms
+                    {"605#2B0018050A000000", {"585#6000180500000000"}},  // 1800h:5 event timer of TPDO1: 10 ms
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"080#", {}},
                     {"185#R2", {}},
@@ -69,8 +69,8 @@ TEST_F(Tpdo, ChangeOfAMappedValueIsSentAtOnce) {
                         {"605#2F01200111000000", {"185#1100", "585#6001200100000000"}},
                         {"605#2F01200111000000", {"585#6001200100000000"}},  // the same value
                         {"605#2F01200222000000", {"185#1122", "585#6001200200000000"}},
-                        {"605#2F01200333000000", {"585#6001200300000000"}},  // not mapped
-                        {"605#2B01210101000000", {"585#6001210100000000"}},  // in TPDO2, of type 1
+                        {"605#2F01200333000000", {"585#6001200300000000"}},  // 2001h:3 is not mapped
+                        {"605#2B01210101000000", {"585#6001210100000000"}},  // 2101h:1 is in TPDO2, which has type 1
                         {"605#2F01200100000000", {"185#0022", "585#6001200100000000"}},
                         {"080#", {"285#0100000000000000"}},
                         {"605#2B01210100000000", {"585#6001210100000000"}},
@@ -104,7 +104,7 @@ TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
     EXPECT_LE(device->next_deadline(), now);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"185#0077"}));
-    device->node().process_value_changed(0x2001, 3, now);  // not mapped
+    device->node().process_value_changed(0x2001, 3, now);  // 2001h:3 is not mapped
     device->node().process_value_changed(0x2101, 1, now);  // TPDO2 is of type 1
     device->advance(now);
     EXPECT_TRUE(sent().empty());
@@ -113,16 +113,17 @@ TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
 
 TEST_F(Tpdo, WriteOfTheUnchangedCobIdKeepsTheEventTimerRunning) {
     verifies<req::CO_PDO_025>();
-    EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 100 ms
+    EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 1800h:5 event timer of TPDO1: 100 ms
     start();
     EXPECT_TRUE(pass(60).empty());
-    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));  // its identifier, unchanged
+    // The identifier is written again, unchanged.
+    EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));
     EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
 }
 
 TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
     verifies<req::CO_PDO_015>();
-    map_tpdo3({"08000110"});  // 1001h
+    map_tpdo3({"08000110"});  // maps 1001h
     talk(*this, {
                     {"000#0105", {"185#0000", "385#00"}},
                     {"205#11", {"085#1082110100000000", "385#11"}},  // RPDO1 is too short
@@ -130,7 +131,7 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
                     {"205#1122", {"085#0000000100000000", "385#00"}},
                 });
     device->node().set_overrun(true, now);
-    EXPECT_EQ(sent().size(), 1U);  // 8110h
+    EXPECT_EQ(sent().size(), 1U);  // only the message of error 8110h
     EXPECT_EQ(pass(1), (Frames{"0:385#11"}));
     device->node().set_overrun(false, now);
     EXPECT_EQ(sent().size(), 1U);
@@ -140,8 +141,8 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterIsSent) {
 /// The answer to the SDO, the emergency message and the TPDO are sent together.
 TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
-    map_tpdo3({"08000110"});       // 1001h
-    send("605#2316100164001000");  // 1016h:1: node 10h, 100 ms
+    map_tpdo3({"08000110"});       // maps 1001h
+    send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
     send("605#2F29100101000000");  // 1029h:1: no change of state
     send("000#0105");
     send("710#05");
@@ -158,19 +159,21 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"185#R2", {}},
-                    {"605#2300180195010000", {"195#1100", "585#6000180100000000"}},  // on 195h
+                    {"605#2300180195010000", {"195#1100", "585#6000180100000000"}},  // 1800h:1 COB-ID of TPDO1: 195h
                     {"605#2F01200122000000", {"195#2200", "585#6001200100000000"}},
                     {"605#2300180195010080", {"585#6000180100000000"}},
                     {"605#2F001802FD000000", {"585#6000180200000000"}},
                     {"605#2300180185010000", {"585#6000180100000000"}},
-                    {"605#2F001802FF000000", {"185#2200", "585#6000180200000000"}},  // another type
+                    // 1800h:2 transmission type of TPDO1: another type
+                    {"605#2F001802FF000000", {"185#2200", "585#6000180200000000"}},
                 });
 }
 
 TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
     verifies<req::CO_PDO_053>();
     talk(*this, {
-                    {"605#2302180185030000", {"585#6002180100000000"}},  // TPDO3 valid, 1A02h:0 = 0
+                    // 1802h:1 COB-ID of TPDO3: valid, although 1A02h:0 is 0
+                    {"605#2302180185030000", {"585#6002180100000000"}},
                     {"000#0105", {"185#0000"}},
                     {"385#R8", {}},
                 });
@@ -180,10 +183,10 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
     // 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});
-    send("605#2B01210134120000");  // 1234h << 2 = 48D0h
-    send("605#2F03200201000000");  // bit 1: 2h
-    send("605#2F03200301000000");  // bit 18: 40000h
-    send("605#2F012003A5000000");  // A5h << 19 = 5280000h
+    send("605#2B01210134120000");  // 2101h:1 adds 1234h << 2 = 48D0h
+    send("605#2F03200201000000");  // 2003h:2 is bit 1 of the PDO and adds 2h
+    send("605#2F03200301000000");  // 2003h:3 is bit 18 of the PDO and adds 40000h
+    send("605#2F012003A5000000");  // 2001h:3 adds A5h << 19 = 5280000h
     // 2h + 48D0h + 40000h + 5280000h = 52C48D2h
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#D2482C05"}));
     EXPECT_EQ(send("605#2F03200301000000"), (Frames{"585#6003200300000000"}));
@@ -192,13 +195,13 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
 
 TEST_F(Tpdo, NineBitsTakeTwoBytes) {
     verifies<req::CO_PDO_028>();
-    map_tpdo3({"08030120", "01010320"});  // 8 bits, 1 bit
+    map_tpdo3({"08030120", "01010320"});  // maps 2001h:3 (8 bits) and 2003h:1 (1 bit)
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 
 TEST_F(Tpdo, SixtyFourBitsCanBeSent) {
     verifies<req::CO_PDO_028>();
-    map_tpdo3({"40000622"});  // 2206h: UNSIGNED64
+    map_tpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     send("605#2106220008000000");
     send("605#000123456789ABCD");
     send("605#1DEF000000000000");

@@ -39,14 +39,14 @@ TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
 
 TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
     verifies<req::CO_PDO_018, req::CO_PDO_049, req::CO_PDO_047>();
-    device->objects().write(0x1800, 5, 100);  // ms
+    device->objects().write(0x1800, 5, 100);  // 1800h:5 event timer of TPDO1: 100 ms
     begin();
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");
     EXPECT_EQ(service.next_deadline(), now + milliseconds(100));
     device->objects().write(0x2001, 1, 0x11);
     service.value_changed(0x2001, 1, now);
     service.advance(now);
-    EXPECT_TRUE(own_queue.empty());  // a change is no event
+    EXPECT_TRUE(own_queue.empty());  // a change of a value is no event here
     now = now + milliseconds(100);
     service.advance(now);
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#1100");
@@ -77,8 +77,8 @@ TEST_F(TimeDriven, ChangeOfAValueTriggersType0Only) {
 
 TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
-    device->objects().write(0x1800, 5, 5);   // 5 ms
-    device->objects().write(0x1800, 3, 80);  // 8 ms
+    device->objects().write(0x1800, 5, 5);   // 1800h:5 event timer of TPDO1: 5 ms
+    device->objects().write(0x1800, 3, 80);  // 1800h:3 inhibit time of TPDO1: 8 ms
     begin();
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
@@ -111,7 +111,7 @@ TEST_F(Tpdo, TransmissionsAreAtLeastTheInhibitTimeApart) {
 
 TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
-    set_inhibit_time("6400");  // 10 ms
+    set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();
     EXPECT_TRUE(send("000#8005").empty());
     EXPECT_TRUE(pass(4).empty());
@@ -120,7 +120,7 @@ TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
 
 TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
     verifies<req::CO_PDO_047>();
-    send("605#2B00180519000000");  // 25 ms
+    send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
     EXPECT_EQ(pass(80), (Frames{"25:185#0000", "50:185#0000", "75:185#0000"}));
     // an event restarts the interval
@@ -130,7 +130,7 @@ TEST_F(Tpdo, EventTimerSendsWithoutAChange) {
 
 TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
     verifies<req::CO_PDO_016, req::CO_PDO_046, req::CO_PDO_047>();
-    send("605#2B00180519000000");  // 25 ms
+    send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
     EXPECT_EQ(pass(10), Frames{});
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
@@ -139,7 +139,7 @@ TEST_F(Tpdo, AnsweredRequestRestartsTheEventTimer) {
 
 TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
     verifies<req::CO_PDO_047, req::CO_PDO_018>();
-    send("605#2B00180519000000");  // 25 ms
+    send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
     start();
     EXPECT_EQ(device->next_deadline().us, (now + milliseconds(25)).us);
     send("000#8005");
@@ -148,9 +148,9 @@ TEST_F(Tpdo, EventTimerSetsNoDeadlineOutsideOperational) {
 
 TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
     verifies<req::CO_PDO_006, req::CO_PDO_047>();
-    send("605#2B00180519000000");  // TPDO1: 25 ms
-    send("605#2B01180505000000");  // TPDO2: 5 ms
-    send("605#2F011802FF000000");  // type 255
+    send("605#2B00180519000000");  // 1800h:5 event timer of TPDO1: 25 ms
+    send("605#2B01180505000000");  // 1801h:5 event timer of TPDO2: 5 ms
+    send("605#2F011802FF000000");  // 1801h:2 transmission type of TPDO2: 255
     send("000#0105");
     EXPECT_EQ(send("605#2300180185010080"), (Frames{"585#6000180100000000"}));
     const Frames frames = pass(30);
@@ -163,7 +163,7 @@ TEST_F(Tpdo, SwitchedOffTpdoIsNotSentWithTheOthers) {
 TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
     verifies<req::CO_PDO_013, req::CO_PDO_025>();
     send("605#2301180185020080");  // TPDO2 is off
-    send("605#2F00180202000000");  // every second SYNC
+    send("605#2F00180202000000");  // transmission type 2: every second SYNC
     send("000#0105");
     EXPECT_EQ(send("080#"), Frames{});
     EXPECT_EQ(send("605#2B00180519000000"), (Frames{"585#6000180500000000"}));
@@ -172,7 +172,7 @@ TEST_F(Tpdo, CountOfSyncsContinuesWhenAnotherParameterIsWritten) {
 
 TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
     verifies<req::CO_PDO_047>();
-    send("605#2B0018050A000000");  // 10 ms
+    send("605#2B0018050A000000");  // 1800h:5 event timer of TPDO1: 10 ms
     start();
     now = now + milliseconds(13);
     device->advance(now);
@@ -188,8 +188,8 @@ TEST_F(Tpdo, EventTimerKeepsItsPhaseWhenServedLate) {
 
 TEST_F(Tpdo, InhibitTimeOutlastsAShorterEventTimer) {
     verifies<req::CO_PDO_017, req::CO_PDO_047>();
-    send("605#2B00180505000000");  // 5 ms
-    set_inhibit_time("5000");      // 8 ms
+    send("605#2B00180505000000");  // 1800h:5 event timer of TPDO1: 5 ms
+    set_inhibit_time("5000");      // 80 * 100 us = 8 ms
     start();
     EXPECT_EQ(pass(24), (Frames{"8:185#0000", "16:185#0000", "24:185#0000"}));
 }

@@ -45,7 +45,8 @@ TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
 TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     verifies<req::CO_VERIFY_002>();
     for (const Exchange& change :
-         {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},     // 1017h = 1000 ms, communication
+         // 1017h producer heartbeat time, a communication parameter: 1000 ms
+         {Exchange{"605#2B171000E8030000", {"585#6017100000000000"}},
           Exchange{"605#2F01200107000000", {"585#6001200100000000"}},     // 2001h:1 = 7, sent by TPDO only
           Exchange{"605#2F01220008000000", {"585#6001220000000000"}}}) {  // 2201h = 8, in no PDO
         leave_date_and_time();
@@ -73,8 +74,8 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
     talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h is 0 already
           {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 = 3: refused, too high
           {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h cannot be written
-          {"605#2310100173617665", {"585#6010100100000000"}},    // save
-          {"605#4000200100000000", {"585#4F00200100000000"}}});  // a read
+          {"605#2310100173617665", {"585#6010100100000000"}},    // 1010h:1 saves all parameters
+          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 1020h:1 is read
     talk(kept);
     send("080#01");  // a SYNC of wrong length is listed in 1003h; the list is no configuration
     talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});

@@ -50,6 +50,32 @@ TEST(Bytes, NumbersBeyondTheEndReadAsZeroAndStayUnwritten) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
 }
 
+TEST(Bytes, ExchangeTellsWhetherTheBytesDiffered) {
+    shows_rule("a value that stays is no change");
+    for (std::size_t count = 0; count <= 8; ++count) {
+        std::array<std::uint8_t, 10> room{{9, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+        MutableBytes view{room};
+        const std::uint64_t present = read_le(view.view(), 1U, count);
+        EXPECT_FALSE(view.exchange_le(1U, count, present)) << count;
+        for (std::size_t changed = 0; changed < count; ++changed) {
+            const std::uint64_t wanted = present ^ (std::uint64_t{0x80} << (8U * changed));
+            EXPECT_TRUE(view.exchange_le(1U, count, wanted)) << count << ' ' << changed;
+            EXPECT_EQ(read_le(view.view(), 1U, count), wanted);
+            EXPECT_TRUE(view.exchange_le(1U, count, present)) << count << ' ' << changed;
+        }
+        EXPECT_EQ(room, (std::array<std::uint8_t, 10>{{9, 1, 2, 3, 4, 5, 6, 7, 8, 9}}));
+    }
+}
+
+TEST(Bytes, ExchangeAcrossTheEndWritesWhatFits) {
+    shows_rule("views of bytes cannot overrun");
+    std::array<std::uint8_t, 6> room{{1, 2, 3, 4, 5, 6}};
+    MutableBytes first_four{room.data(), 4U};
+    EXPECT_TRUE(first_four.exchange_le(2U, 4U, 0x44332211U));
+    EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 0x11, 0x22, 5, 6}}));
+    EXPECT_FALSE(first_four.exchange_le(2U, 4U, 0x2211U));
+}
+
 TEST(Bytes, OffsetThatOverflowsIsBeyondTheEnd) {
     shows_rule("views of bytes cannot overrun");
     constexpr std::size_t highest = std::numeric_limits<std::size_t>::max();

@@ -125,7 +125,7 @@ TEST(DictionaryCheck, MissingLimitIsRefused) {
     EXPECT_FALSE(missing.sound());
 }
 
-TEST(DictionaryCheck, HashTableFindsEachObjectAndEndsEachSearch) {
+TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearch) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};

@@ -88,7 +88,7 @@ class ByHand : public testing::Test, public AlteredSlaveBench {
 
 }  // namespace
 
-TEST_F(Plain, DomainWithoutAnApplicationIsRefusedAndEmpty) {
+TEST_F(Plain, DownloadAndUploadOfADomainWithoutAnApplicationAreRefused) {
     verifies<req::CO_SDO_046>();
     EXPECT_EQ(send("605#2300240001020304"), Frames{"585#8000240000000106"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#8000240000000106"});

@@ -43,7 +43,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the refused frame has not changed the queue
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the pop has not changed the empty queue
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 

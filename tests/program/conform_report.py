@@ -50,7 +50,7 @@ def check_refusal(folder):
         before = contents(folder)
         for report, cwd in ((place.name, folder), (".", place)):
             done = conform(cwd, report)
-            assert done.returncode == 2 and "holds other files" in done.stderr, done
+            assert done.returncode == 2 and "files that belong to no report" in done.stderr, done
             assert "passed" not in done.stdout, "the run came first"
             assert contents(folder) == before, "files of others are gone"
 

@@ -145,7 +145,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     ASSERT_TRUE(on_bus);
     ASSERT_EQ(on_bus->data[0], 1);
     bench.model.end_transmission(true);
-    ASSERT_TRUE(bench.model.begin_transmission());  // #2
+    ASSERT_TRUE(bench.model.begin_transmission());  // frame #2 is on the bus
     bench.model.end_transmission(true);
     const auto last = bench.model.begin_transmission();  // #3 is on the bus when urgent frames arrive
     ASSERT_EQ(last->data[0], 3);
@@ -155,7 +155,7 @@ TEST(CanTransmitter, LateAbortDoesNotSendTheFrameTwice) {
     EXPECT_THAT(bench.sent(), ElementsAre(Pair(0x083, 4), Pair(0x083, 5), Pair(0x083, 6)));
 }
 
-TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
+TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
     for (const bool sent : {true, false}) {
         Bench bench;
@@ -163,8 +163,8 @@ TEST(CanTransmitter, EndOfATransmissionDecidesItsAbort) {
         bench.serve();
         ASSERT_TRUE(bench.model.begin_transmission());
         bench.queue_up({{0x183, 2}, {0x183, 3}, {0x083, 4}});
-        bench.serve();  // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on
-                        // the bus.
+        // 083h and 183h fill the mailboxes. The last frame is more urgent only than 583h, which is on the bus.
+        bench.serve();
         bench.model.end_transmission(sent);
         const auto rest = bench.sent();
         if (sent) {
@@ -251,7 +251,7 @@ TEST(CanTransmitter, BusOffDropsFramesInTheMailboxes) {
     bench.queue_up({{0x583, 1}});
     bench.serve();
     bench.model.count_errors(256, 0);
-    for (int i = 0; i < 1010; ++i) {  // 101 ms
+    for (int i = 0; i < 1010; ++i) {  // 1010 steps are 101 ms
         bench.serve();
     }
     bench.model.pass_recessive(128);

@@ -57,7 +57,7 @@ TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
     Chips chips;
     Unit unit{chips};
     const std::size_t before = chips.watchdog.refreshes();
-    unit.run(20000);  // 2 s
+    unit.run(20000);  // 20,000 steps are 2 s
     EXPECT_EQ(chips.watchdog.refreshes() - before, 20000U);
     EXPECT_FALSE(chips.watchdog.has_bitten());
     chips.watchdog.pass(1001);
@@ -97,7 +97,7 @@ TEST(DeviceLoop, DeviceRecoversFromBusOff) {
     Unit unit{chips};
     unit.run(5);
     chips.can.count_errors(256, 0);
-    EXPECT_THAT(unit.run(1100), IsEmpty());  // 110 ms
+    EXPECT_THAT(unit.run(1100), IsEmpty());  // 1100 steps are 110 ms
     chips.can.pass_recessive(128);
     const auto sent = unit.run(10);
     ASSERT_FALSE(sent.empty());

@@ -43,7 +43,7 @@ class FailedSelfTest : public testing::Test {
             EXPECT_EQ(volts, 0.0F);
         }
         EXPECT_FALSE(chips_.watchdog.has_bitten());
-        EXPECT_THAT(unit_.run(10010), IsEmpty());  // 1 s
+        EXPECT_THAT(unit_.run(10010), IsEmpty());  // 10,010 steps are 1.001 s
         EXPECT_EQ(chips_.watchdog.refreshes(), refreshes);
         EXPECT_TRUE(chips_.watchdog.has_bitten());
         EXPECT_EQ(unit_.loop.failed(), test);
@@ -141,7 +141,7 @@ TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
     EXPECT_NEAR(unit_.board.driven.aout[0], 5.0F, 0.01F);
-    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 / 3 / 18
+    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 passes, each third with one of 18 slices
     EXPECT_GE(unit_.tests.ram().passes(), 80U);    // 5000 / 3 / 21, and one at power-on
 }
 

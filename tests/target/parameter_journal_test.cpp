@@ -96,7 +96,7 @@ TEST(ParameterJournal, UnchangedBytesAreNotProgrammed) {
     ASSERT_TRUE(unit.store(32, Bytes(48, 7)));
     EXPECT_EQ(model.operations(), before);
     ASSERT_TRUE(unit.store(40, {8}));
-    EXPECT_EQ(model.operations(), before + 6);  // one slot
+    EXPECT_EQ(model.operations(), before + 6);  // the six words of one slot
 }
 
 TEST(ParameterJournal, AccessOutsideTheJournalIsRefused) {

@@ -131,7 +131,7 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
         EXPECT_FALSE(core_model().masked);
         EXPECT_EQ(check.passes(), 0U);
     }
-    EXPECT_TRUE(check.step());  // words 27 to 29
+    EXPECT_TRUE(check.step());  // the last slice: words 27 to 29
     EXPECT_EQ(ram.accesses() - before, 13U * 3U);
     EXPECT_EQ(check.passes(), 1U);
     EXPECT_EQ(ram.unmasked(), 0U);

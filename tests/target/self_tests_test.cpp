@@ -88,7 +88,7 @@ TEST(FlashCheck, PassTakesOneStepForEach16Bytes) {
     EXPECT_EQ(check.passes(), 1U);
 }
 
-TEST(FlashCheck, DamageBehindTheSlicesOfThisPassIsFoundByTheNext) {
+TEST(FlashCheck, DamageInASliceThatWasAlreadyCheckedIsFoundInTheNextPass) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -127,7 +127,7 @@ TEST(FlowMonitor, OneSequenceOfUpToSixStepsIsAPass) {
             EXPECT_EQ(is_pass(steps), steps == pass_steps);
         }
     }
-    EXPECT_EQ(tried, 55987U);  // (6^7 - 1) / 5
+    EXPECT_EQ(tried, 55987U);  // 1 + 6 + 6² + … + 6⁶ = (6^7 - 1) / 5
 }
 
 TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {
@@ -198,7 +198,7 @@ TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
     for (const double khz : {17.0, 25.0, 32.0, 47.0}) {
         ClockCheckBench bench;
         bench.model.oscillator_khz = khz;
-        EXPECT_EQ(bench.run(40000), 40000) << khz;  // 2 s
+        EXPECT_EQ(bench.run(40000), 40000) << khz;  // passes of 50 µs: 2 s
         EXPECT_THAT(bench.model.faults(), IsEmpty());
     }
 }
@@ -272,7 +272,7 @@ TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
     }
 }
 
-TEST(FailureRecord, RecordKeepsEachTestOnce) {
+TEST(FailureRecord, RecordReturnsAKeptTestOnce) {
     verifies<req::CO_SELF_009>();
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};
@@ -302,7 +302,7 @@ TEST(FailureRecord, ArbitraryContentIsNoRecord) {
     }
 }
 
-TEST(FailureRecord, TestsOfTheProcessorFindFailedHardware) {
+TEST(FailureRecord, CoreClockRamAndFlashTestsFindFailedHardware) {
     verifies<req::CO_SELF_009, req::CO_D_SELF_001>();
     for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
         EXPECT_TRUE(finds_hardware(test));

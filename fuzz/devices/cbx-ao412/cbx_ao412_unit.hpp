@@ -16,7 +16,8 @@ class CbxAo412Unit {
     using Inputs = cbx_ao412::Inputs;
     using FactoryData = cbx_ao412::FactoryData;
     static constexpr std::size_t memory_size = 1024;
-    static constexpr std::uint8_t answers_remote = 0x02;  ///< 7.7.2: RPDO 2
+    /// Bit n: RPDO n + 1 answers remote frames; only RPDO2 does (7.7.2).
+    static constexpr std::uint8_t answers_remote = 0x02;
 
     static void prepare(Inputs&) {}
     /// Returns whether the device has values: with switches that give no node-ID only the LEDs work.

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int read(const volatile int& place);  // flagged

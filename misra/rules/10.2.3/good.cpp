@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 enum class Colour : unsigned char { red, blue };
 bool first(const Colour colour) { return colour == Colour::red; }

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 struct Base {};
 struct Derived : virtual Base {};  // flagged

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 struct Base {};
 struct One : Base {};

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 #include <cstdarg>  // flagged
 int read(std::va_list list);  // flagged

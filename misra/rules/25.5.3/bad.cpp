@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 #include <ctime>
 const char* stale(const std::time_t one) {
     const char* const first = std::ctime(&one);  // flagged

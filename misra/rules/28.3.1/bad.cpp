@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 #include <algorithm>
 #include <array>
 bool third(const std::array<int, 4>& row) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 #include <utility>
 template <typename T>
 void take(T value);

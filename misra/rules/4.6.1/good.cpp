@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int twice(int value) {
     const int before{value};
     ++value;

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int _Taken();  // flagged
 int double__underscore();  // flagged

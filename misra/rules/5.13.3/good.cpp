@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int eight() { return 0 + 8 + 0x01; }
 double small() { return 1.5e-06; }
 double half() { return 0.5; }

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged: a path a\b within a comment joins no lines.
+// The checkers must flag no line of this file: a path a\b within a comment joins no lines.
 int later();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged: each name is defined once, and names local to a file do not conflict.
+// The checkers must flag no line of this file: each name is defined once, and names local to a file do not conflict.
 namespace odr {
 struct Place {
     int across;

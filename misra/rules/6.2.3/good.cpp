@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged: an overload, a declaration and its one definition.
+// The checkers must flag no line of this file: an overload, a declaration and its one definition.
 namespace places {
 inline int thrice(const int value) { return 3 * value; }
 inline long thrice(const long value) { return 3 * value; }

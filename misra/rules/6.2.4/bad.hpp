@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int twice(const int value) { return 2 * value; }  // flagged
 int counter = 0;                                  // flagged

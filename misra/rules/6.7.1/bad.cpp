@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int next() {
     static int count{0};  // flagged
     ++count;

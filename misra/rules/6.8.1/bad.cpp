@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 struct View {
     explicit View(const int& seen [[clang::lifetimebound]]) : value{seen} {}
     const int& value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged: one alias throughout, and overloads that differ.
+// The checkers must flag no line of this file: one alias throughout, and overloads that differ.
 namespace aliases {
 using Number = int;
 int before(Number at);

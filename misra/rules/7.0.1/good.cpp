@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int as_number(const bool set) { return set ? 1 : 0; }
 bool same(const bool one, const bool other) { return one == other; }

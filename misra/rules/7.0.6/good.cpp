@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 short small(const int value) { return static_cast<short>(value); }
 long wide(const int value) { return value; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int read(const int value) {
     const auto get = [value] { return value + 1; };
     return get();

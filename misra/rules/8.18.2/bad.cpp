@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int chain(int& one, int& other) {
     one = other = 3;  // flagged
     if ((one = other) != 0) {  // flagged

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int call(int one, int other);
 int both(const int one, const int other) { return call(one, other); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int factorial(const int value) {  // flagged
     return (value < 2) ? 1 : (value * factorial(value - 1));
 }

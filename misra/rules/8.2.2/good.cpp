@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here may be flagged.
+// The checkers must flag no line of this file.
 int whole(const double value) { return static_cast<int>(value); }
 long wide(const int value) { return long{value}; }

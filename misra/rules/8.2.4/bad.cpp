@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 using One = int (*)();
 using Other = void (*)(int);
 Other turn(const One one) {

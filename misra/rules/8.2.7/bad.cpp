@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 #include <cstdint>
 std::uintptr_t address(const int* const place) {
     return reinterpret_cast<std::uintptr_t>(place);  // flagged

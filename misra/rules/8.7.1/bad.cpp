@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be flagged.
+// The checkers must flag each line marked `flagged`, and no other line.
 int past() {
     const int row[3] = {1, 2, 3};
     return row[4];  // flagged

@@ -105,7 +105,7 @@ class Run {
                                     : (event.b % 3U == 1U ? inputs.acceleration_y : inputs.acceleration_z)) = physical;
                 device.set_inputs(inputs, now);
                 break;
-            case 1:  // a position
+            case 1:  // a position with finite accelerations
                 inputs.acceleration_x = std::sin(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_y = std::cos(static_cast<float>(event.a % 6283U) / 1000.0F);
                 inputs.acceleration_z = static_cast<float>(event.b % 3U) - 1.0F;
@@ -123,14 +123,14 @@ class Run {
                 inputs.can_state = static_cast<std::uint8_t>(event.b % 5U);
                 device.set_inputs(inputs, now);
                 break;
-            case 4: {  // NMT
+            case 4: {  // an NMT command
                 Frame frame = data_frame(0U, 2U);
                 constexpr std::uint8_t commands[]{0x01, 0x01, 0x02, 0x80, 0x81, 0x82};
                 frame.data[0] = commands[event.b % 6U];
                 device.receive(frame, now);
                 break;
             }
-            case 5: {  // RPDO1
+            case 5: {  // RPDO1 of 0 to 8 bytes
                 Frame frame = data_frame(0x27FU, static_cast<std::uint8_t>(event.b % 9U));
                 write_le(MutableBytes{frame.data}, 0U, 4U, event.a);
                 device.receive(frame, now);

@@ -149,7 +149,7 @@ class TwoInclinometers {
     /// Stores all parameters by 1010h:1.
     void store() {
         stored_ = naive_.parameters();
-        set({0x1010, 1, 4, 1702257011.0});  // `save`
+        set({0x1010, 1, 4, 1702257011.0});  // the signature `save` as a number
     }
     /// Resets the node by NMT; the node starts with the stored parameters.
     void reset() {

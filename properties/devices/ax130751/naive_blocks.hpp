@@ -19,7 +19,7 @@ struct Argument {
 struct Condition {
     Argument one;
     Argument other;
-    int comparison{0};  ///< Table 16
+    int comparison{0};  ///< number of the operator in Table 16
 };
 
 enum class Answer { no, yes, error, not_applicable };
@@ -40,7 +40,7 @@ inline Answer answer(const Condition& condition) {
 
 struct Function {
     std::array<Condition, 3> conditions;
-    int logical{0};  ///< Table 18
+    int logical{0};  ///< number of the operator in Table 18
 };
 
 /// Returns whether a function selects its table (Table 19).

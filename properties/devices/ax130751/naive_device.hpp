@@ -289,7 +289,7 @@ class Device {
             return 0;
         }
         int exponent = 0;
-        const float fraction = std::frexp(std::fabs(value), &exponent);  // 0.5 to 1
+        const float fraction = std::frexp(std::fabs(value), &exponent);  // in the range from 0.5 to 1
         const auto mantissa = static_cast<std::uint32_t>(std::ldexp(fraction, 24)) & 0x7FFFFFU;
         return (value < 0.0F ? 0x80000000U : 0U) | static_cast<std::uint32_t>(exponent + 126) << 23U | mantissa;
     }

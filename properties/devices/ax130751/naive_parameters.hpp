@@ -36,7 +36,7 @@ struct Output {
     int fv_2{5000};
     int fault_mode{1};
     int fault_value{0};
-    int command{0};  ///< 7300h
+    int command{0};  ///< 7300h (AO Output Process Value)
     int blink{500};
     int range{0};
     int polarity{0};
@@ -122,8 +122,8 @@ struct Diagnostics {
     int hot{85};
     int heat_hysteresis{25};
     int heat_shuts{1};
-    int updates{1};      ///< 5550h
-    int starts_self{0};  ///< 5555h
+    int updates{1};      ///< 5550h (Enable Automatic Updates)
+    int starts_self{0};  ///< 5555h (Start in Operational Mode)
 };
 
 /// The parameters of a PDO, as far as the model uses them (3.2.13 to 3.2.15); identifiers are those of the pre-defined
@@ -135,7 +135,7 @@ struct Pdo {
 
 /// The parameters of the communication: 3.2.9, 3.2.13 to 3.2.15.
 struct Communication {
-    int error_behaviour{1};             ///< 1029h:1
+    int error_behaviour{1};             ///< 1029h:1 (error behaviour)
     std::array<int, 4> heartbeat_ms{};  ///< times in 1016h:1 to 1016h:4, for the nodes 5 to 8; 0: not monitored
     std::array<Pdo, 4> receive{{{true, 0}, {false, 0}, {false, 0}, {true, 0}}};
     std::array<Pdo, 4> transmit{{{true, 100}, {false, 0}, {false, 0}, {false, 0}}};
@@ -144,7 +144,7 @@ struct Communication {
 struct Parameters {
     std::array<Output, 2> outputs;
     Relay relay;
-    std::array<int, 3> write_states{};  ///< 6220h
+    std::array<int, 3> write_states{};  ///< 6220h (DO Write State 1 Output Line)
     std::array<Extra, 6> extras;
     std::array<Table, 10> tables;
     std::array<Logic, 3> logic;

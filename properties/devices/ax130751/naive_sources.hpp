@@ -68,7 +68,7 @@ struct Shown {
 
 /// Faults of reception.
 struct Network {
-    std::array<bool, 4> overdue{};  ///< RPDO 1 to 4
+    std::array<bool, 4> overdue{};  ///< whether RPDO1 to RPDO4 are overdue
     bool silent{false};             ///< a heartbeat or life guarding was lost
 };
 

@@ -206,7 +206,7 @@ class Scanner {
         const double tenths = static_cast<double>(now_shown.celsius) * 10.0;
         const bool above = is_above(set.type, now_shown.uv);
         const bool below = is_below(set.type, now_shown.uv);
-        constexpr double hysteresis = 10.0;  // 1 degC
+        constexpr double hysteresis = 10.0;  // 1 degC, in tenths
         faults[i][high_warning].judge(tenths > set.high, tenths <= set.high - hysteresis, set.delay_ms, now);
         faults[i][low_warning].judge(below || tenths < set.low, !below && tenths >= set.low + hysteresis, set.delay_ms,
                                      now);

@@ -108,8 +108,8 @@ RC_GTEST_PROP(Ax188001Symmetry, ExchangedChannelsGiveExchangedResults, ()) {
         rc::gen::container<TcsNumbers>(rc::gen::container<std::array<unsigned, 4>>(rc::gen::inRange(0U, 1000000U))));
     TcsRig rig;
     TcsRig other;
-    bool is_full = false;  // of ten errors, the oldest is lost; among simultaneous errors this depends on the order of
-                           // the channels
+    // Of ten errors, the oldest is lost; among simultaneous errors this depends on the order of the channels.
+    bool is_full = false;
     const auto happen = [&](const TcsAction& action) {
         play(rig, action);
         play(other, exchanged(action));

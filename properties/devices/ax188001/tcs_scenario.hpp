@@ -19,7 +19,7 @@ struct TcsAction {
     Kind kind{heat};
     int channel{1};     ///< channel of an action on heat, wire, voltage or hum
     double value{0.0};  ///< degC, uV or V; for wire and overrun 0 or 1; for a command its specifier
-    int index{0};       ///< of a write
+    int index{0};       ///< index of a write
     int sub{0};         ///< sub-index of a write, or node of a command
     int size{1};        ///< length of a write in bytes
     std::uint32_t bits{0};

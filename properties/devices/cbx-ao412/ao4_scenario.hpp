@@ -18,9 +18,9 @@ struct Ao4Action {
     Kind kind{write};
     unsigned id{0};              ///< identifier of a frame or remote frame; with `own` an offset to the node-ID
     bool own{false};             ///< the identifier is that of the node itself
-    std::vector<unsigned> data;  ///< of a frame
+    std::vector<unsigned> data;  ///< data of a frame
     unsigned index{0};           ///< index of a write, or number of a terminal
-    unsigned sub{0};             ///< of a write
+    unsigned sub{0};             ///< sub-index of a write
     unsigned size{1};            ///< length of a write in bytes
     std::uint32_t value{0};      ///< value of a write, or of a terminal
     std::uint64_t wait_ms{0};

@@ -72,13 +72,13 @@ void crc16_of_bytes_is_that_of_the_first_and_the_rest() {
     const std::size_t size = any<std::size_t>();
     assume((size >= 1U) && (size <= bytes.size()));
     Crc16 whole{};
-    whole.swapped_ = any<std::uint16_t>();
+    whole.remainder_ = any<std::uint16_t>();
     Crc16 parts = whole;
     const ByteView view = ByteView{bytes}.part(0U, size);
     whole.add(view);
     parts.add(view.part(0U, 1U));
     parts.add(view.part(1U, size - 1U));
-    claim(whole.swapped_ == parts.swapped_);
+    claim(whole.remainder_ == parts.remainder_);
 }
 
 }  // namespace canproof::proofs

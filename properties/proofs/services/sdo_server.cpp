@@ -97,13 +97,19 @@ struct Served {
 }  // namespace
 
 void a_reset_sdo_server_is_consistent() {
-    shows("a new server that is reset has the identifiers of its node-ID, no transfer, and is consistent");
+    shows(
+        "a new server that is reset has no transfer, serves no request, and is consistent; when it listens, it has the "
+        "identifiers of its node-ID");
     AnyObjects objects{};
     TransmitQueue queue{};
     SdoServer server{objects, queue, false};
     const auto node_id = any<std::uint8_t>();
     server.reset(node_id);
     claim(is_consistent(server) && (server.state_ == State::idle));
+    const Frame frame = any_frame();
+    assume(frame.id <= 0x1FFFFFFFU);  // 29 bits
+    claim(!server.is_request(frame));
+    server.listen(true);
     claim((server.request_id_ == (0x600U + node_id)) && (server.response_id_ == (0x580U + node_id)));
 }
 

@@ -14,6 +14,14 @@ void MutableBytes::put_each(const std::size_t at, const std::size_t count, const
     }
 }
 
+bool MutableBytes::exchange_each(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
+    const bool differs = join_each(view(), at, count) != value;
+    if (differs) {
+        put_each(at, count, value);
+    }
+    return differs;
+}
+
 std::uint64_t join_each(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
     std::uint64_t value{0U};
     for (std::size_t i = (at < bytes.size()) ? count : 0U; i > 0U; --i) {

@@ -120,6 +120,20 @@ class alignas(std::uint64_t) MutableBytes {
                 break;
         }
     }
+    /// Writes the low `count` (0…8) bytes where they differ from those at `at`; see put_le(). Returns whether they did.
+    bool exchange_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
+        const bool fits = (at <= size_) && (count <= (size_ - at));
+        switch (fits ? count : 0U) {
+            case 1U:
+                return exchange<1U>(data_ + at, value);
+            case 2U:
+                return exchange<2U>(data_ + at, value);
+            case 4U:
+                return exchange<4U>(data_ + at, value);
+            default:
+                return exchange_each(at, count, value);
+        }
+    }
     constexpr MutableBytes part(const std::size_t from, const std::size_t count) const noexcept {
         const std::size_t start = (from < size_) ? from : size_;
         const std::size_t rest = size_ - start;
@@ -127,7 +141,16 @@ class alignas(std::uint64_t) MutableBytes {
     }
 
   private:
+    template <std::size_t N>
+    static bool exchange(std::uint8_t* const bytes, const std::uint64_t value) noexcept {
+        const bool differs = load_le<N>(bytes) != value;
+        if (differs) {
+            store_le<N>(bytes, value);
+        }
+        return differs;
+    }
     void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
+    bool exchange_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
 
     std::uint8_t* data_{nullptr};
     std::size_t size_{0U};
@@ -144,19 +167,23 @@ inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
     return whole ? load_le<N>(bytes.data() + at) : join_each(bytes, at, N);
 }
-/// The same for `count` (0…8) bytes.
+/// Returns the number that a view of at most eight bytes contains.
+inline std::uint64_t number_in(const ByteView bytes) noexcept {
+    switch (bytes.size()) {
+        case 1U:
+            return load_le<1U>(bytes.data());
+        case 2U:
+            return load_le<2U>(bytes.data());
+        case 4U:
+            return load_le<4U>(bytes.data());
+        default:
+            return join_each(bytes, 0U, bytes.size());
+    }
+}
+/// Returns `count` (0…8) bytes from `at` on as a number, as join_each() does.
 inline std::uint64_t read_le(const ByteView bytes, const std::size_t at, const std::size_t count) noexcept {
     const bool whole = (at <= bytes.size()) && (count <= (bytes.size() - at));
-    switch (whole ? count : 0U) {
-        case 1U:
-            return load_le<1U>(bytes.data() + at);
-        case 2U:
-            return load_le<2U>(bytes.data() + at);
-        case 4U:
-            return load_le<4U>(bytes.data() + at);
-        default:
-            return join_each(bytes, at, count);
-    }
+    return whole ? number_in(ByteView{bytes.data() + at, count}) : join_each(bytes, at, count);
 }
 
 inline std::uint16_t read_u16(const ByteView bytes, const std::size_t at) noexcept {

@@ -3,8 +3,6 @@
 // "123456789" gives 31C3h).
 #pragma once
 
-#include <array>
-
 #include "firmware/base/bytes.hpp"
 
 namespace canproof {
@@ -13,53 +11,38 @@ class Crc16 {
   public:
     constexpr void add(const ByteView bytes) noexcept {
         for (std::size_t i = 0U; i < bytes.size(); ++i) {
-            swapped_ = after_one(swapped_, bytes[i]);
+            remainder_ = ((remainder_ << 8U) & 0xFFFFU) ^ remainder_of((remainder_ >> 8U) ^ bytes[i]);
         }
     }
-    /// Adds the low seven bytes of `segment`, least significant first: the data of one segment of a block transfer.
-    /// Inlining is forced: the limit on block upload leaves no time for a call per segment
+    /// Adds the upper seven bytes of `frame`, least significant first: the data of a segment of a block transfer,
+    /// behind its sequence number. Inlining is forced: the limit on block upload leaves no time for a call per segment
     /// (tests/bench/transactions.cpp).
-    [[gnu::always_inline]] constexpr void add_seven(const std::uint64_t segment) noexcept {
-        swapped_ = after_one(after_two(after_two(after_two(swapped_, segment), segment >> 16U), segment >> 32U),
-                             segment >> 48U);
+    [[gnu::always_inline]] constexpr void add_segment(const std::uint64_t frame) noexcept {
+        constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
+        remainder_ = remainder_of((reversed(frame) & seven_bytes) ^ (std::uint64_t{remainder_} << 40U));
     }
-    constexpr std::uint16_t value() const noexcept { return swapped(swapped_); }
+    constexpr std::uint16_t value() const noexcept { return static_cast<std::uint16_t>(remainder_); }
 
   private:
-    using Table = std::array<std::uint16_t, 256U>;
+    /// Returns the eight bytes in reverse: a polynomial has its first byte in the highest bits.
+    static constexpr std::uint64_t reversed(const std::uint64_t bytes) noexcept {
+        return ((bytes & 0xFFU) << 56U) | ((bytes & 0xFF00U) << 40U) | ((bytes & 0xFF0000U) << 24U) |
+               ((bytes & 0xFF000000U) << 8U) | ((bytes >> 8U) & 0xFF000000U) | ((bytes >> 24U) & 0xFF0000U) |
+               ((bytes >> 40U) & 0xFF00U) | (bytes >> 56U);
+    }
+    /// Returns the remainder of message * x^16 divided by P = x^16 + x^12 + x^5 + 1, without a table. The quotient is
+    /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is
+    /// (1 + f)(1 + f^2)(1 + f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero.
+    /// The low 16 bits of quotient * P are the remainder, because message * x^16 has none.
+    static constexpr std::uint32_t remainder_of(const std::uint64_t message) noexcept {
+        std::uint64_t quotient = message ^ (message >> 4U) ^ (message >> 11U) ^ (message >> 16U);
+        quotient ^= (quotient >> 8U) ^ (quotient >> 22U) ^ (quotient >> 32U);
+        quotient ^= (quotient >> 16U) ^ (quotient >> 44U);
+        const auto low = static_cast<std::uint32_t>((quotient ^ (quotient >> 32U)) & 0xFFFFFFFFU);
+        return (low ^ (low << 5U) ^ (low << 12U)) & 0xFFFFU;
+    }
 
-    static constexpr std::uint16_t swapped(const std::uint32_t word) noexcept {
-        return static_cast<std::uint16_t>(((word >> 8U) | (word << 8U)) & 0xFFFFU);
-    }
-    static constexpr std::uint32_t after_two(const std::uint32_t swapped, const std::uint64_t bytes) noexcept {
-        const auto two = static_cast<std::uint32_t>((swapped ^ bytes) & 0xFFFFU);
-        return std::uint32_t{first_of_two[two & 0xFFU]} ^ last[two >> 8U];
-    }
-    static constexpr std::uint32_t after_one(const std::uint32_t swapped, const std::uint64_t bytes) noexcept {
-        return (swapped >> 8U) ^ last[(swapped ^ bytes) & 0xFFU];
-    }
-
-    /// Returns the remainder of every byte followed by `zeros` zero bits, with its bytes swapped. One look-up per byte
-    /// replaces eight shifts.
-    static constexpr Table remainders(const std::uint32_t zeros) noexcept {
-        Table rows{};
-        for (std::uint32_t byte = 0U; byte < rows.size(); ++byte) {
-            std::uint32_t remainder = byte << 8U;
-            for (std::uint32_t bit = 8U; bit < zeros; ++bit) {
-                const bool carry = (remainder & 0x8000U) != 0U;
-                remainder = ((remainder << 1U) & 0xFFFFU) ^ (carry ? 0x1021U : 0U);
-            }
-            rows[byte] = swapped(remainder);
-        }
-        return rows;
-    }
-    static const Table last;  ///< for a byte with none behind it: sixteen zero bits are shifted in for the remainder
-    static const Table first_of_two;  ///< for the first of two bytes that are added in one step
-
-    std::uint32_t swapped_{0U};  ///< the CRC register with its bytes swapped, so that data can be used in memory order
+    std::uint32_t remainder_{0U};
 };
-
-inline constexpr Crc16::Table Crc16::last = Crc16::remainders(16U);
-inline constexpr Crc16::Table Crc16::first_of_two = Crc16::remainders(24U);
 
 }  // namespace canproof

@@ -115,7 +115,8 @@ void ErrorControl::after_write(const EntryRef& entry, const Instant now) noexcep
     } else if ((entry.index == index::guard_time) || (entry.index == index::life_time_factor)) {
         // A running life guarding continues with the new time; one that is off waits for the next request.
         const bool is_on = life_time_.us != 0U;
-        life_deadline_ = (is_on && (life_deadline_ != never)) ? (now + life_time_) : never;
+        const bool runs = is_on && (life_deadline_ != never);
+        life_deadline_ = runs ? (now + life_time_) : never;
         life_failed_ = is_on && life_failed_;
     } else {
         // 100Eh node guarding identifier: the next message uses the new identifier.

@@ -17,7 +17,8 @@ struct Frame {
     bool extended{false};
     bool remote{false};       ///< RTR: requests the frame, carries no data
     std::uint8_t length{0U};  ///< DLC, 0…8
-    alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};  ///< aligned: moved as one word
+    /// Aligned, so that the data are moved as one word.
+    alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};
 
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };
@@ -27,6 +28,13 @@ inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexc
     Frame frame{};
     frame.id = id;
     frame.length = length;
+    return frame;
+}
+/// Returns a data frame with the low `length` (0…8) bytes of `data`, the first byte lowest; the others of `data` must
+/// be zero.
+inline Frame data_frame(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
+    Frame frame = data_frame(id, length);
+    set_field_le<0U, max_frame_length>(frame.data, data);
     return frame;
 }
 

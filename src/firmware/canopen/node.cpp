@@ -127,7 +127,15 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
         // the PDOs keep running
     }
     sync_.allow(allowed_.has(NmtService::sync), now);
+    admit_services(now);
+}
+
+/// Lets EMCY and SDO work in the present NMT state, while the node may send.
+void Node::admit_services(const Instant now) noexcept {
+    static_assert(implements<req::CO_EMCY_031>);
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
+    static_assert(implements<req::CO_SDO_045>);
+    sdo_.listen(allowed_.has(NmtService::sdo) && may_send());
 }
 
 void Node::receive(const Frame& frame, const Instant now) noexcept {
@@ -135,12 +143,11 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         return;
     }
     advance(now);
-    static_assert(implements<req::CO_LSS_074>);
-    if (lss_.is_silent()) {
-        return;
-    }
     if (sdo_.is_request(frame)) {
         serve_sdo(frame, now);
+    } else if (lss_.is_silent()) {
+        static_assert(implements<req::CO_LSS_074>);
+        // the node changes its bit rate
     } else if (lss_.is_request(frame)) {
         configure(frame, now);
     } else if (state_ != NmtState::initialising) {
@@ -171,7 +178,7 @@ void Node::switch_bit_rate(const Instant now) noexcept {
         queue_.close();
         sdo_.abandon();
     }
-    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
+    admit_services(now);
 }
 
 /// Passes a frame to the service that it belongs to. Frames of no service have no effect, for example TIME and 29-bit

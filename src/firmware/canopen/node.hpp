@@ -23,12 +23,12 @@ struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    std::uint8_t rpdos_answering_remote{0U};    ///< bit n: a remote frame on the identifier of RPDO n + 1 reads it back
-                                                ///< (CAN-CBX-AO412, 7.7.2)
-    bool saves_in_pre_operational_only{false};  ///< a write to 1010h in another state gets 08000022h (CAN-CBX-AO412,
-                                                ///< 7.9.12)
-    bool block_sdo{false};                      ///< the device supports SDO block transfer
-    LssProfile lss{};                           ///< bit rates and behaviour of the device's LSS; the default is no LSS
+    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2).
+    std::uint8_t rpdos_answering_remote{0U};
+    /// A write to 1010h in another state gets 08000022h (CAN-CBX-AO412, 7.9.12).
+    bool saves_in_pre_operational_only{false};
+    bool block_sdo{false};  ///< the device supports SDO block transfer
+    LssProfile lss{};       ///< bit rates and behaviour of the device's LSS; the default is no LSS
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
@@ -175,11 +175,9 @@ class Node final : private ObjectAccess {
     Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) override;
 
     AbortCode before_received(const EntryRef& entry, std::uint64_t bits) override;
-    /// Inlining is forced: an expedited download may take 305 instructions (tests/bench/transactions.cpp).
-    [[gnu::always_inline]] void after_put(const EntryRef& entry, const bool changes, const Instant now) override {
+    void after_put(const EntryRef& entry, const bool changes, const Instant now) override {
         if (entry.row->service != Service::none) {
-            after_write(entry, now);
-            wake();
+            take_effect(entry, now);
         }
         if (changes && entry.may(rights::tpdo)) {
             process_value_changed(entry.index, entry.row->subindex, now);
@@ -193,16 +191,15 @@ class Node final : private ObjectAccess {
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
     void serve_sdo(const Frame& frame, const Instant now) noexcept {
-        static_assert(implements<req::CO_SDO_045>);
-        if (allowed_.has(NmtService::sdo)) {
-            sdo_.receive(frame, now);
-            idle_until_ = earliest(idle_until_, sdo_.idle_until());
-            if (idle_until_ <= now) {  // a write had effects beyond its value
-                watch_communication(now);
-                send_events(now);
-            }
-            tpdos_.advance(now);
+        sdo_.receive(frame, now);
+        if (sdo_.idle_until() < idle_until_) {
+            idle_until_ = sdo_.idle_until();
         }
+        if (idle_until_ <= now) {  // a write had effects beyond its value
+            watch_communication(now);
+            send_events(now);
+        }
+        tpdos_.advance(now);
     }
     void change_error(ErrorId error, bool present, Instant now) noexcept;
     void serve_sync(const Frame& frame, Instant now) noexcept;
@@ -225,11 +222,14 @@ class Node final : private ObjectAccess {
     void tell_damage(Instant now) noexcept;
     void boot_up(Instant now) noexcept;
     void enter(NmtState state, Instant now) noexcept;
+    void admit_services(Instant now) noexcept;
 
-    /// Returns why the entry found under `index` cannot be accessed now; AbortCode::none when it can.
-    AbortCode check_access(const EntryRef& entry, const std::uint16_t index) noexcept {
+    [[gnu::noinline]] Result<ByteView, AbortCode> read_special(EntryRef entry) noexcept;
+    [[gnu::noinline]] AbortCode write_special(EntryRef entry, ByteView value, Instant now) noexcept;
+    /// Returns why an entry that lookup() returned cannot be accessed now; AbortCode::none when it can.
+    AbortCode check_access(const EntryRef& entry) noexcept {
         if (!entry.exists()) {
-            return objects_.missing(index);
+            return objects_.missing(entry.index);
         }
         return (entry.row->service == Service::program) ? check_program(entry) : AbortCode::none;
     }
@@ -237,6 +237,21 @@ class Node final : private ObjectAccess {
     AbortCode before_write(const EntryRef& entry, ByteView value) noexcept;
     AbortCode check_parameter(const EntryRef& entry, std::uint32_t value) const noexcept;
     void after_write(const EntryRef& entry, Instant now) noexcept;
+    /// Applies a write in the service that owns the entry.
+    void take_effect(const EntryRef& entry, const Instant now) noexcept {
+        after_write(entry, now);
+        wake();
+    }
+    /// Notifies the TPDOs and the verification of the configuration of a value that an SDO has changed.
+    static_assert(implements<req::CO_PDO_042> && implements<req::CO_VERIFY_005>);
+    void note_change(const EntryRef& entry, const Instant now) noexcept {
+        if (entry.may(rights::tpdo)) {
+            process_value_changed(entry.index, entry.row->subindex, now);
+        }
+        if (entry.may(rights::stored) && !entry.may(rights::rpdo)) {
+            forget_verification(entry.index);
+        }
+    }
     AbortCode store(const EntryRef& entry, std::uint32_t value) noexcept;
     void forget_verification(std::uint16_t changed_index) noexcept;
     AbortCode write_domain(const EntryRef& entry, ByteView value, Instant now) noexcept;

@@ -22,7 +22,15 @@ static_assert(implements<req::CO_SDO_009>);
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
     using Read = Result<ByteView, AbortCode>;
     const EntryRef entry = objects_.lookup(index, subindex);
-    const AbortCode code = check_access(entry, index);
+    const bool is_plain = entry.exists() && entry.may(rights::read) && (entry.row->service != Service::program) &&
+                          (entry.row->type != DataType::domain);
+    return is_plain ? Read::success(objects_.value(entry)) : read_special(entry);
+}
+
+/// Reads an entry that belongs to a program or is a DOMAIN, or returns why it cannot be read.
+Result<ByteView, AbortCode> Node::read_special(const EntryRef entry) noexcept {
+    using Read = Result<ByteView, AbortCode>;
+    const AbortCode code = check_access(entry);
     if (code != AbortCode::none) {
         return Read::failure(code);
     }
@@ -37,7 +45,7 @@ Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uin
 Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const std::uint8_t subindex) {
     using Place = Result<WritePlace, AbortCode>;
     const EntryRef entry = objects_.lookup(index, subindex);
-    const AbortCode code = check_access(entry, index);
+    const AbortCode code = check_access(entry);
     if (code != AbortCode::none) {
         return Place::failure(code);
     }
@@ -71,26 +79,42 @@ AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const 
 static_assert(implements<req::CO_SDO_016>);
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
     const EntryRef entry = objects_.lookup(index, subindex);
-    AbortCode code = check_access(entry, index);
+    const bool is_plain =
+        entry.exists() && (entry.row->service == Service::none) && !has_variable_length(entry.row->type);
+    if (!is_plain) {
+        return write_special(entry, value, now);
+    }
+    AbortCode code = objects_.check_length(*entry.row, value.size());
+    if (code != AbortCode::none) {
+        return code;
+    }
+    const std::uint64_t number = number_in(value);
+    code = objects_.check_bits(*entry.row, number);
+    if ((code == AbortCode::none) && objects_.put_bits(*entry.row, number)) {
+        note_change(entry, now);
+    }
+    return code;
+}
+
+/// Writes an entry that a service or the device owns, or that has a variable length, or returns why it cannot be
+/// written.
+AbortCode Node::write_special(const EntryRef entry, const ByteView value, const Instant now) noexcept {
+    AbortCode code = check_access(entry);
+    if (code != AbortCode::none) {
+        return code;
+    }
+    if ((entry.row->type == DataType::domain) && entry.may(rights::write)) {
+        return write_domain(entry, value, now);
+    }
+    code = objects_.check_write(entry, value);
     if (code != AbortCode::none) {
         return code;
     }
     const bool is_number = !has_variable_length(entry.row->type);
-    if (!is_number && (entry.row->type == DataType::domain) && entry.may(rights::write)) {
-        return write_domain(entry, value, now);
-    }
-    std::uint64_t number{0U};
-    code = objects_.check_length(*entry.row, value.size());
-    if ((code == AbortCode::none) && is_number) {
-        number = read_le(value, 0U, value.size());
-        code = objects_.check_bits(*entry.row, number);
-    }
-    if (code != AbortCode::none) {
-        return code;
-    }
+    const std::uint64_t number = is_number ? number_in(value) : 0U;
     if (entry.row->service == Service::store) {
-        return store(entry, static_cast<std::uint32_t>(number));  // the signature starts the save and is not kept as a
-                                                                  // value
+        // The signature starts the save and is not kept as a value.
+        return store(entry, static_cast<std::uint32_t>(number));
     }
     if (entry.row->service != Service::none) {
         code = before_write(entry, value);
@@ -99,11 +123,11 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
         }
     }
     const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
-    static_assert(implements<req::CO_PDO_042>);
-    after_put(entry, changes, now);
-    static_assert(implements<req::CO_VERIFY_005>);
-    if (changes && entry.may(rights::stored) && !entry.may(rights::rpdo)) {
-        forget_verification(index);
+    if (entry.row->service != Service::none) {
+        take_effect(entry, now);
+    }
+    if (changes) {
+        note_change(entry, now);
     }
     return AbortCode::none;
 }
@@ -140,7 +164,7 @@ AbortCode Node::before_received(const EntryRef& entry, const std::uint64_t bits)
 AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexcept {
     const bool is_devices = (entry.row->service == Service::device) || (entry.row->service == Service::program);
     return is_devices ? application_.before_write(entry, value)
-                      : check_parameter(entry, static_cast<std::uint32_t>(read_le(value, 0U, value.size())));
+                      : check_parameter(entry, static_cast<std::uint32_t>(number_in(value)));
 }
 
 /// Returns the decision of the service that owns a parameter about its new value. Such a parameter is a number of at

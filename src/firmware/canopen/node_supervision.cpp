@@ -70,8 +70,7 @@ void Node::set_can_state(const CanState state, const Instant now) noexcept {
     if (is_off) {
         sdo_.abandon();
     }
-    static_assert(implements<req::CO_EMCY_031>);
-    emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);
+    admit_services(now);
     if (was_off) {
         emcy_.report(ErrorId::bus_off_recovered, now);
     }

@@ -31,12 +31,15 @@ float as_real(const std::uint64_t bits) noexcept {
     return bit_cast<float>(static_cast<std::uint32_t>(bits));
 }
 
-std::size_t text_length(const ByteView text) noexcept {
-    std::size_t length{0U};
-    while ((length < text.size()) && (text[length] != 0U)) {
-        ++length;
-    }
-    return length;
+/// A word of this processor: eight bytes or four.
+using Word = std::size_t;
+
+/// Returns whether one of the bytes of `word` is zero. Without a borrow from the byte below, subtracting 1 sets the
+/// highest bit of a byte that had it clear exactly when the byte is zero; the lowest zero byte gets no borrow.
+constexpr bool has_zero_byte(const Word word) noexcept {
+    constexpr Word lowest_bits = SIZE_MAX / 0xFFU;  // 01h in each byte
+    constexpr Word highest_bits = lowest_bits << 7U;
+    return ((word - lowest_bits) & ~word & highest_bits) != 0U;
 }
 
 }  // namespace
@@ -64,20 +67,21 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
         position = tables.slots[slot];
     }
     if (position == no_object) {
-        return EntryRef{};
+        return EntryRef{nullptr, index};
     }
     // Sub-indices ascend from 0 and few are absent: the row of sub-index n is row n or an earlier one.
     const ObjectRow& object = tables.objects[position];
-    const EntryRow* row = &tables.entries[object.first_entry];
-    const EntryRow* const first = row;
-    row += (std::uint32_t{subindex} < object.count) ? std::size_t{subindex} : (object.count - std::size_t{1U});
-    while (std::uint32_t{row->subindex} != subindex) {
-        if ((row == first) || (std::uint32_t{row->subindex} < subindex)) {
-            return EntryRef{};
-        }
+    const EntryRow* const first = &tables.entries[object.first_entry];
+    const std::size_t wanted = subindex;
+    const bool is_within = wanted < object.count;
+    if (is_within && (first[wanted].subindex == wanted)) {
+        return EntryRef{first + wanted, index};
+    }
+    const EntryRow* row = first + (is_within ? wanted : (object.count - std::size_t{1U}));
+    while ((row != first) && (std::uint32_t{row->subindex} > subindex)) {
         --row;
     }
-    return EntryRef{row, index};
+    return EntryRef{(std::uint32_t{row->subindex} == subindex) ? row : nullptr, index};
 }
 
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
@@ -92,10 +96,17 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
     return entry.exists() ? Found::success(entry) : Found::failure(missing(index));
 }
 
-ByteView ObjectDictionary::value(const EntryRef& entry) const noexcept {
-    const EntryRow& row = *entry.row;
-    const ByteView all = bytes(row);
-    return (row.type == DataType::visible_string) ? all.part(0U, text_length(all)) : all;
+ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
+    constexpr std::size_t step = sizeof(Word);
+    std::size_t length{0U};
+    while (((bytes.size() - length) >= step) &&
+           !has_zero_byte(static_cast<Word>(load_le<step>(bytes.data() + length)))) {
+        length += step;
+    }
+    while ((length < bytes.size()) && (bytes[length] != 0U)) {
+        ++length;
+    }
+    return bytes.part(0U, length);
 }
 
 AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView value) const noexcept {
@@ -105,7 +116,7 @@ AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView va
 
 AbortCode ObjectDictionary::check_value(const EntryRef& entry, const ByteView value) const noexcept {
     const bool is_number = !has_variable_length(entry.row->type);
-    return is_number ? check_bits(*entry.row, read_le(value, 0U, value.size())) : AbortCode::none;
+    return is_number ? check_bits(*entry.row, number_in(value)) : AbortCode::none;
 }
 
 bool ObjectDictionary::in_list(const Limit& list, const std::uint32_t bits) const noexcept {
@@ -177,11 +188,7 @@ bool ObjectDictionary::put(const EntryRef& entry, const ByteView value) noexcept
 }
 
 bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) noexcept {
-    const bool changes = !row.may(rights::constant) && (read_le(image_.view(), row.offset, row.size) != bits);
-    if (changes) {
-        write_le(image_, row.offset, row.size, bits);
-    }
-    return changes;
+    return !row.may(rights::constant) && image_.exchange_le(row.offset, row.size, bits);
 }
 
 void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint8_t node_id) noexcept {
@@ -197,7 +204,7 @@ void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint
             }
             static_cast<void>(put(entry, defaults.part(entry.row->offset, entry.row->size)));
             if (entry.may(rights::node_id)) {
-                const std::uint64_t base = read_le(value(entry), 0U, entry.row->size);
+                const std::uint64_t base = number_in(bytes(*entry.row));
                 write_le(image_, entry.row->offset, entry.row->size, base + node_id);
             }
         }

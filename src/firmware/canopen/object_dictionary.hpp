@@ -49,7 +49,7 @@ class ObjectDictionary {
     /// Creates a view. `image` holds the values: at least tables.defaults.count bytes, owned by the device.
     ObjectDictionary(const DictionaryTables& tables, MutableBytes image, LimitAbort limit_abort) noexcept;
 
-    /// Returns the entry; its exists() is false when it is absent.
+    /// Returns the entry; its exists() is false when it is absent, and then it has only the index.
     EntryRef lookup(std::uint16_t index, std::uint8_t subindex) const noexcept;
     /// Returns why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is.
     /// Every object has a sub-index 0.
@@ -63,7 +63,10 @@ class ObjectDictionary {
     /// Returns all bytes of the entry, without copying them.
     ByteView bytes(const EntryRow& row) const noexcept { return pool(row).part(row.offset, row.size); }
     /// Returns the entry's bytes as sent on the bus; a string ends before its first zero byte.
-    ByteView value(const EntryRef& entry) const noexcept;
+    ByteView value(const EntryRef& entry) const noexcept {
+        const ByteView all = bytes(*entry.row);
+        return (entry.row->type == DataType::visible_string) ? text_of(all) : all;
+    }
     /// Checks access, length, type and limits of a new value. Returns `none` when it may be written.
     AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
     /// Checks only access and length: the first part of check_write().
@@ -148,6 +151,8 @@ class ObjectDictionary {
         }
     }
 
+    /// Returns the bytes before the first zero byte.
+    static ByteView text_of(ByteView bytes) noexcept;
     /// Returns the memory that holds the entry's value.
     ByteView pool(const EntryRow& row) const noexcept {
         return row.may(rights::constant) ? ByteView{tables_.constants.rows, tables_.constants.count} : image_.view();

@@ -35,32 +35,38 @@ void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) 
     block_size_ = block_size;
 }
 
-/// Returns the next segment: the eight bytes of its frame (sequence number and data) as a number, first byte lowest.
-inline std::uint64_t SdoBlockUpload::next_segment() noexcept {
-    const std::size_t from = base_ + (sent_ * sdo::segment_capacity);
-    const std::uint64_t data = sdo::read_segment(value_, from);
-    const std::size_t rest = value_.size() - from;
-    ++sent_;
-    static_assert(implements<req::CO_SDO_048>);
-    last_sent_ = rest <= sdo::segment_capacity;
-    if (from < checked_) {
-        // a repeated segment does not count twice
-    } else if (last_sent_) {
-        crc_.add(value_.part(from, rest));
-        checked_ = value_.size();
-    } else {
-        crc_.add_seven(data);
+/// Adds the bytes of a segment that begins at `from` to the CRC. A repeated segment does not count again.
+inline void SdoBlockUpload::check_full(const std::size_t from, const std::uint64_t frame) noexcept {
+    if (from >= checked_) {
+        crc_.add_segment(frame);
         checked_ = from + sdo::segment_capacity;
     }
-    const std::uint32_t sequence = sent_ | (last_sent_ ? sdo::block_last_segment_flag : 0U);
-    return (data << 8U) | sequence;
+}
+inline void SdoBlockUpload::check_last(const std::size_t from) noexcept {
+    if (from >= checked_) {
+        crc_.add(value_.part(from, sdo::segment_capacity));
+        checked_ = value_.size();
+    }
 }
 
 void SdoBlockUpload::send(TransmitQueue& queue, const std::uint32_t id) noexcept {
     const std::size_t left = std::size_t{block_size_} - sent_;
     const std::size_t room = generated::canopen::sdo_block_queued - queue.size();
-    for (std::size_t turns = (left < room) ? left : room; (turns != 0U) && !last_sent_; --turns) {
-        static_cast<void>(queue.push(id, max_frame_length, next_segment()));
+    const std::size_t turns = (left < room) ? left : room;
+    std::size_t from = base_ + (sent_ * sdo::segment_capacity);
+    for (std::size_t turn = 0U; (turn < turns) && !last_sent_; ++turn) {
+        ++sent_;
+        static_assert(implements<req::CO_SDO_048>);
+        last_sent_ = (value_.size() - from) <= sdo::segment_capacity;
+        const std::uint64_t frame = (get_le<max_frame_length>(value_, from) << 8U) | sent_;
+        if (last_sent_) {
+            check_last(from);
+            static_cast<void>(queue.push(id, max_frame_length, frame | sdo::block_last_segment_flag));
+        } else {
+            check_full(from, frame);
+            static_cast<void>(queue.push(id, max_frame_length, frame));
+        }
+        from += sdo::segment_capacity;
     }
 }
 

@@ -38,13 +38,13 @@ class SdoBlockDownload {
             if (size_ > place_.size()) {
                 return Step::too_long;  // the segment before this one was not the last, so it was full
             }
-            const std::uint64_t data = field_le<0U, max_frame_length>(segment) >> 8U;
+            const std::uint64_t frame = field_le<0U, max_frame_length>(segment);
             if (checks_crc_ && !last) {
-                crc_.add_seven(data);
+                crc_.add_segment(frame);
             }
             // One access writes eight bytes, and the next segment overwrites the eighth. Bytes beyond the place may be
             // unused ones of the last segment; finish() checks that.
-            place_.put_le<max_frame_length>(size_, data);
+            place_.put_le<max_frame_length>(size_, frame >> 8U);
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
             complete_ = last;
@@ -102,7 +102,8 @@ class SdoBlockUpload {
     std::uint16_t crc() const noexcept { return crc_.value(); }
 
   private:
-    std::uint64_t next_segment() noexcept;
+    void check_full(std::size_t from, std::uint64_t frame) noexcept;
+    void check_last(std::size_t from) noexcept;
 
     ByteView value_{};
     std::size_t base_{0U};     ///< bytes before the present sub-block

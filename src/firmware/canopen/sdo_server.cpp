@@ -15,9 +15,14 @@ using sdo::ClientCommand;
 }  // namespace
 
 void SdoServer::reset(const std::uint8_t node_id) noexcept {
-    request_id_ = sdo_request_cob_id_base + std::uint32_t{node_id};
+    request_id_ = nobody;
     response_id_ = sdo_response_cob_id_base + std::uint32_t{node_id};
     abandon();
+}
+
+void SdoServer::listen(const bool begins) noexcept {
+    const std::uint32_t node_id = response_id_ - sdo_response_cob_id_base;
+    request_id_ = begins ? (sdo_request_cob_id_base + node_id) : nobody;
 }
 
 static_assert(implements<req::CO_SDO_035>);
@@ -52,6 +57,11 @@ void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcep
             abort(AbortCode::command_specifier);
             break;
     }
+}
+
+static_assert(implements<req::CO_SDO_044>);
+void SdoServer::send(const std::uint64_t bytes) noexcept {
+    static_cast<void>(queue_.push(response_id_, max_frame_length, bytes));
 }
 
 void SdoServer::begin(const State state, const Instant now) noexcept {
@@ -181,15 +191,7 @@ void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) 
     }
 }
 
-static_assert(implements<req::CO_SDO_001>);
-void SdoServer::answer_upload(const ByteView value, const Instant now) noexcept {
-    if ((value.size() > 0U) && (value.size() <= sdo::expedited_capacity)) {
-        const std::size_t unused = sdo::expedited_capacity - value.size();
-        const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
-        const std::uint64_t data = read_le(value, 0U, value.size());
-        answer_object(static_cast<std::uint32_t>(command), static_cast<std::uint32_t>(data));
-        return;
-    }
+void SdoServer::upload_in_segments(const ByteView value, const Instant now) noexcept {
     value_ = keep(value);
     begin(State::uploading, now);
     answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size()));
@@ -210,12 +212,13 @@ void SdoServer::upload_segment(const sdo::Request& request, const Instant now) n
     const bool last = rest <= sdo::segment_capacity;
     const std::size_t unused = last ? (sdo::segment_capacity - rest) : 0U;
     const std::uint64_t specifier = (command & sdo::toggle_bit) | (unused << 1U) | (last ? sdo::last_segment_flag : 0U);
-    send((sdo::read_segment(value_, done_) << 8U) | specifier);
+    const std::uint64_t data = sdo::read_segment(value_, done_);
     done_ += sdo::segment_capacity;
     last_progress_ = now;
     if (last) {
         abandon();
     }
+    send((data << 8U) | specifier);
 }
 
 static_assert(implements<req::CO_SDO_018>);

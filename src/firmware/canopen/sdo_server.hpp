@@ -25,8 +25,11 @@ class SdoServer {
     SdoServer(ObjectAccess& objects, TransmitQueue& queue, const bool offers_block) noexcept
         : objects_{objects}, queue_{queue}, offers_block_{offers_block} {}
 
-    /// Sets the identifiers to 600h + node-ID and 580h + node-ID and drops any transfer.
+    /// Sets the identifiers to 600h + node-ID and 580h + node-ID and drops any transfer. No request is served before
+    /// listen().
     void reset(std::uint8_t node_id) noexcept;
+    /// Begins or ends the reception of requests.
+    void listen(bool begins) noexcept;
     /// Drops a running transfer without an abort frame, for example when the node leaves the states in which SDO works.
     void abandon() noexcept {
         state_ = State::idle;
@@ -94,7 +97,19 @@ class SdoServer {
     std::size_t expedited_length(std::uint8_t command) const noexcept;
     void download_segment(const sdo::Request& request, Instant now) noexcept;
     void initiate_upload(const sdo::Request& request, Instant now) noexcept;
-    void answer_upload(ByteView value, Instant now) noexcept;
+    void answer_upload(const ByteView value, const Instant now) noexcept {
+        const std::size_t unused = sdo::expedited_capacity - value.size();
+        if (unused < sdo::expedited_capacity) {
+            static_assert(implements<req::CO_SDO_001>);
+            const std::size_t command = sdo::upload_initiated | (unused << 2U) | sdo::expedited_flag | sdo::size_flag;
+            const std::uint64_t data = number_in(value);
+            answer_object(static_cast<std::uint32_t>(command), static_cast<std::uint32_t>(data));
+        } else {
+            upload_in_segments(value, now);
+        }
+    }
+    /// Begins the upload of a value that has no byte or more than four.
+    void upload_in_segments(ByteView value, Instant now) noexcept;
     void upload_segment(const sdo::Request& request, Instant now) noexcept;
 
     // Block transfer, defined in sdo_server_block.cpp.
@@ -130,10 +145,7 @@ class SdoServer {
     bool toggle_fits(std::uint8_t command) noexcept;
     Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
     /// Sends a frame with these eight bytes, the first one lowest.
-    void send(const std::uint64_t bytes) noexcept {
-        static_assert(implements<req::CO_SDO_044>);
-        static_cast<void>(queue_.push(response_id_, max_frame_length, bytes));
-    }
+    void send(std::uint64_t bytes) noexcept;
     /// Sends a frame with `command`, index, sub-index and four bytes of data.
     void answer_object(const std::uint32_t command, const std::uint32_t data = 0U) noexcept {
         static_assert(implements<req::CO_SDO_041>);
@@ -141,9 +153,11 @@ class SdoServer {
     }
     void abort(AbortCode code) noexcept;
 
+    static constexpr std::uint32_t nobody = UINT32_MAX;  ///< not the identifier of any frame
+
     ObjectAccess& objects_;
     TransmitQueue& queue_;
-    std::uint32_t request_id_{0U};
+    std::uint32_t request_id_{nobody};  ///< `nobody` while no request is served
     std::uint32_t response_id_{0U};
     bool offers_block_;
     State state_{State::idle};

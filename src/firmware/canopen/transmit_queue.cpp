@@ -3,31 +3,22 @@
 
 namespace canproof {
 
-inline Frame* TransmitQueue::take_place(const std::uint32_t id) noexcept {
-    if (!open_ || (size() == capacity)) {
-        return nullptr;
-    }
-    const bool goes_last = empty() || (id_at(end_ - 1U) <= id);
-    Frame& free = place(goes_last ? end_ : make_room(id + 1U));
-    ++end_;
-    return &free;
-}
-
-bool TransmitQueue::push(const Frame& frame) noexcept {
-    Frame* const place = take_place(frame.id);
-    if (place != nullptr) {
-        *place = frame;
-    }
-    return place != nullptr;
-}
-
 bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
-    Frame* const place = take_place(id);
-    if (place != nullptr) {
-        *place = data_frame(id, length);
-        set_field_le<0U, max_frame_length>(place->data, data);
+    if (!goes_last(id)) {
+        return insert(data_frame(id, length, data));
     }
-    return place != nullptr;
+    place(end_) = data_frame(id, length, data);
+    ++end_;
+    return true;
+}
+
+bool TransmitQueue::insert(const Frame frame) noexcept {
+    if (!open_ || (size() == capacity)) {
+        return false;
+    }
+    place(make_room(frame.id + 1U)) = frame;
+    ++end_;
+    return true;
 }
 
 std::uint32_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {

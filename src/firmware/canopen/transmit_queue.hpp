@@ -21,9 +21,9 @@ class TransmitQueue {
     static constexpr std::size_t capacity = 32U;
 
     /// Queues a frame. Returns false when the queue is full or closed: the frame is lost.
-    bool push(const Frame& frame) noexcept;
-    /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`; it is written directly to its place in
-    /// the queue.
+    bool push(const Frame& frame) noexcept { return insert(frame); }
+    /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`. A frame that goes to the end of the
+    /// queue, as most do, is written directly to its place.
     bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
     /// Queues the boot-up message of a reset. Waiting frames are dropped; later frames stay behind it whatever their
     /// priority.
@@ -55,8 +55,12 @@ class TransmitQueue {
     void open() noexcept { open_ = true; }
 
   private:
-    /// Returns the place for a frame with this identifier; nullptr when there is no room.
-    Frame* take_place(std::uint32_t id) noexcept;
+    /// Returns whether the queue is open and has room, and a frame with this identifier goes behind all others.
+    bool goes_last(const std::uint32_t id) const noexcept {
+        return open_ && (size() != capacity) && (empty() || (id_at(end_ - 1U) <= id));
+    }
+    /// Queues a frame wherever it belongs.
+    bool insert(Frame frame) noexcept;
     /// Moves every frame with an identifier of `bound` or higher back by one place. Returns the number of the free
     /// place.
     std::uint32_t make_room(std::uint32_t bound) noexcept;

@@ -32,8 +32,9 @@ bool try_lock(int descriptor) {
     return false;
 }
 
-/// Searches /proc/locks for the inode of the file. In a line such as `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0
-/// EOF`, the inode is the last number of `fe:00:131073`, and 4711 is the process.
+/// Searches /proc/locks for the inode of the file. The inode is the last number of `fe:00:131073`, and 4711 is the
+/// process, in a line such as
+/// `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0 EOF`.
 std::string lock_holder(int descriptor) {
     struct stat file {};
     const std::string ending = fstat(descriptor, &file) == 0 ? ":" + std::to_string(file.st_ino) : ":?";

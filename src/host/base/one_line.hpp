@@ -10,7 +10,8 @@ namespace canproof::host {
 /// end.
 std::string one_line(const std::string& text);
 
-/// Returns the text unchanged up to 90 characters; otherwise returns its first words, at most 90 characters, and ` …`.
+/// Returns a text of at most 90 bytes unchanged. Otherwise returns the first words of the text, at most 90 bytes, and
+/// ` …`.
 std::string brief(const std::string& text);
 
 }  // namespace canproof::host

@@ -15,22 +15,22 @@ struct ProveOption {
 };
 
 inline constexpr std::array<ProveOption, 16> prove_options{{
-    {"--only", true, "proofs of this folder below properties/proofs, such as base"},
-    {"--proofs", true, "folder of harnesses"},
-    {"--theorem", true, "this one alone"},
-    {"--timeout", true, "seconds of processor time for one theorem; unknown after that"},
-    {"--jobs", true, "processes at once"},
+    {"--only", true, "prove only the theorems of this folder below properties/proofs, such as base"},
+    {"--proofs", true, "folder with the proof harnesses"},
+    {"--theorem", true, "name of the only theorem to prove"},
+    {"--timeout", true, "seconds of processor time for one theorem; its result is `unknown` after that"},
+    {"--jobs", true, "number of processes that run at the same time"},
     {"--json", true, "file to write the results to"},
     {"--out", true, "folder to write the table to, for the evidence pack: build/exhibits/proofs"},
     {"--xml", true, "file to write verdicts to, for the audit: build/NAME/verdicts/proofs.xml"},
-    {"--shard", true, "I/N: only part I of N of the theorems; --json for --merge"},
-    {"--merge", true, "folder of the JSON files of all shards, in place of proving"},
-    {"--faults", true, "table of seeded faults: each must be refuted"},
-    {"--every", true, "with --faults: only every Nth of the table"},
-    {"--seeds", true, "folder of corpora, such as fuzz/corpus: counterexamples go there as inputs of fuzz targets"},
+    {"--shard", true, "I/N: prove only part I of N of the theorems; write the results with --json for --merge"},
+    {"--merge", true, "read the JSON files of all shards from this folder and prove nothing"},
+    {"--faults", true, "table of seeded faults; canproof-prove must refute each"},
+    {"--every", true, "with --faults: use only every Nth fault of the table"},
+    {"--seeds", true, "write counterexamples as inputs of fuzz targets to this folder, such as fuzz/corpus"},
     {"--no-replay", false, "do not run counterexamples natively"},
     {"--root", true, "the project's folder"},
-    {"--build", true, "a build of the project; where canproof-prove lies without it"},
+    {"--build", true, "build folder of the project; without it, the folder that contains canproof-prove"},
 }};
 
 /// Returns the help text of an option; an empty text for a name that is not in the list.

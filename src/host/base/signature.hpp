@@ -8,7 +8,8 @@
 namespace canproof::host {
 
 /// Returns the signature of the bytes by a private key. RSA and EC keys sign the SHA-256 of the bytes; Ed25519 keys
-/// sign the bytes themselves. Throws InputError when the file contains no private key, or a key with a password.
+/// sign the bytes themselves. Throws InputError when the file contains no private key, a key with a password, or a key
+/// that cannot sign.
 std::string sign(const std::string& bytes, const std::filesystem::path& private_key);
 
 /// Returns whether the signature of the bytes matches the public key. Throws InputError when the file contains no
@@ -21,7 +22,8 @@ struct PublicKey {
     std::string text;  ///< for Ed25519 the 32 bytes in hexadecimal, otherwise PEM without the last line break
 };
 
-/// Returns the public key that belongs to the private key in a PEM file. Throws InputError in the same cases as sign().
+/// Returns the public key that belongs to the private key in a PEM file. Throws InputError when the file contains no
+/// private key, a key with a password, or a key without a public half.
 PublicKey public_key_of(const std::filesystem::path& private_key);
 
 }  // namespace canproof::host

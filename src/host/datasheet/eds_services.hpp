@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Sets `service`, `stored` and `live` of every entry. Objects outside the communication area get no service.
+/// Sets `service`, `stored` and `live` of every entry. Objects outside the communication area get no service. Sets the
+/// range of sub-index 0 of 1003h pre-defined error field to the value 0, the only one that can be written.
 void assign_services(Part& part);
 
 }  // namespace canproof::host

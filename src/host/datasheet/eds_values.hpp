@@ -24,11 +24,11 @@ enum class Reals {
     without_limits,
     bits  ///< defaults and limits as the bits of IEEE 754, `0x…`, for the tools of Lely
 };
-/// Returns the default as text: a decimal number, `0x…` for unsigned 32-bit values, `$NODEID+0x…`, an unchanged text,
-/// or bytes in hexadecimal. Returns an empty text when there is no default.
+/// Returns the default as text: a decimal number, `0x…` for UNSIGNED32, UNSIGNED64 and the bits of a real,
+/// `$NODEID+0x…`, an unchanged text, or bytes in hexadecimal. Returns an empty text when there is no default.
 std::string eds_default(const Entry& entry, Reals reals = Reals::decimal);
-/// Returns the lowest value as text; nothing when only the type or another object limits it. eds_high_limit() does the
-/// same for the highest value.
+/// Returns the lowest value as text. Returns nothing when only the type or another object limits it, and for a real
+/// with Reals::without_limits. eds_high_limit() does the same for the highest value.
 std::optional<std::string> eds_low_limit(const Entry& entry, Reals reals);
 std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals);
 /// Returns the access type: ro, wo, rw or const, or rwr or rww for a writable entry that only TPDOs or only RPDOs may

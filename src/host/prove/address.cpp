@@ -57,8 +57,8 @@ class Reader {
         return all;
     }
 
-    /// Returns the places of an address that is a concatenation. z3 may convert the sum of a base and a short offset
-    /// into a concatenation of the base's upper bits and the offset's bits.
+    /// Returns the places of an address that is a concatenation. The solver may convert the sum of a base and a
+    /// short offset into such a term: the upper bits of the base, followed by the bits of the offset.
     std::vector<Place> of_concatenation(const Term& address) const {
         const Term high = address.arg(0);
         const auto value = number(high);

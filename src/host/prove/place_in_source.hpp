@@ -11,11 +11,11 @@ class Instruction;
 
 namespace canproof::host::prove {
 
-/// Returns the name of a function as the source spells it: `canproof::ByteView::part(unsigned long, unsigned long)
-/// const`.
+/// Returns the name of a function as the source spells it, such as
+/// `canproof::ByteView::part(unsigned long, unsigned long) const`.
 std::string readable_name(const llvm::Function& function);
-/// Returns function, file and line of an instruction: `canproof::ByteView::part(…) const,
-/// src/firmware/base/bytes.hpp:64`.
+/// Returns function, file and line of an instruction, such as
+/// `canproof::ByteView::part(…) const, src/firmware/base/bytes.hpp:64`.
 std::string where_is(const llvm::Instruction& instruction);
 /// Returns the path of a function's source file as it was given to the compiler; empty when the bitcode has no line
 /// tables.

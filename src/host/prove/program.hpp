@@ -25,8 +25,8 @@ class Program {
     ~Program();
 
     const llvm::Module& module() const { return *module_; }
-    /// Returns the names of the theorems in the order of the first bitcode file. A theorem is a function `void
-    /// canproof::proofs::NAME()` in it.
+    /// Returns the names of the theorems in the order of the first bitcode file. A theorem is a function in it with the
+    /// declaration `void canproof::proofs::NAME()`.
     const std::vector<std::string>& theorems() const { return theorems_; }
     const llvm::Function& theorem(const std::string& name) const;
 

@@ -48,7 +48,8 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Returns whether one of the sources is one of the places, a section above it or a section below it.
+/// Returns whether one of the sources in the manual `key` is one of the places, a section above it or a section below
+/// it.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -81,9 +82,9 @@ void advise_on_statements(const Register& content, Faults& advice) {
             if (!statement.covered.empty() &&
                 std::none_of(statement.covered.begin(), statement.covered.end(), is_cited)) {
                 advice.emplace_back(statement.covered_place,
-                                    fmt::format("nothing that covers {} cites {} ({})", id, statement.section,
-                                                fmt::join(statement.covered, ", ")),
-                                    "add the place to the source of one, or name an item that cites it");
+                                    fmt::format("no item that covers {} names {} as its source ({})", id,
+                                                statement.section, fmt::join(statement.covered, ", ")),
+                                    "add the place to the source of one item, or name an item that has this source");
             }
         }
     }

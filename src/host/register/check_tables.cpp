@@ -200,7 +200,7 @@ class TableCheck {
             fault(table_.rows[rows[1]].place,
                   fmt::format("{} has an overlap: {} is covered by line {} too", table_.id, combination,
                               table_.rows[rows[0]].place.line),
-                  "let one row only cover it");
+                  "change the rows so that only one covers it");
         }
     }
 

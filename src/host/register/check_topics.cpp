@@ -87,7 +87,7 @@ class TopicCheck {
                 }
             }
             if (whole_ && !inherits_ && !service && stands.size() == 1 && stands.front().items.size() == 1) {
-                fault(stands.front(), fmt::format("topic {} has this one answer", topic),
+                fault(stands.front(), fmt::format("no other item answers topic {}", topic),
                       "use the spelling of other items, or remove `topic` and `choice`");
             }
             compare(topic, stands);

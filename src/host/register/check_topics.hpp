@@ -10,6 +10,8 @@ namespace canproof::host {
 /// - two items of one folder;
 /// - an item of a device and an item of spec/canopen, unless the device gives a reason;
 /// - items of two devices of the same manufacturer, unless one of them gives a reason.
+/// Also adds a fault for a reason without a difference, for a topic with a single answer, and for an answer that
+/// differs from [services] in device.toml.
 void check_topics(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -158,6 +158,14 @@ double tick_step(double low, double high) {
     return 10.0 * power;
 }
 
+std::string plot_words(const LinePlot& plot) {
+    std::string curves;
+    for (const auto& curve : plot.curves) {
+        curves += (curves.empty() ? "" : ", ") + curve.name;
+    }
+    return fmt::format("{}. Plot of {} against {}: {}.", plot.title, plot.y_label, plot.x_label, curves);
+}
+
 std::string write_svg(const LinePlot& plot) {
     return Canvas{plot}.svg();
 }

@@ -31,6 +31,9 @@ struct LinePlot {
 /// gives four to ten ticks.
 double tick_step(double low, double high);
 
+/// Returns title, axes and curves in a sentence, for readers who do not see the plot.
+std::string plot_words(const LinePlot& plot);
+
 /// Returns the plot as a complete SVG file.
 std::string write_svg(const LinePlot& plot);
 

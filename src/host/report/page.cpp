@@ -37,7 +37,7 @@ figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#ff
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
 @media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
 @page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
-@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,.filter,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td a{display:inline;padding:0}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
+@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8.5pt}nav,input,.filter,.screen,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td a{display:inline;padding:0}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
 
 constexpr std::size_t many_columns = 4;  ///< a table with more columns is printed in landscape format
@@ -117,7 +117,7 @@ std::string html_page(const std::string& title, const std::string& own_page, con
         frame.navigation.empty() ? "" : "<nav aria-label=\"Pages\">\n");
     for (const auto& entry : frame.navigation) {
         text += fmt::format("<a href=\"{}\"{}>{}</a>\n", escaped(entry.page),
-                            entry.page == own_page ? " aria-current=\"page\"" : "", escaped(entry.title));
+                            entry.page == own_page ? " aria-current=true" : "", escaped(entry.title));
     }
     text += fmt::format("{}<main><h1>{}</h1>\n{}</main>\n", frame.navigation.empty() ? "" : "</nav>\n", escaped(title),
                         body);

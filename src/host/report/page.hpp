@@ -20,7 +20,8 @@ struct PageFrame {
     std::string way_back{};                   ///< `../` for each folder around the page: its links begin there
 };
 
-/// Returns a complete HTML document. `body` is markup. Each printed sheet shows title, origin and number.
+/// Returns a complete HTML document. `body` is markup. The navigation marks
+/// `own_page`, which is this page or the one that leads to it. Each printed sheet shows title, origin and number.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 

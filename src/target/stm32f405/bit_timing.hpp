@@ -11,8 +11,8 @@ namespace canproof::stm32f405 {
 /// The parts of a bit: one synchronisation quantum, `before_sample` quanta, the sample point, `after_sample` quanta.
 struct BitTiming {
     std::uint32_t prescaler{1U};      ///< 1…1024 clocks of APB1 per quantum
-    std::uint32_t before_sample{1U};  ///< 1…16
-    std::uint32_t after_sample{1U};   ///< 1…8
+    std::uint32_t before_sample{1U};  ///< 1…16 quanta
+    std::uint32_t after_sample{1U};   ///< 1…8 quanta
     std::uint32_t jump{1U};           ///< 1…4 quanta: the most by which a bit is lengthened or shortened
 
     constexpr std::uint32_t quanta() const noexcept { return 1U + before_sample + after_sample; }

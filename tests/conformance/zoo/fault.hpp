@@ -30,8 +30,8 @@ struct Fault {
     std::string what;     ///< the fault of the slave; begins with a verb
     /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
     std::string talk;
-    std::string right;  ///< frames that only the correct slave sends in that exchange; after a wait, each with its
-                        ///< time: `100:705#7F`
+    /// Frames that only the correct slave sends in that exchange; after a wait, each with its time: `100:705#7F`.
+    std::string right;
     std::string wrong;  ///< frames that only the wrong slave sends
     Distortion distortion;
 };

@@ -55,8 +55,8 @@ void watch_at_once(WrongSlave& slave, const Frame& frame) {
 }  // namespace
 
 Faults heartbeat_faults() {
-    const std::string produce = "605#2B17100064000000 ";         // 1017h = 100 ms
-    const std::string watch = "605#2316100164000700 000#0105 ";  // 1016h:01: node 7, 100 ms
+    const std::string produce = "605#2B17100064000000 ";         // 1017h producer heartbeat time: 100 ms
+    const std::string watch = "605#2316100164000700 000#0105 ";  // 1016h:1 consumer heartbeat time: node 7, 100 ms
     const std::string beat = "707#05 ";
     const std::string lost = "100:085#3081110100000000";
     return {

@@ -109,7 +109,7 @@ void ignore_start_when_stopped(WrongSlave& slave, const Frame& frame) {
 }  // namespace
 
 Faults nmt_faults() {
-    const std::string heartbeat = "605#2B17100064000000 ";  // 1017h = 100 ms
+    const std::string heartbeat = "605#2B17100064000000 ";  // 1017h producer heartbeat time: 100 ms
     return {
         {"nmt-no-boot-up", "nmt", "sends no boot-up message", "000#8105", "705#00", "", keeps_back(is_own_boot_up)},
         {"nmt-boot-up-twice", "nmt", "sends its boot-up message twice", "000#8105 +10", "", "1:705#00",

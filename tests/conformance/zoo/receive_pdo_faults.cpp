@@ -96,7 +96,7 @@ ObjectTest parameter(std::uint8_t subindex) {
 
 Faults receive_pdo_faults() {
     const std::string start = "000#0105 ";
-    const std::string synchronous = "605#2F00140201000000 ";  // 1400h:02 = 1
+    const std::string synchronous = "605#2F00140201000000 ";  // 1400h:2 transmission type of RPDO1: 1
     const std::string read = "605#4000200100000000";          // 2000h:01, mapped into RPDO 1 with 2000h:02
     const std::string still_0 = "585#4F00200100000000";
     const std::string now_7 = "585#4F00200107000000";

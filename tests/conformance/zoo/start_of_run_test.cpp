@@ -53,7 +53,7 @@ TEST(StartOfARun, WrongValueIsReportedAndTheCasesRun) {
 
 TEST(StartOfARun, MissingBootUpMessageIsReportedAndTheCasesRun) {
     const conform::ConformReport report = run_one_case(fault("nmt-no-boot-up"), "sdo-device-type");
-    EXPECT_THAT(report.troubles, ElementsAre("no boot-up message after reset node"));
+    EXPECT_THAT(report.troubles, ElementsAre("the slave sent no boot-up message after reset node"));
     ASSERT_EQ(report.results.size(), 1U);
     EXPECT_EQ(report.results.front().verdict, Verdict::passed);
     EXPECT_THAT(report.results.front().notes, ElementsAre("the slave sends no boot-up message, or not each time"));

@@ -63,9 +63,9 @@ void go_on_when_stopped(WrongSlave& slave, const Frame& frame) {
 }  // namespace
 
 Faults sync_faults() {
-    const std::string period = "605#23061000A0860100 ";   // 1006h = 100 ms
+    const std::string period = "605#23061000A0860100 ";   // 1006h communication cycle period: 100 ms
     const std::string produce = "605#2305100080000040 ";  // 1005h, bit 30
-    const std::string counter = "605#2F19100002000000 ";  // 1019h = 2
+    const std::string counter = "605#2F19100002000000 ";  // 1019h synchronous counter overflow value: 2
     const std::string counting = counter + period + produce;
     return {
         {"sync-late", "sync", "produces SYNC 5 % late", period + produce + "+110", "100:080#", "105:080#",

@@ -301,11 +301,11 @@ TEST_F(Angles, FieldValuesAreScaledOffsetRoundedAndSaturated) {
     verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
     angle_digits(10);
     angles_of(20.04, 0.0);
-    EXPECT_EQ(pitch(), 200);  // 200.4
+    EXPECT_EQ(pitch(), 200);  // 200.4 is rounded to 200
     write_real(0x2040, 1, 0.3F);
     EXPECT_EQ(pitch(), 201);  // 200.7: the offset is in counts
     write(0x2031, 1, 1, 1);
-    EXPECT_EQ(pitch(), -200);  // -200.4 + 0.3
+    EXPECT_EQ(pitch(), -200);  // -200.4 + 0.3 = -200.1 is rounded to -200
     write(0x2031, 1, 0, 1);
     write(0x2030, 1, 1000, 2);
     write_real(0x2040, 1, 20000.0F);

@@ -31,7 +31,7 @@ TEST_F(Ax060805Errors, ResetCommunicationKeepsTheOrderOfTheErrorList) {
     verifies<req::INC_ERR_002, req::CO_EMCY_011>();
     write(0x1029, 2, 1, 1);
     fail_accelerometer();
-    heat(130.0F);  // the latest
+    heat(130.0F);  // this is the latest error
     EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));
     send("000#8200");
     EXPECT_EQ(listed(), (List{0x00004200, 0x0000FF00}));

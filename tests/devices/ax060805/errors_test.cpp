@@ -77,7 +77,7 @@ TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
     pass(100);  // the input filter needs time until 1 g has decayed
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // all three conditions
+    fail_accelerometer();  // raises all three conditions of the error
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
@@ -213,7 +213,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
     set_inputs();
     send("27F#000000000000");
     send("731#05");
-    pass(60);  // RPDO timeout
+    pass(60);  // RPDO1 becomes overdue
     EXPECT_EQ(listed(), (List{0x00008250, 0x00008110, 0x00004200, 0x0000FF00}));
     pass(50);  // the heartbeat of node 31h is missing
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
@@ -278,7 +278,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
 
 TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
-    write(0x1016, 1, 0x002200C8, 4);  // node 22h, 200 ms
+    write(0x1016, 1, 0x002200C8, 4);  // 1016h:1 consumer heartbeat time: node 22h, 200 ms
     pass(1000);                       // nothing is expected before the first heartbeat
     EXPECT_EQ(read(0x1001), 0U);
     send("000#0100");
@@ -354,7 +354,7 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
 // 4.2.13 applies to each of these faults.
 TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLasts) {
     verifies<req::INC_ERR_010>();
-    write(0x1016, 1, 0x00220064, 4);  // node 22h, 100 ms
+    write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms
     write(0x1400, 5, 100, 2);
     for (const char* heard_once : {"722#05", "27F#000000000000"}) {
         send("000#0100");

@@ -81,7 +81,7 @@ TEST_F(Filters, InputFilterAccepts1To50Hz) {
     write(0x2003, 0, 1, 1);
     feel(1.0, 0.0, -1.0);
     pass(5);
-    EXPECT_EQ(value(0x4000, 1), 31);  // 0.030928
+    EXPECT_EQ(value(0x4000, 1), 31);  // 1 - exp(-2 pi 1 0.005) = 0.030928
 }
 
 TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
@@ -164,7 +164,7 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     switch_filter_off();
     set_filter(1, 1, 4);
     pass(2);
-    EXPECT_EQ(pitches({40.0}, 10), (Row{2000}));  // 0 and 40
+    EXPECT_EQ(pitches({40.0}, 10), (Row{2000}));  // the mean of 0 and 40 degrees
     inputs.accelerometer_fault = true;
     set_inputs();
     pass(30);
@@ -305,7 +305,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     EXPECT_EQ(read(0x4010), 32U);  // 1000 / (2 pi 5) = 31.83
     write(0x2003, 0, 50, 1);
-    EXPECT_EQ(read(0x4010), 3U);  // 3.18
+    EXPECT_EQ(read(0x4010), 3U);  // 1000 / (2 pi 50) = 3.18
     write(0x2003, 0, 5, 1);
     set_filter(1, 1, 10);
     EXPECT_EQ(read(0x4010), 77U);  // 31.83 + 9 / 2 * 10
@@ -330,7 +330,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
 TEST_F(Filters, LateCallTakesOneSampleAndRestartsThePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
-    now = now + milliseconds(52);  // ten samples late
+    now = now + milliseconds(52);  // the call is ten samples late
     device->advance(now);
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }

@@ -38,7 +38,7 @@ TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
         {0, 1.0F, undefined}, {1, 1000.0F, 346},  // sin 20.25 = 0.34612
         {2, 1000.0F, 0},                          //
         {3, 1000.0F, -938},                       // -cos 20.25 = -0.93819
-        {4, 100.0F, -1275},                       // unrounded
+        {4, 100.0F, -1275},                       // the angle before it is rounded is -12.75 degrees
         {5, 100.0F, 2025},                        //
         {6, 100.0F, 0},                           //
         {7, 100.0F, 2025},                        //
@@ -61,7 +61,7 @@ TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
     EXPECT_EQ(taken_from(2, 1000.0F), -500);
     EXPECT_EQ(taken_from(6, 100.0F), 3000);
     write(0x2002, 0, 1, 1);
-    EXPECT_EQ(taken_from(8, 100.0F), 3183);  // 31.83 ms
+    EXPECT_EQ(taken_from(8, 100.0F), 3183);  // the delay of the filter, 31.83 ms
     inputs.sensor_temperature = 130.0F;
     set_inputs();
     EXPECT_EQ(taken_from(9, 1.0F), 1);
@@ -72,7 +72,7 @@ TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
     verifies<req::INC_BIN_001, req::INC_BIN_009, req::INC_STORE_001>();
     for (const int function : {1, 10}) {
         operate(function, 1);
-        connect(function, 1, 26);  // 1.0
+        connect(function, 1, 26);  // source 26, which gives 1.0
         connect(function, 2, 26);
     }
     write(0x1010, 1, 0x65766173, 4);
@@ -84,8 +84,8 @@ TEST_F(Functions, StoredFunctionsWorkFromTheFirstSampleOn) {
 TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     verifies<req::INC_BIN_009, req::INC_GLOBAL_003>();
     operate(1, 1);
-    connect(1, 1, 27);  // the supply
-    connect(1, 2, 25);  // 0
+    connect(1, 1, 27);  // source 27, the supply
+    connect(1, 2, 25);  // source 25, which gives 0
     operate(2, 1);
     connect(2, 1, 9);  // the figure of merit
     connect(2, 2, 25);
@@ -105,7 +105,7 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
              req::INC_OD_3070, req::INC_OD_3080, req::INC_OD_3090, req::INC_OD_30A0>();
     for (int function = 2; function <= 10; ++function) {
         operate(function, 1);
-        connect(function, 1, 26);  // 1.0
+        connect(function, 1, 26);  // source 26, which gives 1.0
         connect(function, 2, 26);
         scale_output(function, static_cast<float>(function));
         write_real(0x300C, static_cast<std::uint8_t>(function), 100.0F);
@@ -134,23 +134,23 @@ TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
         const auto sub = static_cast<std::uint8_t>(function);
         operate(function, 2);
         give_default(function, 1, -30.0F);
-        write(at(function, 3), 1, 3, 1);       // |-30| = 30
-        write_real(at(function, 4), 1, 2.0F);  // 60
-        write_real(at(function, 5), 1, 1.0F);  // 61
+        write(at(function, 3), 1, 3, 1);       // input 1: the absolute value of -30 is 30
+        write_real(at(function, 4), 1, 2.0F);  // input 1: gain 2 gives 30 * 2 = 60
+        write_real(at(function, 5), 1, 1.0F);  // input 1: offset 1 gives 60 + 1 = 61
         give_default(function, 2, 4.0F);
-        write(at(function, 3), 2, 1, 1);        // !4 = 0
-        write_real(at(function, 4), 2, 3.0F);   // 0
-        write_real(at(function, 5), 2, -9.0F);  // -9
-        write_real(0x300B, sub, 10.0F);         // (61 + 9) * 10 = 700
+        write(at(function, 3), 2, 1, 1);        // input 2: the logical inverse of 4 is 0
+        write_real(at(function, 4), 2, 3.0F);   // input 2: gain 3 gives 0 * 3 = 0
+        write_real(at(function, 5), 2, -9.0F);  // input 2: offset -9 gives 0 - 9 = -9
+        write_real(0x300B, sub, 10.0F);         // output: (61 - -9) * 10 = 700
         write_real(0x300C, sub, static_cast<float>(function));
         pass(5);
         EXPECT_EQ(output(function), 700 + function);
-        write(at(function, 3), 2, 0, 1);  // 4 * 3 - 9 = 3: (61 - 3) * 10 = 580
+        write(at(function, 3), 2, 0, 1);  // input 2: 4 * 3 - 9 = 3; output: (61 - 3) * 10 = 580
         pass(5);
         EXPECT_EQ(output(function), 580 + function);
         write(at(function, 1), 2, 0, 1);
         pass(5);
-        EXPECT_EQ(output(function), 0);  // undefined
+        EXPECT_EQ(output(function), 0);  // the result is undefined
         write(at(function, 1), 2, 1, 1);
         write(at(function, 1), 1, 0, 1);
         pass(5);
@@ -268,7 +268,7 @@ TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     EXPECT_EQ(output(1), -32768);
     write_real(at(2, 2), 2, 0.0001F);
     pass(5);
-    EXPECT_EQ(output(2), -5);  // -50000 * 0.0001
+    EXPECT_EQ(output(2), -5);  // -50000 * 0.0001 = -5
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
@@ -323,7 +323,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
 TEST_F(Functions, BitsOfADiscreteConstantAreSources) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
-    write_real(0x4070, 0, 60.9F);  // 60 = 3Ch
+    write_real(0x4070, 0, 60.9F);  // 60.9 is cut to 60 = 3Ch
     operate(1, 17);
     connect(1, 1, 23);
     connect(1, 2, 24);

@@ -51,7 +51,7 @@ TEST_F(Network, SessionOfTheManualSetsTheBitRate) {
     verifies<req::INC_LSS_003, req::INC_LSS_006, req::INC_T21>();
     EXPECT_EQ(send("7E5#0401"), (Frames{}));
     EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));
-    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // 1388h = 5000 ms
+    EXPECT_EQ(send("7E5#158813"), (Frames{}));  // a switch delay of 1388h = 5000 ms
     EXPECT_EQ(pass(4999), (Frames{}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
@@ -83,7 +83,7 @@ TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
 TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::INC_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
     configure_lss();
-    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
     EXPECT_EQ(device->bit_rate(), 125000U);
     send("7E5#0400");

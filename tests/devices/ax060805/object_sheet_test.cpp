@@ -17,13 +17,13 @@ class InclinometerObjectSheet : public AxiomaticSheet {
     InclinometerObjectSheet() : AxiomaticSheet{generated::ax060805::tables, generated::ax060805::image_size} {}
 };
 
-// "-0xFFFFFFFF to 0xFFFFFFFF"
+// The range in the manual: "-0xFFFFFFFF to 0xFFFFFFFF".
 const std::int64_t most = bits(4294967295.0F);
 const std::int64_t least_of_all = bits(-4294967295.0F);
 
 }  // namespace
 
-// 4.2.1 to 4.2.13
+// AX060805, 4.2.1 to 4.2.13
 TEST_F(InclinometerObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::INC_OD_1000, req::INC_OD_1001, req::INC_OD_1002, req::INC_OD_100C, req::INC_OD_100D, req::INC_OD_1010,
              req::INC_OD_1011, req::INC_OD_1016, req::INC_OD_1018, req::INC_OD_1020, req::INC_OD_1029>();
@@ -86,7 +86,7 @@ TEST_F(InclinometerObjectSheet, PdoMappingsMatchTheManual) {
     });
 }
 
-// 4.3.1 to 4.3.12
+// AX060805, 4.3.1 to 4.3.12
 TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
     verifies<req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003, req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020,
              req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040, req::INC_OD_2050, req::INC_OD_2051,
@@ -165,7 +165,7 @@ TEST_F(InclinometerObjectSheet, BinaryFunctionObjectsMatchTheManual) {
     }
 }
 
-// 4.3.33 to 4.3.45
+// AX060805, 4.3.33 to 4.3.45
 TEST_F(InclinometerObjectSheet, MeasuredValuesAndConstantsMatchTheManual) {
     verifies<req::INC_OD_4000, req::INC_OD_4010, req::INC_OD_4020, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050,
              req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_5550,

@@ -233,11 +233,11 @@ TEST_F(IncPending, ReceivedValueIsKeptOrEndedByEachEvent) {
     };
     for (const Case& one : cases) {
         begin(0, 1);
-        write(0x300A, 1, 1, 1);  // add
+        write(0x300A, 1, 1, 1);  // operation 1 adds
         write(0x3010, 1, 20, 1);
         write(0x3010, 2, 25, 1);  // 0
         write(0x1400, 5, 100, 2);
-        write(0x1029, 1, 1, 1);  // stays operational
+        write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
         write(0x1010, 1, 0x65766173, 4);
         send("000#017F");
         send("27F#E80300000000");  // 3E8h = 1000

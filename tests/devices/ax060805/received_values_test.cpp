@@ -19,7 +19,7 @@ class TwoSenders : public ReceivedValues {
         write(0x1601, 1, 0x25000310, 4);
         write(0x1601, 0, 1, 1);
         write(0x1401, 1, 0x4000037F, 4);
-        write(0x1029, 1, 1, 1);  // stays operational
+        write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
         send("000#0100");
     }
     void map_rpdo1(std::uint32_t entry) {
@@ -38,7 +38,7 @@ TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     send("000#0100");
     send("27F#2D0000000000");  // received value 1 is 2Dh = 45
     EXPECT_EQ(taken_from(20, 1.0F), 45);
-    operate(1, 10);  // pitch > limit
+    operate(1, 10);  // operation 10: pitch > limit
     connect(1, 1, 5);
     connect(1, 2, 20);
     turn(44.9, 0.0);
@@ -67,20 +67,20 @@ TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     EXPECT_EQ(taken_from(22, 1.0F), 45);
     write(0x2501, 3, 500, 2);  // 2 counts per unit
     EXPECT_EQ(taken_from(22, 1.0F), 2250);
-    write_real(0x2502, 3, -500.0F);  // in counts
+    write_real(0x2502, 3, -500.0F);  // the offset is in counts
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
 }
 
 TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     verifies<req::INC_RPDO_001, req::INC_SIG_005, req::INC_FV_008, req::INC_FV_009, req::INC_FV_005, req::INC_OD_2500,
              req::INC_OD_2501, req::INC_OD_2502>();
-    operate(1, 10);  // pitch > limit
+    operate(1, 10);  // operation 10: pitch > limit
     connect(1, 1, 5);
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);       // tenths of a degree
     write_real(0x2502, 1, 5.0F);    // half a degree more
     write_real(0x2040, 1, 100.0F);  // changes the field value only
-    write(0x2500, 1, 200, 2);       // limit 20.5
+    write(0x2500, 1, 200, 2);       // the limit is 200 tenths + 0.5 = 20.5 degrees
     turn(20.4, 0.0);
     pass(5);
     EXPECT_EQ(output(1), 0);
@@ -90,7 +90,7 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     EXPECT_EQ(output(1), 1);
     write(0x2031, 1, 1, 1);
     pass(5);
-    EXPECT_EQ(output(1), 0);  // -20.6
+    EXPECT_EQ(output(1), 0);  // -20.6 is below the limit
     EXPECT_EQ(refusal(0x2501, 1, 9, 2), "06090032");
     EXPECT_EQ(refusal(0x2501, 1, 1001, 2), "06090031");
     EXPECT_EQ(refusal(0x2502, 1, bits_of(1.0e10F), 4), "06090031");
@@ -103,7 +103,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     send("000#0100");
     send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // received as 0
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // undefined before; the frame brought 0
     send("000#8100");
     EXPECT_EQ(value(0x2500, 2), 0);
     switch_filter_off();
@@ -115,7 +115,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
 TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
-    write(0x1029, 1, 1, 1);  // stays operational
+    write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
     send("000#0100");
     send("27F#E80300000000");  // 3E8h = 1000
     EXPECT_EQ(taken_from(20, 1.0F), 1000);
@@ -135,7 +135,7 @@ TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
     write(0x1601, 0, 1, 1);
     write(0x1401, 5, 300, 2);
     write(0x1401, 1, 0x4000037F, 4);
-    write(0x1029, 1, 1, 1);  // stays operational
+    write(0x1029, 1, 1, 1);  // 1029h:1 error behaviour: the node stays operational
     send("000#0100");
     send("27F#E80300000000");
     pass(100);  // RPDO1 is overdue and stays overdue
@@ -174,7 +174,7 @@ TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheO
 
 TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
     verifies<req::INC_RPDO_003>();
-    map_rpdo1(0x00050008);  // it brings nothing
+    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late

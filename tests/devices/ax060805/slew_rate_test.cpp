@@ -56,7 +56,7 @@ TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     }
     activate_and_store(0);
     power_on();
-    EXPECT_TRUE(device->outputs().slew_rate_fast);  // suits 1 Mbit/s
+    EXPECT_TRUE(device->outputs().slew_rate_fast);  // the fast slew rate suits 1 Mbit/s
     write(0x2000, 0, 0, 1);
     store_all();
     power_on();
@@ -66,7 +66,7 @@ TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
 TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_STORE_001>();
     write(0x2003, 0, 7, 1);
-    store_all();  // at 125 kbit/s
+    store_all();  // stores the parameters at 125 kbit/s
     power_on();
     expect_fast(false, "the rate of the save");
     activate_and_store(0);
@@ -80,7 +80,7 @@ TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
 TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheFastSlewRate) {
     verifies<req::INC_SLEW_002>();
     activate_and_store(2);
-    store_all();  // at 500 kbit/s
+    store_all();  // stores the parameters at 500 kbit/s
     power_on();
     expect_fast(true, "the rate of the save");
     activate_and_store(4);

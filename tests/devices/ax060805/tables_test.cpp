@@ -35,7 +35,7 @@ TEST(InclinometerTables, FigureOfMeritTableFollowsTheManual) {
     }
 }
 
-// 3.3 Table 4
+// AX060805, 3.3 Table 4
 TEST(InclinometerTables, AngleFilterTableFollowsTheManual) {
     verifies<req::INC_T4>();
     namespace t = own::angle_filter;

@@ -96,9 +96,9 @@ TEST_F(UndefinedAngles, FigureOfMeritIs1WithinOneDegreeOfTheVertical) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_K_GIMBAL_LOCK>();
     use_euler_angles();
     angles_of(88.999, 30.0);
-    EXPECT_EQ(merit(), 0U);  // 1.001 degrees
+    EXPECT_EQ(merit(), 0U);  // 1.001 degrees from the vertical
     angles_of(89.001, 30.0);
-    EXPECT_EQ(merit(), 1U);  // 0.999 degrees
+    EXPECT_EQ(merit(), 1U);  // 0.999 degrees from the vertical
     angles_of(-89.001, -150.0);
     EXPECT_EQ(merit(), 1U);
     angles_at(1.0, 0.0, 0.0);
@@ -199,7 +199,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     }
     EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond half a turn
     write(0x2031, 2, 1, 1);
-    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // reversed
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // the sign is reversed
 }
 
 TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEveryInstallation) {

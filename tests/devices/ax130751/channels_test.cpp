@@ -161,10 +161,10 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005>();
     for (const int output : {1, 2}) {
         SCOPED_TRACE(output);
-        set8(0x6302, output, 1);  // 100.0 to 300.0
+        set8(0x6302, output, 1);  // process value in tenths: 100.0 to 300.0
         set16(0x7322, output, 3000);
         set16(0x7320, output, 1000);
-        set8(0x6332, output, 2);  // 1.00 V to 9.00 V
+        set8(0x6332, output, 2);  // field value in hundredths: 1.00 V to 9.00 V
         set16(0x7323, output, 900);
         set16(0x7321, output, 100);
         set8(0x2342, output, 0);
@@ -250,9 +250,9 @@ TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
 
 TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004, req::AOR_DO_010>();
-    set16(0x1800, 5, 0);  // no TPDO1
+    set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     set16(0x6310, 2, 1020);
-    set8(0x2241, 2, 2);  // latched
+    set8(0x2241, 2, 2);  // polarity 2: latched
     set8(0x6220, 2, 1);
     pass(1);
     set8(0x6220, 2, 0);
@@ -261,7 +261,7 @@ TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     set16(0x6310, 2, 1000);
     pass(1);
     EXPECT_FALSE(is_on(2));
-    set8(0x2241, 2, 3);  // blinking
+    set8(0x2241, 2, 3);  // polarity 3: blinking
     set16(0x2223, 2, 40);
     set8(0x6220, 2, 1);
     pass(1 + 30);
@@ -282,7 +282,7 @@ TEST_F(Ax130751Channels, DigitalOutputWithoutAControlHasItsFaultState) {
     set8(0x2340, 2, not_used);
     set8(0x6260, 2, 1);
     connect(0x2360, 2);
-    set32(0x1401, 1, 0x4000037F);  // RPDO2: 2500h:1 to 2500h:3
+    set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1 to 2500h:3, becomes valid
     set16(0x1401, 5, 50);
     start();
     send("37F#000000000000");

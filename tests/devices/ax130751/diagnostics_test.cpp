@@ -174,7 +174,7 @@ TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     supply(24.0F);
     pass(200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp has 5 V per second
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
@@ -257,7 +257,7 @@ TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
     send("27F#0000000000");
     pass(60);
     EXPECT_EQ(read(0x1003, 1), 0x00008100U);
-    set32(0x1016, 3, 0x00220064);  // node 22h, 100 ms
+    set32(0x1016, 3, 0x00220064);  // 1016h:3 consumer heartbeat time: node 22h, 100 ms
     send("722#05");
     pass(110);
     EXPECT_EQ(read(0x1003, 1), 0x80228130U);
@@ -278,7 +278,7 @@ TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheNmtState) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V at 0
+    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
     store();
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {

@@ -25,7 +25,7 @@ std::uint16_t lookup(int table, int object) {
 
 }  // namespace
 
-// 3.2.1 to 3.2.13
+// AX130751, 3.2.1 to 3.2.13
 TEST_F(Ax130751Dictionary, CommunicationObjectsMatchTheManual) {
     verifies<req::AOR_OD_1000, req::AOR_OD_1001, req::AOR_OD_1002, req::AOR_OD_100C, req::AOR_OD_100D, req::AOR_OD_1010,
              req::AOR_OD_1011, req::AOR_OD_1016, req::AOR_OD_1018, req::AOR_OD_1020, req::AOR_OD_1029>();
@@ -44,14 +44,14 @@ TEST_F(Ax130751Dictionary, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 3.2.4
+// AX130751, 3.2.4
 TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
     verifies<req::AOR_OD_1003>();
     check_error_list(4);
     EXPECT_EQ(writing(0x1003, 0, 1), AbortCode::value_range);
 }
 
-// 3.2.7
+// AX130751, 3.2.7
 TEST_F(Ax130751Dictionary, AllWritableEntriesExceptCommandsAreStored) {
     verifies<req::AOR_STORE_004>();
     // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h take no values; 5B50h and 5B51h lie where LSS stores
@@ -66,7 +66,7 @@ TEST_F(Ax130751Dictionary, AllWritableEntriesExceptCommandsAreStored) {
     }
 }
 
-// 3.2.10
+// AX130751, 3.2.10
 TEST_F(Ax130751Dictionary, ProducerHeartbeatIsOffOrAtLeastTenMilliseconds) {
     verifies<req::AOR_OD_1017, req::AOR_HB_002>();
     check_producer_heartbeat();
@@ -120,7 +120,7 @@ TEST_F(Ax130751Dictionary, DigitalOutputObjectsMatchTheManual) {
     EXPECT_EQ(writing(0x6260, 1, 2), AbortCode::value_range);
 }
 
-// 3.4.4 to 3.4.19
+// AX130751, 3.4.4 to 3.4.19
 TEST_F(Ax130751Dictionary, RelayObjectsMatchTheManual) {
     verifies<req::AOR_OD_2242, req::AOR_OD_2250, req::AOR_OD_2260, req::AOR_OD_2261, req::AOR_OD_2270, req::AOR_OD_2271,
              req::AOR_OD_2280, req::AOR_OD_2281, req::AOR_OD_2282, req::AOR_OD_2290, req::AOR_OD_2291, req::AOR_OD_2292,
@@ -145,7 +145,7 @@ TEST_F(Ax130751Dictionary, RelayObjectsMatchTheManual) {
     });
 }
 
-// 3.3.4 to 3.3.14
+// AX130751, 3.3.4 to 3.3.14
 TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
     verifies<req::AOR_OD_6302, req::AOR_OD_6332, req::AOR_OD_6340, req::AOR_OD_7300, req::AOR_OD_7320, req::AOR_OD_7321,
              req::AOR_OD_7322, req::AOR_OD_7323, req::AOR_OD_7330, req::AOR_OD_7341>();
@@ -170,7 +170,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
     EXPECT_EQ(writing(0x7322, 2, -20), AbortCode::value_too_low);
 }
 
-// 3.3.5
+// AX130751, 3.3.5
 TEST_F(Ax130751Dictionary, OutputTypeAcceptsTheValuesOfTable3AndOfSection1_2) {
     verifies<req::AOR_OD_6310>();
     check_count(0x6310, 2);
@@ -180,7 +180,7 @@ TEST_F(Ax130751Dictionary, OutputTypeAcceptsTheValuesOfTable3AndOfSection1_2) {
     }
 }
 
-// 3.4.20 to 3.4.33
+// AX130751, 3.4.20 to 3.4.33
 TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheManufacturerMatchTheManual) {
     verifies<req::AOR_OD_2300, req::AOR_OD_2330, req::AOR_OD_2331, req::AOR_OD_2340, req::AOR_OD_2341, req::AOR_OD_2342,
              req::AOR_OD_2350, req::AOR_OD_2351, req::AOR_OD_2352, req::AOR_OD_2360, req::AOR_OD_2361, req::AOR_OD_2362,
@@ -203,14 +203,14 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheManufacturerMatchTheManual)
     });
 }
 
-// 3.4.34 to 3.4.37
+// AX130751, 3.4.34 to 3.4.37
 TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     verifies<req::AOR_OD_2500, req::AOR_OD_2502, req::AOR_OD_2520, req::AOR_OD_2522>();
     check({
         {0x2500, 6, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x2502, 6, u8, Access::rw, {1}, 0, 4},
-        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // up to 2522h
-        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // from 2520h on
+        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most 2522h
+        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least 2520h
     });
     set(0x2522, 4, 300);
     EXPECT_EQ(writing(0x2520, 4, 300), AbortCode::none);
@@ -262,7 +262,7 @@ TEST_F(Ax130751Dictionary, LookupTableObjectsMatchTheManual) {
     EXPECT_EQ(objects_.find(0x30A0, 0).error(), AbortCode::object_missing);
 }
 
-// 3.4.47 to 3.4.60
+// AX130751, 3.4.47 to 3.4.60
 TEST_F(Ax130751Dictionary, LogicBlockObjectsMatchTheManual) {
     verifies<req::AOR_OD_3300, req::AOR_OD_3310, req::AOR_OD_3320, req::AOR_OD_3401, req::AOR_OD_3402, req::AOR_OD_3411,
              req::AOR_OD_3412, req::AOR_OD_3413, req::AOR_OD_3421, req::AOR_OD_3422, req::AOR_OD_3423, req::AOR_OD_3431,
@@ -295,7 +295,7 @@ TEST_F(Ax130751Dictionary, LogicBlockObjectsMatchTheManual) {
     }
 }
 
-// 3.4.61 to 3.4.73
+// AX130751, 3.4.61 to 3.4.73
 TEST_F(Ax130751Dictionary, MathBlockObjectsMatchTheManual) {
     verifies<req::AOR_OD_4000, req::AOR_OD_4021, req::AOR_OD_4023, req::AOR_OD_4030, req::AOR_OD_4032, req::AOR_OD_4100,
              req::AOR_OD_4101, req::AOR_OD_4102, req::AOR_OD_4103, req::AOR_OD_4120, req::AOR_OD_4122, req::AOR_OD_4140,
@@ -326,15 +326,15 @@ TEST_F(Ax130751Dictionary, MathBlockObjectsMatchTheManual) {
     }
 }
 
-// 3.4.74 to 3.4.84
+// AX130751, 3.4.74 to 3.4.84
 TEST_F(Ax130751Dictionary, DiagnosticObjectsMatchTheManual) {
     verifies<req::AOR_OD_5020, req::AOR_OD_5021, req::AOR_OD_5022, req::AOR_OD_5023, req::AOR_OD_5024, req::AOR_OD_5025,
              req::AOR_OD_5030, req::AOR_OD_5031, req::AOR_OD_5032, req::AOR_OD_5033, req::AOR_OD_5034>();
     check({
         {0x5020, 0, real, Access::ro, {0}, none, none, Map::tpdo},
         {0x5021, 0, u8, Access::rw, {1}, 0, 1},
-        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // up to 5023h
-        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // from 5022h on
+        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // at most 5023h
+        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // at least 5022h
         {0x5024, 0, u8, Access::rw, {5}, 1, 30},
         {0x5025, 0, u8, Access::rw, {1}, 0, 1},
         {0x5030, 0, real, Access::ro, {0}, none, none, Map::tpdo},
@@ -351,7 +351,7 @@ TEST_F(Ax130751Dictionary, DiagnosticObjectsMatchTheManual) {
     EXPECT_EQ(writing(0x5023, 0, 14), AbortCode::value_too_low);
 }
 
-// 3.4.85 to 3.4.88
+// AX130751, 3.4.85 to 3.4.88
 TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
     verifies<req::AOR_OD_5550, req::AOR_OD_5555, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     check({

@@ -198,7 +198,7 @@ TEST_F(Ax130751Edges, CurrentIsDrivenByFourteenVolts) {
         };
         EXPECT_EQ(microamperes(699.9F), 20000);
         EXPECT_EQ(microamperes(700.0F), 20000);  // 14 V / 700 Ohm = 20 mA
-        EXPECT_EQ(microamperes(700.5F), 19986);  // 19.9857 mA
+        EXPECT_EQ(microamperes(700.5F), 19986);  // 14 V / 700.5 Ohm = 19.9857 mA
         EXPECT_EQ(microamperes(14000.0F), 1000);
         EXPECT_EQ(microamperes(0.0F), 20000);
     }
@@ -241,7 +241,7 @@ TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     EXPECT_EQ(get16(0x2370, 1), 32767);
     set8(0x6332, 1, 2);
     set16(0x7323, 1, 32767);
-    command(1, 30000);  // 327.67 Hz
+    command(1, 30000);  // commands 327.67 Hz
     EXPECT_EQ(get16(0x7330, 1), 32767);
     set16(0x7323, 1, 32766);
     pass(1);
@@ -274,9 +274,9 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // 2500h:4
+    set8(0x2341, 2, 7);  // number 7: 2500h:4
     set8(0x2502, 4, 3);
-    set16(0x2522, 4, 8000);  // 1.000 to 8.000
+    set16(0x2522, 4, 8000);  // the limits are 1.000 to 8.000
     set16(0x2520, 4, 1000);
     const auto is_on_at = [this](int thousandths) {
         extra(4, thousandths);
@@ -344,7 +344,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     // Points of a data response at 0 and below become time intervals of 1 ms.
     set32(0x3016, 1, -5);
     for (int point = 2; point <= 4; ++point) {
-        set32(0x3016, point, point - 4);  // -2, -1, 0
+        set32(0x3016, point, point - 4);  // X is -2, -1, 0
         set16(0x3017, point, 10 * point);
     }
     set8(0x3015, 5, 0);
@@ -364,7 +364,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
 
 TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
-    make_math(8);  // and
+    make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);
     EXPECT_EQ(math_of(4999, 5000), 0);
     EXPECT_EQ(math_of(5000, 4999), 0);
@@ -372,7 +372,7 @@ TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
 
 TEST_F(Ax130751Edges, GainOfOneIsWrittenAs100) {
     verifies<req::AOR_MATH_001, req::AOR_K_GAIN_ONE>();
-    make_math(12);  // plus
+    make_math(12);  // operator 12: plus
     set8(0x4140, 1, 99);
     EXPECT_EQ(math_of(10000, 0), 9900);
     set8(0x4140, 1, 100);
@@ -383,11 +383,11 @@ TEST_F(Ax130751Edges, GainOfOneIsWrittenAs100) {
 
 TEST_F(Ax130751Edges, MathInputsAreClampedAtTheirScalings) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_008>();
-    make_math(17);  // maximum
+    make_math(17);  // operator 17: maximum
     set16(0x4120, 1, 2000);
     set16(0x4122, 1, 4000);
     EXPECT_EQ(math_of(1999, 0), 0);
-    EXPECT_EQ(math_of(2001, 0), 5);  // 1 of 2000
+    EXPECT_EQ(math_of(2001, 0), 5);  // 1 of the 2000 between the scalings
     EXPECT_EQ(math_of(3999, 0), 9995);
     EXPECT_EQ(math_of(4000, 0), 10000);
     EXPECT_EQ(math_of(4001, 0), 10000);

@@ -26,7 +26,7 @@ class Ax130751Errors : public Ax130751Test {
 
 }  // namespace
 
-// 3.2.4, Table 23
+// AX130751, 3.2.4, Table 23
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010,
              req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003,
@@ -34,7 +34,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
-    EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // node 32, 100 ms
+    EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");  // 1016h:1 consumer heartbeat time: node 32, 100 ms
     EXPECT_EQ(pass(500), Frames{});                  // never received: not monitored
     send("720#05");
     EXPECT_EQ(pass(99), Frames{});
@@ -93,7 +93,7 @@ TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
     lose(3, 0x23);
     lose(4, 0x24);
     start();
-    send("27F#00");  // too short: 8210h
+    send("27F#00");  // RPDO1 is too short: 8210h
     EXPECT_EQ(read(0x1003, 0), 4U);
     EXPECT_EQ(read(0x1003, 1), 0x00008210U);
     EXPECT_EQ(read(0x1003, 2), 0x80248130U);
@@ -171,8 +171,8 @@ TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnot
     }
     EXPECT_EQ(write(0x100C, 0, 50, 2), "");
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
-    EXPECT_EQ(write(0x1400, 5, 100, 2), "");  // RPDO1
-    EXPECT_EQ(write(0x1403, 5, 100, 2), "");  // RPDO4
+    EXPECT_EQ(write(0x1400, 5, 100, 2), "");  // 1400h:5 event timer of RPDO1: 100 ms
+    EXPECT_EQ(write(0x1403, 5, 100, 2), "");  // 1403h:5 event timer of RPDO4: 100 ms
     for (const char* heard_once : {"77F#R", "27F#0000000000", "57F#0000"}) {
         start();
         send(heard_once);
@@ -204,11 +204,11 @@ TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     EXPECT_EQ(read(0x1003, 1), 0x10008130U);
     EXPECT_EQ(send("77F#R"), (Frames{"0FF#0000000000000000", "77F#FF"}));
 
-    EXPECT_EQ(write(0x100D, 0, 0, 1), "");  // off
+    EXPECT_EQ(write(0x100D, 0, 0, 1), "");  // 100Dh life time factor 0: life guarding is off
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
-    EXPECT_EQ(write(0x100C, 0, 0, 2), "");  // also off
+    EXPECT_EQ(write(0x100C, 0, 0, 2), "");  // 100Ch guard time 0: life guarding is off too
     EXPECT_EQ(send("77F#R").size(), 1U);
     EXPECT_EQ(pass(1000), Frames{});
 
@@ -219,7 +219,7 @@ TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     EXPECT_EQ(pass(1), (Frames{"1:77F#7F"}));
 }
 
-// 3.2.10
+// AX130751, 3.2.10
 TEST_F(Ax130751Errors, ShortestHeartbeatPeriodIsTenMilliseconds) {
     verifies<req::AOR_HB_002, req::AOR_OD_1017>();
     for (int time = 1; time <= 9; ++time) {

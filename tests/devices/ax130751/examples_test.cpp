@@ -101,12 +101,12 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     for (int input = 1; input <= 2; ++input) {
         put(0x4100, input, 1, 1);
         put(0x4101, input, 3 + input, 1);
-        put(0x4103, input, 1, 1);     // tenths
-        put(0x4122, input, 1000, 2);  // 100.0
+        put(0x4103, input, 1, 1);     // one decimal digit: tenths
+        put(0x4122, input, 1000, 2);  // the upper scaling is 100.0
     }
     put(0x4140, 1, 75, 1);
     put(0x4140, 2, 25, 1);
-    put(0x4150, 1, 12, 1);  // plus
+    put(0x4150, 1, 12, 1);  // operator 12: plus
     struct Command {
         int joystick;
         int potentiometer;
@@ -130,7 +130,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     receive_extra(2, 1000);
     receive_extra(3, 2000);
     // 31 points 10.0 apart; every second one is 5 % above the line of 3 % per point
-    const auto x = [](int point) { return 100 * point; };                             // tenths
+    const auto x = [](int point) { return 100 * point; };                             // X in tenths
     const auto y = [](int point) { return 30 * point + (point % 2 == 1 ? 50 : 0); };  // tenths of a percent
     for (int table = 0; table < 3; ++table) {
         const auto base = static_cast<std::uint16_t>(0x3010 + 0x10 * table);
@@ -151,7 +151,7 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
         put(condition, 4, 3 + border, 1);
         put(condition, 5, 4, 1);
     };
-    below(0x3411, 2);  // table A
+    below(0x3411, 2);  // the condition for table A
     below(0x3421, 3);  // table B; table C is the default
     for (int point = 0; point < 30; ++point) {
         receive_extra(1, x(point));

@@ -330,7 +330,7 @@ TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
     pass(1);
     start();
     pass(1 + 200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 5 V per second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp has 5 V per second
 }
 
 TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
@@ -346,7 +346,7 @@ TEST_F(Ax130751Interlock, ResetCommunicationPutsOutputsAndRelayOff) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "7300h is as it was";
 }
 
-// 3.2.13
+// AX130751, 3.2.13
 TEST_F(Ax130751Interlock, CommunicationFaultThatEndsOperationalPutsTheOutputsOff) {
     verifies<req::AOR_OUT_026, req::AOR_ERR_006>();
     no_ramps(1);
@@ -371,7 +371,7 @@ TEST_F(Ax130751Interlock, OutputsRunAfterTheSelfStart) {
     verifies<req::AOR_OUT_041, req::AOR_START_001, req::AOR_START_005, req::AOR_OD_5555>();
     no_ramps(1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V at 0
+    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
     store();
     power_on();
     pass(100);

@@ -13,7 +13,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
   protected:
     void SetUp() override {
         Ax130751Blocks::SetUp();
-        set16(0x1800, 5, 0);  // no TPDO1
+        set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     }
     /// Sets up math block 2 to add 2500h:2 percent to its own output in each cycle; 4030h:2 is in hundredths.
     void make_counter() {
@@ -27,7 +27,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
         set8(0x4203, 2, 0);
         set16(0x4222, 2, 100);
         set8(0x4000, 2, 1);
-        set32(0x1401, 1, 0x4000037F);  // RPDO2: 2500h:1 to 2500h:3
+        set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1 to 2500h:3, becomes valid
         start();
         pass(10);
     }
@@ -41,7 +41,7 @@ class Ax130751LateCalls : public Ax130751Blocks {
 TEST_F(Ax130751LateCalls, FrameTakesEffectInTheNextCycle) {
     verifies<req::AOR_OUT_027, req::AOR_OUT_001>();
     make_counter();
-    send("37F#000001000000");  // 1 % per cycle
+    send("37F#000001000000");  // the counter grows by 1 % per cycle
     wait(5);
     send("37F#000000000000");
     EXPECT_EQ(counted(), 500) << "five cycles with 1 %, run when the frame came";

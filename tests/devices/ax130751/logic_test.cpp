@@ -105,8 +105,8 @@ TEST_F(Ax130751Logic, ComparisonIgnoresTheDecimalDigits) {
     condition(1, 1, 1, 1, 0, 2);
     set8(0x2502, 1, 1);
     set8(0x2502, 2, 3);
-    set16(0x2500, 1, 123);    // 12.3
-    set16(0x2500, 2, 12300);  // 12.300
+    set16(0x2500, 1, 123);    // 2500h:1 = 12.3
+    set16(0x2500, 2, 12300);  // 2500h:2 = 12.300
     EXPECT_EQ(selected(1), 1);
     set16(0x2500, 2, 12301);
     EXPECT_EQ(selected(1), 2) << "B, whose conditions are not used";
@@ -152,9 +152,9 @@ TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
     verifies<req::AOR_LOGIC_002, req::AOR_T17>();
     set8(0x3300, 1, 1);
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // 2500h:1 to 3
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     condition(1, 1, 1, 1, 0, 1);
-    condition(1, 2, 1, 4, 2, 4);  // B never
+    condition(1, 2, 1, 4, 2, 4);  // function B never selects its table
     start();
     send("37F#000000000000");
     EXPECT_EQ(selected(1), 1);
@@ -180,8 +180,8 @@ TEST_F(Ax130751Logic, FunctionWithoutConditionsSelectsAsTheDefault) {
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);
-    condition(2, 1, 1, 1, 2, 1);  // A never
-    condition(2, 3, 1, 1, 0, 1);  // C always
+    condition(2, 1, 1, 1, 2, 1);  // function A never selects its table
+    condition(2, 3, 1, 1, 0, 1);  // function C always selects its table
     EXPECT_EQ(selected(2), 5);
 }
 
@@ -193,7 +193,7 @@ TEST_F(Ax130751Logic, OutputIsAPercentageOfTheLimitsOfTheTable) {
     set16(0x3077, 11, 300);
     extra(1, 75);
     EXPECT_EQ(selected(3), 7);
-    EXPECT_EQ(output(3), 250);  // 75 of 300
+    EXPECT_EQ(output(3), 250);  // 75 of 300 is 25.0 %
     extra(1, 100);
     EXPECT_EQ(output(3), 1000);
     for (int point = 1; point <= 11; ++point) {
@@ -226,9 +226,9 @@ TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
         set8(at, 1, logic_source);
         set8(at, 2, block + 1);
         set8(at, 3, canopen);
-        set8(at, 4, 5);  // 2500h:2
+        set8(at, 4, 5);  // number 5: 2500h:2
         set8(at, 5, 0);
-        set8(index(block, 2), 1, 2);  // or
+        set8(index(block, 2), 1, 2);  // operator 2: or
     }
     for (int block = 1; block <= 3; ++block) {
         connect_table((3 * block) - 2, 3);
@@ -305,8 +305,8 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     points(2, {30, 33, 36, 39, 42, 45, 48, 51, 54, 57, 60}, {60, 57, 54, 51, 48, 45, 42, 39, 36, 33, 30});
     points(3, {60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 100}, {60, 63, 66, 69, 72, 75, 78, 81, 84, 87, 90});
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 5, 2);  // A: x <= 30
-    condition(1, 2, 1, 1, 5, 3);  // B: x <= 60
+    condition(1, 1, 1, 1, 5, 2);  // condition A: x <= 30
+    condition(1, 2, 1, 1, 5, 3);  // condition B: x <= 60
     const auto at = [this](int x) {
         extra(1, x);
         pass(1);
@@ -317,7 +317,7 @@ TEST_F(Ax130751Logic, ThreeTablesGiveThirtySlopes) {
     EXPECT_EQ(at(45), 450);  // table 2 falls from 60 at 30 to 30 at 60
     EXPECT_EQ(at(33), 570);
     EXPECT_EQ(at(60), 300);
-    EXPECT_EQ(at(80), 750);  // table 3: 60 + 3 / 4 of 20
+    EXPECT_EQ(at(80), 750);  // table 3 rises by 3 per 4: 60 + 20 * 3 / 4 = 75
     EXPECT_EQ(at(82), 770);  // 76.5, rounded to an integer percent of Y
     EXPECT_EQ(at(100), 900);
 }

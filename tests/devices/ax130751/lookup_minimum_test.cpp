@@ -80,7 +80,7 @@ TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsThe
     EXPECT_EQ(x(5, 1), -30);
 }
 
-TEST_F(Ax130751LookupMinimum, SourcesThatAreNoTableOrExtraValueSetTheMinimum) {
+TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
     verifies<req::AOR_LT_018>();
     // 7320h in thousandths of a volt
     set8(0x3013, 0, 3);

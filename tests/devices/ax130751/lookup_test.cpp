@@ -72,12 +72,12 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
-    set8(0x2502, 1, 2);  // 2500h:1 is now 0.00…1.00
+    set8(0x2502, 1, 2);  // 2500h:1 takes two decimal digits: 0.00…1.00
     set16(0x2522, 1, 10000);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
     set8(0x3014, 0, 1);  // Y in tenths: 0…10.0
-    extra(1, 2525);      // 25.25
+    extra(1, 2525);      // 2500h:1 is 25.25
     EXPECT_EQ(output(1), 25);
     EXPECT_EQ(get16(0x3018, 0), 25);
     set8(0x3013, 0, 1);  // X points are 0…10.0
@@ -103,20 +103,20 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     }
     set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 %
+    EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 % of 0 to 101, rounded
     set16(0x3017, 11, 1000);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 5);  // 0.5 %
+    EXPECT_EQ(get16(0x3320, 1), 5);  // 5 of 0 to 1000 is 0.5 %
     set16(0x3017, 10, -1000);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 503);  // 1005 of 2000
+    EXPECT_EQ(get16(0x3320, 1), 503);  // 5 lies 1005 above -1000: 1005 of 2000 is 50.3 %
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
     EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
 }
 
-TEST_F(Ax130751Lookup, PointsStayInOrder) {
+TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
     verifies<req::AOR_LT_009>();
     EXPECT_EQ(write_x(1, 5, 29), "06090032") << "below point 4";
     EXPECT_EQ(write_x(1, 5, 51), "06090031") << "above point 6";
@@ -149,9 +149,9 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     verifies<req::AOR_LT_009, req::AOR_LT_001>();
     connect(1, 1);
     set8(0x3015, 1, 1);    // as time intervals, points need no order
-    set32(0x3016, 2, 20);  // (20, 10)
-    set32(0x3016, 3, 5);   // (5, 20)
-    set32(0x3016, 4, 30);  // (30, 30)
+    set32(0x3016, 2, 20);  // point 2 is (20, 10)
+    set32(0x3016, 3, 5);   // point 3 is (5, 20)
+    set32(0x3016, 4, 30);  // point 4 is (30, 30)
     set32(0x3016, 5, 40000);
     set8(0x3015, 1, 0);
     extra(1, 4);
@@ -159,18 +159,18 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     extra(1, 20);
     EXPECT_EQ(output(1), 10) << "point 3 lies behind";
     extra(1, 25);
-    EXPECT_EQ(output(1), 28);  // 20 + 10 * (25 - 5) / (30 - 5)
+    EXPECT_EQ(output(1), 28);  // 20 + 10 * (25 - 5) / (30 - 5) = 28
     EXPECT_EQ(write_x(1, 6, 50), "06090032") << "below point 5";
     EXPECT_EQ(write_x(1, 3, 6), "06090032") << "below point 2";
     EXPECT_EQ(write_x(1, 2, 5), "");
     EXPECT_EQ(write_x(1, 3, 30), "");
     extra(1, 20);
-    EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5)
+    EXPECT_EQ(output(1), 16);  // 10 + 10 * (20 - 5) / (30 - 5) = 16
 }
 
-TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
+TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     verifies<req::AOR_LT_009, req::AOR_LT_017>();
-    set8(0x3020, 0, supply_source);  // 8 to 35 V
+    set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
     }
@@ -188,7 +188,7 @@ TEST_F(Ax130751Lookup, PointsStayWithinTheLimitsOfTheSource) {
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 
-TEST_F(Ax130751Lookup, UnavailableSourceLimitsNoPoint) {
+TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
     set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
     set8(0x3021, 0, 1);
@@ -331,7 +331,7 @@ TEST_F(Ax130751Lookup, DisabledTableIsZeroAndNotAvailable) {
 TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
     verifies<req::AOR_LT_016, req::AOR_OUT_030>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     // 2500h:1 → table 4 → table 3 → table 2 → table 1 → output 1: only the state of each block changes
     connect(4, 1);
     for (int table = 1; table <= 3; ++table) {
@@ -356,7 +356,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // RPDO2 maps 2500h:1
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     connect(1, 1);
     no_ramps(1);
     set8(0x2340, 1, lookup_source);

@@ -43,7 +43,7 @@ TEST_F(Ax130751Math, EveryMathBlockAddsAsShipped) {
         SCOPED_TRACE(block);
         make(block, 2);
         values({20, 35});
-        EXPECT_EQ(output(block), 5500);  // 55.00 of 100.00
+        EXPECT_EQ(output(block), 5500);  // 55.00 % of full scale
         values({80, 35});
         EXPECT_EQ(output(block), 10000) << "saturates";
         set8(0x4000, block, 0);
@@ -74,7 +74,7 @@ TEST_F(Ax130751Math, OperatorsFollowTable21) {
         {11, 0, 10000, 0},
         {12, 10000, 10000, 10000},  // 1.0 and more, clamped to 1
         {13, 0, 0, 2000},           // 0.4 - 0.6 is clamped to 0
-        {14, 2400, 3600, 2400},     // 0.4 * 0.6
+        {14, 2400, 3600, 2400},     // operator 14: 0.4 * 0.6 = 0.24
         {15, 6667, 10000, 10000},   // 0.4 / 0.6; 0.6 / 0.4 = 1.5 is clamped to 1
         {16, 4000, 6000, 4000},
         {17, 6000, 6000, 6000},
@@ -103,7 +103,7 @@ TEST_F(Ax130751Math, GainsOf75And25PercentWeightTheInputs) {
     values({100, 100});
     EXPECT_EQ(output(1), 10000);
     values({40, 60});
-    EXPECT_EQ(output(1), 4500);  // 30 + 15
+    EXPECT_EQ(output(1), 4500);  // 0.75 * 40 + 0.25 * 60 = 30 + 15 = 45 %
     EXPECT_EQ(write(0x4140, 1, 101, 1), "06090031");
     EXPECT_EQ(write(0x4140, 1, -101, 1), "06090032");
 }
@@ -112,8 +112,8 @@ TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
-    set16(0x4120, 1, 200);   // 20.0 is 0
-    set16(0x4122, 1, 1000);  // 100.0 is 1
+    set16(0x4120, 1, 200);   // 20.0 is the input for 0
+    set16(0x4122, 1, 1000);  // 100.0 is the input for 1
     values({40, 0});
     EXPECT_EQ(output(1), 2500);
     values({10, 0});
@@ -159,8 +159,8 @@ TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     verifies<req::AOR_MATH_008>();
     make(1, 2);
     set8(0x4032, 1, 1);
-    set16(0x4021, 1, -200);  // -20.0
-    set16(0x4023, 1, 200);   // 20.0
+    set16(0x4021, 1, -200);  // scaling 1: -20.0
+    set16(0x4023, 1, 200);   // scaling 2: 20.0
     values({75, 0});
     EXPECT_EQ(output(1), 100);
     values({100, 100});
@@ -193,7 +193,7 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     make(1, 4);
     set8(0x4150, 2, 14);
     values({20, 60, 50, 0});
-    EXPECT_EQ(output(1), 4000);  // 0.8 * 0.5 + 0
+    EXPECT_EQ(output(1), 4000);  // (0.2 + 0.6) * 0.5 + 0 = 0.4
     set8(0x4102, 4, 1);
     pass(1);
     EXPECT_EQ(output(1), 4000) << "no effect on another source";
@@ -234,7 +234,7 @@ TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
     pass(10);
     EXPECT_EQ(output(1), 0);
     pass(10);
-    set16(0x2500, 2, 1);  // 1 % per cycle
+    set16(0x2500, 2, 1);  // the sum grows by 1 % per cycle
     pass(45);
     EXPECT_EQ(device->objects().read(0x4030, 1), 0U);
     pass(10);
@@ -244,7 +244,7 @@ TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
 TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     verifies<req::AOR_MATH_006>();
     set32(0x1401, 1, 0x4000037F);
-    set16(0x1401, 5, 50);  // 2500h:1 to 3
+    set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     make(1, 1);
     set8(0x4101, 2, 7);  // 2500h:4, which no RPDO maps
     set8(0x4100, 2, canopen);
@@ -266,7 +266,7 @@ TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
     set8(0x4101, 1, 1);
     set8(0x4100, 1, math_source);
     set8(0x4102, 1, 1);
-    values({0, 1, 50});  // 1 % per cycle
+    values({0, 1, 50});  // the sum grows by 1 % per cycle
     pass(60);
     EXPECT_EQ(output(1), 10000);
     set16(0x2500, 2, 0);
@@ -284,7 +284,7 @@ TEST_F(Ax130751Math, GainOfZeroAppliesAfterAnotherGain) {
     make(1, 2);
     set8(0x4140, 1, 50);
     values({20, 35});
-    EXPECT_EQ(output(1), 4500);  // 20 * 0.5 + 35
+    EXPECT_EQ(output(1), 4500);  // 20 * 0.5 + 35 = 45 %
     set8(0x4140, 1, 0);
     pass(1);
     EXPECT_EQ(output(1), 3500);

@@ -23,7 +23,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     command(1, 0);
     pass(100);
-    EXPECT_FLOAT_EQ(volts(1), 4.0F);  // 10 V/s
+    EXPECT_FLOAT_EQ(volts(1), 4.0F);  // the ramp has 10 V per second
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 3.99F);
     pass(200);
@@ -37,8 +37,8 @@ TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo
     set16(0x7323, 1, 0);
     set16(0x2330, 1, 1000);
     set16(0x2331, 1, 100);
-    command(1, 5000);  // 0 V: no change
-    command(1, 0);     // 5 V: up
+    command(1, 5000);  // the output stays at 0 V
+    command(1, 0);     // 5 V: the output rises
     pass(100);
     EXPECT_FLOAT_EQ(volts(1), 0.5F);
     pass(900);
@@ -55,7 +55,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     set16(0x7323, 1, 4000);
     set16(0x2330, 1, 1000);
     set8(0x2342, 1, 1);
-    set16(0x7320, 1, 100);  // 0 is below: OFF
+    set16(0x7320, 1, 100);  // a command of 0 is below scaling 1: OFF
     pass(1);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
@@ -94,7 +94,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
         extra(1, 100 - running);
-        command(1, 2000);  // no effect any more
+        command(1, 2000);  // the command has no effect any more
         const int action = response % 3;
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";
@@ -216,7 +216,7 @@ TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     set16(0x7341, 1, 1500);
     set16(0x1400, 5, 100);  // RPDO1 is expected every 100 ms
     start();
-    send("27F#A00F000000");  // 4000: 4 V
+    send("27F#A00F000000");  // RPDO1 brings 4000: 4 V
     pass(50);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
     pass(60);
@@ -229,12 +229,12 @@ TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
     EXPECT_FLOAT_EQ(volts(1), 4.0F) << "maintains its state";
 }
 
-TEST_F(Ax130751Output, OverrideInErrorIsAFaultToo) {
+TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);
     set16(0x2300, 1, 3000);
-    set32(0x1401, 1, 0x4000037F);  // RPDO2 exists
+    set32(0x1401, 1, 0x4000037F);  // 1401h:1 COB-ID of RPDO2: valid
     set16(0x1401, 5, 100);
     connect(0x2360, 1);  // 2500h:1, mapped to RPDO2
     start();

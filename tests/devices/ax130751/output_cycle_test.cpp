@@ -64,7 +64,7 @@ TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
     set8(0x6302, 1, 2);
     set16(0x7322, 1, 10000);
     pass(1);
-    extra(1, 50);  // one cycle
+    extra(1, 50);  // extra() lets one cycle pass
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     // Math block 2 adds 1 % to its own output: one step per cycle.
     set16(0x2500, 2, 1);
@@ -144,7 +144,7 @@ TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
         set16(0x7322, 1, full - 100);
         set16(0x7321, 1, 100);
         set8(0x2340, 2, source);
-        set8(0x2340, 1, not_used);  // OFF
+        set8(0x2340, 1, not_used);  // output 1 is OFF
         pass(10);
         set8(0x2340, 1, source);
     };
@@ -228,7 +228,7 @@ TEST_F(Ax130751Output, SlowRampKeepsRunning) {
 
 TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {
     verifies<req::AOR_OUT_001>();
-    set16(0x1800, 5, 0);  // no TPDO1
+    set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     pass(5000);
     EXPECT_EQ(device->next_deadline(), never) << "at rest";
     command(1, 5000);

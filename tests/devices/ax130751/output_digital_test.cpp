@@ -114,7 +114,7 @@ TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     EXPECT_TRUE(is_on(1));
 
     set32(0x1403, 1, 0x4000057F);
-    set16(0x1403, 5, 50);  // RPDO4 maps 6220h:1
+    set16(0x1403, 5, 50);  // event timer of RPDO4, which maps 6220h:1: 50 ms
     start();
     send("57F#0100");
     pass(5);

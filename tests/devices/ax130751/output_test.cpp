@@ -11,7 +11,7 @@ namespace canproof::test {
 TEST_F(Ax130751Output, OutputFollows7300hFrom0To5VoltsAsShipped) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005, req::AOR_S_VOLTAGE, req::AOR_T03>();
     no_ramps(1);
-    command(1, 2500);  // 2.500 V of 0…5.000 V
+    command(1, 2500);  // 2.500 V of the range 0…5.000 V
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     EXPECT_EQ(get16(0x7330, 1), 2500);
     EXPECT_EQ(get16(0x2370, 1), 2500);
@@ -31,7 +31,7 @@ TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
     command(1, 0);
     EXPECT_FLOAT_EQ(volts(1), 10.0F);
     command(1, 1250);
-    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // 10 - 20 * 1.25 / 5
+    EXPECT_FLOAT_EQ(volts(1), 5.0F);  // 10 - 20 * 1.25 / 5 = 5
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), -10.0F);
 }
@@ -41,9 +41,9 @@ TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     make(10);
     set8(0x6302, 1, 1);      // process value in tenths: 7320h…7322h are 0…500.0
     set8(0x6332, 1, 2);      // field value in hundredths of a volt
-    set16(0x7321, 1, 0);     // 0 V
-    set16(0x7323, 1, 1000);  // 10.00 V
-    command(1, 2500);        // 250.0 of 500.0
+    set16(0x7321, 1, 0);     // process value 0 becomes 0 V
+    set16(0x7323, 1, 1000);  // the largest process value becomes 10.00 V
+    command(1, 2500);        // process value 250.0 of 500.0
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     EXPECT_EQ(get16(0x7330, 1), 500);
 }
@@ -74,10 +74,10 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
 TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE>();
     make(20);
-    command(1, 20000);  // 20 mA
+    command(1, 20000);  // commands 20 mA
     EXPECT_FLOAT_EQ(milliamperes(1), 20.0F);
     EXPECT_EQ(get16(0x2370, 1), 20000);
-    inputs.load[0] = 1000.0F;  // 14 V / 1 kOhm
+    inputs.load[0] = 1000.0F;  // 20 mA are not reached: 14 V / 1 kOhm = 14 mA
     set_inputs();
     pass(1);
     EXPECT_FLOAT_EQ(milliamperes(1), 14.0F);
@@ -101,7 +101,7 @@ TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL>();
     make(40);
     set16(0x2380, 1, 1200);
-    command(1, 375);  // 37.5 %
+    command(1, 375);  // commands 37.5 %
     EXPECT_FLOAT_EQ(duty(1), 37.5F);
     EXPECT_FLOAT_EQ(hertz(1), 1200.0F);
     EXPECT_FLOAT_EQ(level(1), 5.0F);
@@ -110,7 +110,7 @@ TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     EXPECT_FLOAT_EQ(level(1), 12.0F);
 }
 
-TEST_F(Ax130751Output, PwmWithoutPulsesIsOff) {
+TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_018, req::AOR_OD_2380>();
     make(40);
     command(1, 375);

@@ -67,7 +67,7 @@ TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
 
 TEST_F(Ax130751Pdo, Tpdo1IsSentEveryTenthOfASecond) {
     verifies<req::AOR_PDO_004, req::AOR_OD_1800, req::AOR_OD_1A00, req::AOR_OD_2370>();
-    EXPECT_EQ(pass(300), Frames{});  // pre-operational
+    EXPECT_EQ(pass(300), Frames{});  // no TPDO is sent in pre-operational
     EXPECT_EQ(start(), (Frames{"1FF#00000000"}));
     EXPECT_EQ(pass(350), (Frames{"100:1FF#00000000", "200:1FF#00000000", "300:1FF#00000000"}));
     send("000#807F");
@@ -76,7 +76,7 @@ TEST_F(Ax130751Pdo, Tpdo1IsSentEveryTenthOfASecond) {
 
 TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     verifies<req::AOR_PDO_004, req::AOR_OD_1A00, req::AOR_OD_2370>();
-    EXPECT_EQ(write(0x2330, 1, 0, 2), "");  // no ramps
+    EXPECT_EQ(write(0x2330, 1, 0, 2), "");  // output 1 has no ramps
     EXPECT_EQ(write(0x2330, 2, 0, 2), "");
     start();
     send("27F#E803D00700");  // 1000 mV and 2000 mV
@@ -99,7 +99,7 @@ TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
         EXPECT_EQ(write(index, 5, 50, 2), "");
         EXPECT_EQ(write(index, 1, no_rtr + 0x1FF + 0x100 * number, 4), "");
     }
-    // 1000 and 2000; no TPDO3; 24.0 is 41C00000h and 35.0 is 420C0000h
+    // TPDO2 carries 1000 and 2000; TPDO3 is not sent; in TPDO4 24.0 is 41C00000h and 35.0 is 420C0000h.
     const Frames frames = pass(60);
     ASSERT_GE(frames.size(), 2U);
     EXPECT_EQ(frames[frames.size() - 2], "50:2FF#E803D007");
@@ -145,7 +145,7 @@ TEST_F(Ax130751Pdo, RemoteFramesAreNotAnsweredAsShipped) {
     EXPECT_EQ(send("1FF#R"), Frames{});
     EXPECT_EQ(pass(20), Frames{});
     EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
-    EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // RTR allowed
+    EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // 1800h:1 COB-ID of TPDO1: RTR allowed
     send("1FF#R");
     const Frames late = pass(5);
     EXPECT_TRUE(late.empty() || late[0] == "0:1FF#00000000");
@@ -179,10 +179,10 @@ TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     verifies<req::AOR_PDO_008, req::AOR_OD_2370, req::AOR_OD_7330, req::AOR_OD_2223, req::AOR_OD_2250>();
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
     EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // 2223h:1, 16 bits
-    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1
-    EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // read-only
-    EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // a parameter
-    EXPECT_EQ(write(0x1601, 1, 0x25000108, 4), "06040041");  // wrong length
+    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1, 16 bits
+    EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // 2370h:1 is read-only
+    EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // 2330h:1 is a parameter
+    EXPECT_EQ(write(0x1601, 1, 0x25000108, 4), "06040041");  // 2500h:1 has 16 bits, not 8
     EXPECT_EQ(write(0x1601, 1, 0x25000710, 4), "06090011");
     EXPECT_EQ(write(0x1601, 1, 0x25010010, 4), "06020000");
     EXPECT_EQ(write(0x1A01, 0, 0, 1), "");
@@ -218,7 +218,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
     verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
-    EXPECT_EQ(send("27F#E8030000"), (Frames{"0FF#1082010000000000"}));  // 8210h
+    EXPECT_EQ(send("27F#E8030000"), (Frames{"0FF#1082010000000000"}));  // error 8210h
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x1003, 1), 0x00008210U);
     EXPECT_EQ(send("27F#E803000000"), (Frames{"0FF#0000000000000000"}));
@@ -227,7 +227,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, WriteStateOtherThanZeroIsOn) {
+TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();
@@ -265,14 +265,14 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     EXPECT_EQ(write(0x1601, 0, 2, 1), "");
     EXPECT_EQ(write(0x1401, 1, no_rtr + 0x37F, 4), "");
     start();
-    send("37F#E80361EA");  // 60,001
+    send("37F#E80361EA");  // 60,001 is above the maximum
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2223, 1), 500U);
     send("37F#E80360EA");
     EXPECT_EQ(read(0x7300, 1), 1000U);
 }
 
-TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
+TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
     verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
@@ -281,8 +281,8 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIs8200h) {
     EXPECT_EQ(write(0x1601, 0, 1, 1), "");
     EXPECT_EQ(write(0x1401, 1, 0x0000037F, 4), "");
     start();
-    EXPECT_EQ(send("37F#60EA"), Frames{});                          // 60000
-    EXPECT_EQ(send("37F#61EA"), (Frames{"0FF#0082010000000000"}));  // 60001: 8200h
+    EXPECT_EQ(send("37F#60EA"), Frames{});                          // 60,000 is accepted
+    EXPECT_EQ(send("37F#61EA"), (Frames{"0FF#0082010000000000"}));  // 60,001 is refused: 8200h
     EXPECT_EQ(read(0x2223, 1), 60000U);
     EXPECT_EQ(read(0x1003, 1), 0x00008200U);
     EXPECT_EQ(send("37F#0000"), (Frames{"0FF#0000000000000000"}));

@@ -28,7 +28,7 @@ class Ax130751Relay : public Ax130751Blocks {
     }
 };
 
-TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesNo) {
+TEST_F(Ax130751Relay, RelayOnClosesContactNcAndRelayOffClosesContactNo) {
     verifies<req::AOR_RELAY_001, req::AOR_T_CONTACT, req::AOR_S_RELAY_NC, req::AOR_S_RELAY_NO>();
     EXPECT_FALSE(device->outputs().relay_nc) << "OFF as shipped";
     EXPECT_TRUE(device->outputs().relay_no);
@@ -185,7 +185,7 @@ TEST_F(Ax130751Relay, OverridePrecedesEnable) {
 
 TEST_F(Ax130751Relay, InputInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
-    set16(0x1400, 5, 50);  // RPDO1 maps 6220h:3
+    set16(0x1400, 5, 50);  // event timer of RPDO1, which maps 6220h:3: 50 ms
     start();
     send("27F#0000000001");
     pass(5);
@@ -204,7 +204,7 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
         int polarity;
         bool errs;
     };
-    set32(0x1401, 1, 0x4000037F);  // RPDO2 maps 2500h:1
+    set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1, becomes valid
     set16(0x1401, 5, 100);
     start();
     for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable
@@ -242,7 +242,7 @@ TEST_F(Ax130751Relay, DelaysApplyToOnAndOff) {
     EXPECT_TRUE(relay_on());
     EXPECT_TRUE(control(0));
     pass(10);
-    control(1);  // cancelled
+    control(1);  // the pending change is cancelled
     pass(50);
     EXPECT_TRUE(relay_on());
     control(0);

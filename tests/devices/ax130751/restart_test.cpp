@@ -110,7 +110,7 @@ TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfRelayInputs) {
 
 TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_012, req::AOR_OUT_026>();
-    set8(0x2242, 1, 3);  // latched
+    set8(0x2242, 1, 3);  // polarity 3: latched
     store();
     set8(0x6220, 3, 1);
     pass(1);

@@ -79,7 +79,7 @@ TEST_F(Ax130751Restore, EachResetGivesTheDefaultsOfItsPart) {
     }
 }
 
-// 3.2.12
+// AX130751, 3.2.12
 TEST_F(Ax130751Restore, NoConfigurationClearsDateAndTimeOfTheSoftware) {
     verifies<req::CO_VERIFY_003, req::AOR_OD_1020>();
     factory.made_on = 0x01022024;

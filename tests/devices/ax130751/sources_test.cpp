@@ -108,7 +108,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
         set8(static_cast<std::uint16_t>(base + 0x50), 1, 17);  // maximum of 2500h:1 with itself
         set8(0x4000, block, 1);
         set16(0x4023, block, 1000 * block);
-        set16(0x2500, 1, 500);  // 50.0 of 100.00
+        set16(0x2500, 1, 500);  // 2500h:1 = 50.0
         EXPECT_EQ(tenths(4, block), 50 * block);
     }
     for (int block = 1; block <= 3; ++block) {
@@ -179,7 +179,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     }
     set32(0x3026, 1, -32000);
     using Pair = std::pair<int, int>;
-    EXPECT_EQ(limits(1, 1), (Pair{0, 500}));  // 7320h, 7322h: 0 to 5 V
+    EXPECT_EQ(limits(1, 1), (Pair{0, 500}));  // limits of 7320h and 7322h: 0 to 5 V
     set16(0x7322, 2, 8000);
     set16(0x7320, 2, -2000);
     EXPECT_EQ(limits(1, 2), (Pair{-200, 800}));
@@ -191,12 +191,12 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     EXPECT_EQ(limits(1, 9), (Pair{200, 3000}));
-    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // 4021h, 4023h
+    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // limits of 4021h and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
     EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
-    EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // 5022h, 5023h
-    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h minus 5033h
+    EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // limits of 5022h and 5023h: 8 to 35 V
+    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h and 5033h: 85 - 25 = 60 to 85 degrees
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
     EXPECT_EQ(limits(6, 1), (Pair{100, 400}));
@@ -206,7 +206,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set8(0x3010, 0, 1);
     set8(0x3011, 0, 4);
     pass(2);
-    EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // 0 to 100 %
+    EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // limits of a percentage: 0 to 100 %
     set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, limited by the tested range
     pass(2);
     EXPECT_EQ(limits(3, 1).first, -15000);
@@ -318,7 +318,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);
-    set32(0x1016, 2, 0x00050064);  // node 5, 100 ms
+    set32(0x1016, 2, 0x00050064);  // 1016h:2 consumer heartbeat time: node 5, 100 ms
     set16(0x1400, 5, 50);
     start();
     send("27F#E803000000");
@@ -336,7 +336,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAReceivedCommandInError) {
     no_ramps(1);
     set16(0x7341, 1, 3000);
     command(1, 1000);
-    set32(0x1016, 2, 0x00050064);  // node 5, 100 ms
+    set32(0x1016, 2, 0x00050064);  // 1016h:2 consumer heartbeat time: node 5, 100 ms
     send("705#05");
     pass(90);
     EXPECT_FLOAT_EQ(volts(1), 1.0F);

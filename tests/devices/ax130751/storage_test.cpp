@@ -25,7 +25,7 @@ class Ax130751Storage : public Ax130751Test {
 
 }  // namespace
 
-// 3.1
+// AX130751, 3.1
 TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     verifies<req::AOR_NODE_001, req::AOR_K_NODE_ID, req::AOR_K_BIT_RATE>();
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -36,12 +36,12 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
 
 TEST_F(Ax130751Storage, WritesToOtherObjectsChangeNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
-    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // a type of output
+    EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5B51, 0), 127U);
 }
 
-// 3.1.2
+// AX130751, 3.1.2
 TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_NODE_003, req::AOR_OD_5B51>();
     start();
@@ -69,7 +69,7 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     for (const auto& [index, rate] : rates) {
         send("7E5#0401");
         EXPECT_EQ(send(fmt::format("7E5#1300{:02X}", index)), (Frames{"7E4#130000"})) << index;
-        send("7E5#150A00");  // two delays of 10 ms
+        send("7E5#150A00");  // both switch delays are 10 ms
         pass(25);
         EXPECT_EQ(device->bit_rate(), rate) << index;
         EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"})) << index;
@@ -80,9 +80,9 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
         EXPECT_EQ(read(0x5B50, 0), static_cast<std::uint64_t>(index));
     }
     send("7E5#0401");
-    EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // reserved
+    EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // index 5 is reserved
     EXPECT_EQ(send("7E5#130009"), (Frames{"7E4#130100"}));
-    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table
+    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table of bit rates
 }
 
 // The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
@@ -101,7 +101,7 @@ TEST_F(Ax130751Storage, CapturedLssSessionGivesTheSameFrames) {
     EXPECT_EQ(send("7E5#0400"), (Frames{"750#00"}));
 }
 
-// 3.2.14, 3.2.15
+// AX130751, 3.2.14, 3.2.15
 TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     verifies<req::AOR_LSS_002, req::AOR_LSS_004, req::AOR_OD_1400, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1403,
              req::AOR_OD_1800, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803>();
@@ -178,7 +178,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
     send("7E5#0401");
-    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // 250 kbit/s
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
     EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"})) << "the node-ID by SDO waits for power-on";
     EXPECT_EQ(read(0x5B51, 0), 0x30U);
@@ -186,7 +186,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
     EXPECT_EQ(device->bit_rate(), 250000U);
     node = 0x30;
-    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 500 kbit/s
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 5B50h = 2: 500 kbit/s
     store();
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B51, 0), 0x31U);
@@ -235,7 +235,7 @@ TEST_F(Ax130751Storage, RestoreKeepsNodeIdAndBitRate) {
     }
 }
 
-// 3.2.7
+// AX130751, 3.2.7
 TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011>();
     silence_tpdo1();
@@ -243,7 +243,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
         EXPECT_EQ(read(0x1010, sub), 1U);
         EXPECT_EQ(read(0x1011, sub), 1U);
         EXPECT_EQ(write(0x1010, sub, 0x65766174, 4), "08000020");
-        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // the other signature
+        EXPECT_EQ(write(0x1011, sub, 0x65766173, 4), "08000020");  // `save` is not the signature of 1011h
     }
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     power_on();
@@ -262,9 +262,9 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
 
 TEST_F(Ax130751Storage, ParameterGroupsAreStoredSeparately) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
-    EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // communication
-    EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // application
-    EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // manufacturer
+    EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter
+    EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter
+    EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h, a manufacturer parameter
     store(3);
     power_on();
     EXPECT_EQ(read(0x1017, 0), 0U);
@@ -290,7 +290,7 @@ TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     EXPECT_EQ(read(0x2260, 1), 0U);  // stored like every parameter
 }
 
-// 3.2.8
+// AX130751, 3.2.8
 TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     verifies<req::AOR_STORE_005, req::AOR_STORE_006, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
@@ -303,8 +303,8 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     EXPECT_EQ(read(0x6340, 2), 0U);  // a value of another group
 }
 
-// 3.4.86
-TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
+// AX130751, 3.4.86
+TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_005, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
@@ -325,7 +325,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhenConfiguredAndStored) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-// 3.2.11, 3.2.12
+// AX130751, 3.2.11, 3.2.12
 TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);

@@ -26,11 +26,11 @@ class Ax130751Takeover : public Ax130751Test {
 TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
-    write(0x2241, 1, 3, 1);   // blinks while ON
-    write(0x2223, 1, 40, 2);  // 40 ms
-    write(0x2360, 1, 2, 1);   // overridden by 6220h:3
+    write(0x2241, 1, 3, 1);   // polarity 3: output 1 blinks while ON
+    write(0x2223, 1, 40, 2);  // output 1 is ON for 40 ms, then OFF for 40 ms
+    write(0x2360, 1, 2, 1);   // 6220h:3 overrides output 1
     write(0x2361, 1, 1, 1);
-    write(0x2300, 1, 0, 2);  // to OFF
+    write(0x2300, 1, 0, 2);  // the override switches output 1 OFF
     write(0x6220, 1, 1, 1);
     start();
     pass(1);
@@ -51,14 +51,14 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 // 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_021>();
-    write(0x2522, 1, 100, 2);  // EC1: 0 to 100
+    write(0x2522, 1, 100, 2);  // 2500h:1 is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
-    write(0x3015, 1, 1, 1);  // over time
+    write(0x3015, 1, 1, 1);  // lookup table 1 answers to the time
     write(0x2500, 1, 100, 2);
     pass(5);
     EXPECT_NE(read(0x3018, 0), 0U) << "the profile runs";
-    write(0x3015, 1, 0, 1);  // over data
+    write(0x3015, 1, 0, 1);  // lookup table 1 answers to its input
     write(0x2500, 1, 0, 2);
     pass(5);
     write(0x2500, 1, 50, 2);
@@ -121,7 +121,7 @@ TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
 TEST_F(Ax130751Takeover, YOfPoint1OfATimeProfileDoesNotCountForTheMinimum) {
     verifies<req::AOR_LT_018, req::AOR_LT_023>();
     write(0x3021, 0, 1, 1);
-    write(0x3020, 0, 3, 1);  // table 2 over table 1
+    write(0x3020, 0, 3, 1);  // table 2 reads table 1
     write(0x3015, 1, 1, 1);
     write(0x3017, 1, -60, 2);
     EXPECT_EQ(read(0x3026, 1), 0U);
@@ -159,7 +159,7 @@ TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
     connect(0x2360, 2, 1);
     write(0x2360, 2, 8, 1);  // overridden by the supply, from 8 to 35 V
     write(0x5021, 0, 0, 1);
-    write(0x1016, 1, 0x00050064, 4);  // node 5, 100 ms
+    write(0x1016, 1, 0x00050064, 4);  // 1016h:1 consumer heartbeat time: node 5, 100 ms
     start();
     send("705#05");
     pass(90);

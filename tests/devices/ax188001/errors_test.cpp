@@ -141,8 +141,8 @@ TEST_F(Ax188001Errors, WritingZeroClearsTheErrorListOnly) {
 
 TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5>();
-    EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // node 49, 100 ms
-    EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // node 50, 200 ms
+    EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // 1016h:1 consumer heartbeat time: node 49, 100 ms
+    EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // 1016h:4 consumer heartbeat time: node 50, 200 ms
     send("731#05");
     send("732#05");
     EXPECT_EQ(pass(250), (Frames{"100:0FF#3081013180000000", "200:0FF#3081013280000000"}));
@@ -160,7 +160,7 @@ TEST_F(Ax188001Errors, LifeGuardingErrorIsDistinguishedFromAHeartbeatErrorByItsF
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
-// 3.2.5, 3.2.6: 100 ms times 2
+// 3.2.5, 3.2.6: a guard time of 100 ms, times 2
 TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
     verifies<req::TCS_GUARD_001, req::TCS_GUARD_002>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);

@@ -97,6 +97,15 @@ TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
+TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
+    verifies<req::TCS_FD_004>();
+    EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
+    EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
+    inputs.supply = 8.5F;
+    set_inputs();  // at 0; read at 165
+    EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010320000000"}));
+}
+
 TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     verifies<req::TCS_FD_004>();
     inputs.cpu_temperature = 120.0F;

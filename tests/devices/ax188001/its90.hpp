@@ -25,9 +25,9 @@ struct Polynomial {
 
 struct Its90Type {
     char letter;
-    int number;                                     ///< in 6110h
-    std::vector<Polynomial> reference;              ///< of degC
-    std::vector<Polynomial> inverse;                ///< of mV
+    int number;                                     ///< number of the type in 6110h
+    std::vector<Polynomial> reference;              ///< polynomials of the temperature in degC
+    std::vector<Polynomial> inverse;                ///< polynomials of the voltage in mV
     std::vector<std::pair<double, double>> points;  ///< published: degC, mV to 0.001
 
     long double lowest() const { return reference.front().from; }

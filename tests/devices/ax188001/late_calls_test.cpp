@@ -25,9 +25,9 @@ TEST_F(LateCalls, DelayRunsFromTheDueReadingOfALateCall) {
     verifies<req::TCS_LIM_003, req::TCS_IN_015>();
     write(0x4030, 1, 2, 1000);
     heat(1, 130.0);
-    EXPECT_EQ(come_late(600), Frames{});  // readings at 165, 330, 495
+    EXPECT_EQ(come_late(600), Frames{});  // the readings at 165, 330 and 495 ms are due
     EXPECT_EQ(pass(564), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // 165 + 1000
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 165 + 1000 ms
 }
 
 TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {

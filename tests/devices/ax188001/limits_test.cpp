@@ -86,7 +86,7 @@ TEST_F(Limits, InterruptionRestartsTheDelayOfALimitFault) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));
 }
 
-TEST_F(Limits, LimitFaultsClearWithTheReadingThatShowsIt) {
+TEST_F(Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
     verifies<req::TCS_LIM_004>();
     heat(1, 130.0);
     pass(5165);  // now 5165 ms; the readings are at 5115 and 5280 ms
@@ -98,7 +98,7 @@ TEST_F(Limits, LimitFaultsClearWithTheReadingThatShowsIt) {
 
 TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
     verifies<req::TCS_LIM_009>();
-    heat(1, 130.0);  // read at 165
+    heat(1, 130.0);  // the voltage is read at 165 ms
     pass(2000);
     heat(1, 260.0);  // applied at 2000 ms, read at 2145 ms
     EXPECT_EQ(pass(3000 + 2300), (Frames{"3165:0FF#11F0010110000000", "5145:0FF#11F0010140000000"}));
@@ -134,7 +134,7 @@ TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
 TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     verifies<req::TCS_LIM_007>();
     heat(1, 130.0);
-    pass(4000);  // pending since 165
+    pass(4000);  // the fault is pending since 165 ms
     cut(1);      // cut at 4000 ms, read at 4125 ms, open at 4125 + 1320 = 5445 ms
     EXPECT_EQ(pass(1164), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the open circuit is detected
@@ -164,7 +164,7 @@ TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     EXPECT_EQ(status(2), 0);
     EXPECT_EQ(pass(1), (Frames{"1:0FF#01F0010200000000"}));
     EXPECT_EQ(status(2), 0x05);
-    cut(2, false);  // at 6485; readings at 6435, 6600
+    cut(2, false);  // at 6485 ms; the readings are at 6435 and 6600 ms
     EXPECT_EQ(pass(165), (Frames{"115:0FF#0000000000000000"}));
     EXPECT_EQ(status(2), 0);
 }
@@ -198,17 +198,19 @@ TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
     heat(1, 100.0);
     pass(1000);
     write(0x4030, 1, 2, 0);
-    EXPECT_EQ(send("67F#2B10400184030000"), (Frames{"0FF#11F0010110000000", "5FF#6010400100000000"}));  // 90.0 degC
-    EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));  // 125.0 degC
+    // 4010h:1 = 90.0 degC
+    EXPECT_EQ(send("67F#2B10400184030000"), (Frames{"0FF#11F0010110000000", "5FF#6010400100000000"}));
+    // 4010h:1 = 125.0 degC
+    EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
 }
 
 TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
     verifies<req::TCS_LIM_014>();
-    heat(1, 130.0);  // read at 165
+    heat(1, 130.0);  // the voltage is read at 165 ms
     pass(1000);
     write(0x4030, 1, 2, 2000);
     EXPECT_EQ(pass(1164), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms
 }
 
 TEST_F(Limits, DelayIsAtMostOneMinute) {
@@ -229,9 +231,9 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
     EXPECT_EQ(read(0x4020, 1).word(), 2500);
     EXPECT_EQ(write(0x4000, 1, 2, word(-2731)), too_low);
     EXPECT_EQ(write(0x4000, 1, 2, word(-2730)), 0U);
-    EXPECT_EQ(write(0x4000, 1, 2, word(1151)), too_high);  // 1250 - 100
+    EXPECT_EQ(write(0x4000, 1, 2, word(1151)), too_high);  // at most 1250 - 100 = 1150
     EXPECT_EQ(write(0x4000, 1, 2, word(1150)), 0U);
-    EXPECT_EQ(write(0x4010, 1, 2, word(1249)), too_low);  // 1150 + 100
+    EXPECT_EQ(write(0x4010, 1, 2, word(1249)), too_low);  // at least 1150 + 100 = 1250
     EXPECT_EQ(write(0x4010, 1, 2, word(2401)), too_high);
     EXPECT_EQ(write(0x4010, 1, 2, word(2400)), 0U);
     EXPECT_EQ(write(0x4020, 1, 2, word(2499)), too_low);

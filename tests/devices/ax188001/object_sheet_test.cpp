@@ -19,7 +19,7 @@ class Ax188001ObjectSheet : public AxiomaticSheet {
 
 }  // namespace
 
-// 3.2.1 to 3.2.13
+// AX188001, 3.2.1 to 3.2.13
 TEST_F(Ax188001ObjectSheet, CommunicationObjectsMatchTheManual) {
     verifies<req::TCS_OD_1000, req::TCS_OD_1001, req::TCS_OD_1002, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1010,
              req::TCS_OD_1011, req::TCS_OD_1016, req::TCS_OD_1018, req::TCS_OD_1020, req::TCS_OD_1029>();
@@ -79,7 +79,7 @@ TEST_F(Ax188001ObjectSheet, MappingsOfReceivePdosAreEmptyAndReadOnly) {
     }
 }
 
-// 3.2.15
+// AX188001, 3.2.15
 TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdosMatchTheManual) {
     verifies<req::TCS_OD_1A00, req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
     check_mappings({{0x1A00, 2, {0x71300110, 0x71300210, 0, 0}},
@@ -88,7 +88,7 @@ TEST_F(Ax188001ObjectSheet, MappingsOfTransmitPdosMatchTheManual) {
                     {0x1A03, 0, {0, 0, 0, 0}}});
 }
 
-// 3.3.1 to 3.3.7
+// AX188001, 3.3.1 to 3.3.7
 TEST_F(Ax188001ObjectSheet, ApplicationObjectsMatchTheManual) {
     verifies<req::TCS_OD_6100, req::TCS_OD_6112, req::TCS_OD_6126, req::TCS_OD_6127, req::TCS_OD_6150,
              req::TCS_OD_7130>();
@@ -102,7 +102,7 @@ TEST_F(Ax188001ObjectSheet, ApplicationObjectsMatchTheManual) {
     });
 }
 
-// 3.3.2, 3.4.3
+// AX188001, 3.3.2, 3.4.3
 TEST_F(Ax188001ObjectSheet, ThermocoupleTypesAndFiltersMatchTheManual) {
     verifies<req::TCS_OD_6110, req::TCS_OD_2020>();
     check_count(0x6110, 2);
@@ -114,7 +114,7 @@ TEST_F(Ax188001ObjectSheet, ThermocoupleTypesAndFiltersMatchTheManual) {
     EXPECT_EQ(objects_.find(0x2020, 1).error(), AbortCode::subindex_missing);
 }
 
-// 3.4.1 to 3.4.12
+// AX188001, 3.4.1 to 3.4.12
 TEST_F(Ax188001ObjectSheet, AverageAndColdJunctionObjectsMatchTheManual) {
     verifies<req::TCS_OD_2000, req::TCS_OD_2010, req::TCS_OD_2100, req::TCS_OD_2112, req::TCS_OD_2126, req::TCS_OD_2127,
              req::TCS_OD_2130, req::TCS_OD_3100, req::TCS_OD_3126, req::TCS_OD_3127, req::TCS_OD_3130>();
@@ -156,7 +156,7 @@ TEST_F(Ax188001ObjectSheet, ThresholdObjectsMatchTheManual) {
     EXPECT_EQ(writing(0x4010, 2, 801), AbortCode::value_too_high);
 }
 
-// 3.4.17 to 3.4.23
+// AX188001, 3.4.17 to 3.4.23
 TEST_F(Ax188001ObjectSheet, FaultDetectionAndStartObjectsMatchTheManual) {
     verifies<req::TCS_OD_5040, req::TCS_OD_5050, req::TCS_OD_5051, req::TCS_OD_5555, req::TCS_OD_5556>();
     check({

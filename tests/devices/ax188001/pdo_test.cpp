@@ -26,7 +26,7 @@ TEST_F(Pdos, Tpdo1IsSentEverySecond) {
     // 100 degC: 5968 = 1750h; -15 degC: 4128 = 1020h
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#50172010"}));
     EXPECT_EQ(pass(2500), (Frames{"1000:1FF#50172010", "2000:1FF#50172010"}));
-    EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30: no RTR
+    EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID: no RTR
 }
 
 TEST_F(Pdos, ReservedValuesAreSentInTpdo1) {

@@ -68,7 +68,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
             {"it ends and comes again",
              [&] {
                  heat(channel, 20.0);
-                 pass(200);  // read at 660
+                 pass(200);  // the voltage is read at 660 ms
                  heat(channel, 130.0);
              },
              825 + 1000},

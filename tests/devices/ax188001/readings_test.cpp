@@ -90,9 +90,9 @@ TEST_F(Values, GainsHaveTheirThreeFullScales) {
     };
     EXPECT_EQ(gain_at(19531.0), 128);  // full scale 19531.25
     EXPECT_EQ(gain_at(19531.5), 64);
-    EXPECT_EQ(gain_at(39062.0), 64);  // 39062.5
+    EXPECT_EQ(gain_at(39062.0), 64);  // full scale 39062.5
     EXPECT_EQ(gain_at(39063.0), 32);
-    EXPECT_EQ(gain_at(78124.0), 32);  // 78125
+    EXPECT_EQ(gain_at(78124.0), 32);  // full scale 78125
     EXPECT_NEAR(read(0x2010, 1).value, 78124, 2);
     EXPECT_EQ(gain_at(78126.0), 32);
     EXPECT_EQ(process_value(1), -512);
@@ -120,13 +120,13 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     EXPECT_NEAR(swing(), 6, 1);
     inputs.mains_frequency = 50;
     set_inputs();
-    EXPECT_NEAR(swing(), 2 * 1330, 3);  // 57.5 dB
+    EXPECT_NEAR(swing(), 2 * 1330, 3);  // 57.5 dB leave 1330 uV of 1 V
     EXPECT_EQ(write(0x2020, 0, 1, 50), 0U);
     EXPECT_EQ(device->outputs().adc_filter, 50);
     EXPECT_NEAR(swing(), 6, 1);
     inputs.mains_frequency = 60;
     set_inputs();
-    EXPECT_NEAR(swing(), 2 * 590, 3);  // 64.6 dB
+    EXPECT_NEAR(swing(), 2 * 590, 3);  // 64.6 dB leave 590 uV of 1 V
     inputs.mains_frequency = 0;
     set_inputs();
     EXPECT_EQ(swing(), 0);

@@ -20,7 +20,7 @@ class Ax188001Resets : public TcsTest {
 
 /// 18,500 uV fit into 19,531 uV, the full scale of gain 128, but exceed 90 % of it: a converter that comes from a lower
 /// gain keeps that gain.
-TEST_F(Ax188001Resets, ConverterStartsWithItsHighestGain) {
+TEST_F(Ax188001Resets, ResetNodeSetsTheHighestGainAndResetCommunicationKeepsTheGain) {
     verifies<req::TCS_IN_002, req::TCS_IN_004, req::CO_NMT_005>();
     for (const int channel : {1, 2}) {
         for (const char* reset : {"000#827F", "000#817F"}) {
@@ -38,7 +38,7 @@ TEST_F(Ax188001Resets, ConverterStartsWithItsHighestGain) {
 }
 
 /// Hum adds to the voltage and subtracts from it in turn, starting with the same side each time.
-TEST_F(Ax188001Resets, FirstReadingAfterAResetHasTheSameSideOfTheHum) {
+TEST_F(Ax188001Resets, HumHasTheSameSignInTheFirstReadingAfterEachReset) {
     verifies<req::TCS_IN_006, req::TCS_IN_007, req::CO_NMT_005>();
     inputs.tc_hum[1] = 1.0e6F;
     inputs.mains_frequency = 50;  // the filter is set to 60 Hz: 1330 uV remain
@@ -74,7 +74,7 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
             inputs = {};
             power_on();
             write(0x4030, channel, 2, 0);
-            EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);  // pre-operational
+            EXPECT_EQ(write(0x1029, 2, 1, 0), 0U);  // 1029h:2 error behaviour: pre-operational
             EXPECT_EQ(write(0x5555, 0, 1, 1), 0U);
             EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
             EXPECT_EQ(power_on(), (Frames{"77F#00", "1FF#A012A012"}));

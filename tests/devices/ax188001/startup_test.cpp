@@ -96,7 +96,7 @@ TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes)
     start_with(2);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // 1029h:3 is 0
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // because 1029h:3 is 0
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);
@@ -122,6 +122,22 @@ TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
         EXPECT_EQ(device->state(), NmtState::pre_operational);
         EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
         EXPECT_EQ(device->state(), NmtState::pre_operational);
+    }
+}
+
+TEST_F(Ax188001Startup, EachUnitFaultPreventsTheSelfStartInMode1) {
+    verifies<req::TCS_START_005>();
+    write(0x5051, 1, 2, 0);
+    write(0x5051, 2, 2, 0);
+    start_with(1);
+    for (const auto& [cpu, supply] : {std::pair{120.0F, 24.0F}, {40.0F, 60.0F}, {40.0F, 8.0F}}) {
+        inputs = {};
+        inputs.cpu_temperature = cpu;
+        inputs.supply = supply;
+        power_on();
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << cpu << ' ' << supply;
+        EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
+        EXPECT_EQ(device->state(), NmtState::pre_operational) << cpu << ' ' << supply;
     }
 }
 
@@ -219,7 +235,7 @@ TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
-    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#158813", {}}});  // 1388h = 5000 ms
+    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#158813", {}}});  // a switch delay of 1388h = 5000 ms
     pass(4999);
     EXPECT_EQ(device->bit_rate(), 125000U);
     pass(1);
@@ -249,7 +265,7 @@ TEST_F(LssSession, LssAcceptsTheBitRatesOfTable4) {
 
 TEST_F(LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
     verifies<req::TCS_LSS_004, req::CO_LSS_013, req::CO_LSS_017>();
-    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#17", {"7E4#170000"}}});  // 250 kbit/s
+    talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#17", {"7E4#170000"}}});  // index 3: 250 kbit/s
     EXPECT_EQ(device->bit_rate(), 125000U);
     send("7E5#0400");
     EXPECT_EQ(device->bit_rate(), 125000U);

@@ -36,7 +36,7 @@ TEST(Ax188001Tables, ChannelStatusTableFollowsTheManual) {
     EXPECT_EQ(t::rows.size(), 16U);
 }
 
-// 1.4 Table 3
+// AX188001, 1.4 Table 3
 TEST(Ax188001Tables, StartModeTableFollowsTheManual) {
     verifies<req::TCS_T3>();
     namespace t = own::start_mode;
@@ -48,7 +48,7 @@ TEST(Ax188001Tables, StartModeTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.2.13
+// AX188001, 3.2.13
 TEST(Ax188001Tables, ErrorBehaviourTableFollowsTheManual) {
     verifies<req::TCS_T_BEHAVIOUR>();
     namespace t = own::error_behaviour;

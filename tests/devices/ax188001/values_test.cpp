@@ -45,7 +45,7 @@ TEST_F(Values, EachTypeErrsByAtMostOneDegreeOverItsRange) {
 TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
-    inputs.cold_junction = -40.0F;  // E: -2.255 mV
+    inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
     heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
     settle();
     EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);
@@ -96,7 +96,7 @@ TEST_F(Values, WithoutCompensationOnlyTheTerminalVoltageIsConverted) {
     EXPECT_EQ(write(0x2000, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, TypeBHasANegativeColdJunction) {
+TEST_F(Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);
@@ -168,7 +168,7 @@ TEST_F(Values, ProcessValuesStayWithinSixteenBits) {
     EXPECT_EQ(read(0x3130).word(), -32768);
 }
 
-TEST_F(Values, DisabledChannelReadsNan) {
+TEST_F(Values, DisabledChannelReadsAsNan) {
     verifies<req::TCS_VAL_005, req::TCS_OD_6112, req::TCS_K_FV_DISABLED, req::TCS_K_PV_DISABLED, req::TCS_IN_013>();
     EXPECT_EQ(read(0x6112, 1).value, 1U);
     EXPECT_EQ(write(0x6112, 1, 1, 0), 0U);
@@ -189,7 +189,7 @@ TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
     cut(1);
     pass(8 * 165);
     EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
-    pass(165);                          // 1485 ms
+    pass(165);                          // 1485 ms after the break
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);
     EXPECT_EQ(read(0x2010, 1).value, before);
@@ -298,7 +298,7 @@ TEST_F(Values, AverageWithoutAValidChannelShowsTheReason) {
     EXPECT_EQ(read(0x2130).value, 0xFE00U);  // the wire of the first channel is broken too
 }
 
-TEST_F(Values, ColdJunctionHasItsOwnValues) {
+TEST_F(Values, ColdJunctionHasItsOwnFieldAndProcessValue) {
     verifies<req::TCS_CJ_001, req::TCS_CJ_002, req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_S_COLD_JUNCTION,
              req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     inputs.cold_junction = -40.0F;

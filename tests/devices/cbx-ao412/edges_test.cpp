@@ -41,7 +41,7 @@ TEST_F(AnalogEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
 TEST_F(AnalogEdges, GainOfEachOutputIsExactToAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2405>();
     for (int output = 1; output <= 4; ++output) {
-        put(0x6411, output, 24000);  // 3000 steps
+        put(0x6411, output, 24000);  // 24000 / 8 = 3000 steps
         for (const int gain : {32767, 16384, 100, 43, 44, -44, -20000}) {
             put(0x2405, output, gain);
             EXPECT_EQ(steps(output), static_cast<int>(std::floor((24000 * (1.0 + gain / 262144.0) + 4.0) / 8.0)))

@@ -41,8 +41,8 @@ class Leds : public CbxTest {
 
 // Rounds of 3.2.1, one character per 100 ms
 const std::string blinking = "##..";
-const std::string one_flash = "##..............";          // 200 on, 1400 off
-const std::string two_flashes = "##..##..........";        // 200 on, 200 off, 200 on, 1000 off
+const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
+const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off
 const std::string three_flashes = "##..##..##..........";  // three flashes, same times
 const std::string lit(40, '#');
 const std::string dark(40, '.');
@@ -63,7 +63,7 @@ TEST_F(Leds, StatusLedFollowsTheNmtState) {
 TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
-    write("603#2B911F012C010000");  // 300 ms
+    write("603#2B911F012C010000");  // 1F91h:1 self-start delay: 300 ms
     write("603#2310100173617665");
     now = Instant{};
     power_on();
@@ -155,7 +155,7 @@ TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
 
 TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_SW_002, req::AO4_T6, req::AO4_T7>();
-    inputs.switch_high = 8;  // 83h
+    inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
     EXPECT_TRUE(repeats(watch(s, 40), three_flashes));
     EXPECT_EQ(watch(e, 40), lit);
@@ -163,7 +163,7 @@ TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
 
 TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_SW_002>();
-    inputs.switch_high = 8;  // 83h
+    inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
     EXPECT_EQ(watch(m, 40), dark);
     inputs.internal_fault = true;

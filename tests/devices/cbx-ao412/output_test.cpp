@@ -26,7 +26,7 @@ TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
     expect_steps(1, 2006);
     EXPECT_NEAR(volts(1), 5.0F, step_v);
-    set(2, "4DC1");  // -16051
+    set(2, "4DC1");  // the value -16051
     expect_steps(2, -2006);
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
@@ -57,7 +57,7 @@ TEST_F(Output, OutputIsClampedTo4095Steps) {
 
 TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_K_GAIN_DIVISOR, req::AO4_OD_2404, req::AO4_OD_2405>();
-    set(1, "0040");  // 16384: 2048 steps
+    set(1, "0040");  // 16384 / 8 = 2048 steps
     expect_steps(1, 2048);
     write("603#2B05240100400000");  // gain 1 + 16384 / 262144 = 1.0625: 2048 * 1.0625 = 2176
     expect_steps(1, 2176);
@@ -80,9 +80,9 @@ class OutputInError : public Output {
   protected:
     void SetUp() override {
         Output::SetUp();
-        write("603#2F43640100000000");  // output 1: 0 V
-        write("603#2F43640201000000");  // output 2: error value
-        write("603#2F43640302000000");  // output 3: keep
+        write("603#2F43640100000000");  // error mode of output 1: 0 V
+        write("603#2F43640201000000");  // error mode of output 2: the error value
+        write("603#2F43640302000000");  // error mode of output 3: unchanged
         write("603#2344640200000040");  // 40000000h: upper half 4000h = 16384 = 2048 steps
         send("000#0103");
         send("303#0020002000200020");  // 2000h = 8192: 1024 steps each
@@ -252,10 +252,10 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
     write("603#2B11640100200000");
     write("603#2B11640200200000");
     write("603#2B11640300200000");
-    write("603#2F43640100000000");  // 0 V
-    write("603#2F43640201000000");  // 6444h
-    write("603#2344640200000004");  // 0400h = 1024: 128 steps
-    write("603#2F43640302000000");  // unchanged
+    write("603#2F43640100000000");  // error mode of output 1: 0 V
+    write("603#2F43640201000000");  // error mode of output 2: the value of 6444h
+    write("603#2344640200000004");  // 6444h:2 = 0400h = 1024: 128 steps
+    write("603#2F43640302000000");  // error mode of output 3: unchanged
     write("603#2310100173617665");
     inputs.internal_fault = true;
     set_inputs();
@@ -273,7 +273,7 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
 TEST_F(Output, PowerOnStartsWithNoVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
-        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
+        write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
     write("603#2310100173617665");
     for (const bool has_node_id : {true, false}) {
@@ -297,9 +297,9 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
     verifies<req::AO4_AOUT_004, req::AO4_AOUT_010>();
     for (int output = 1; output <= 4; ++output) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
-        write("603#2F43640" + std::to_string(output) + "02000000");  // unchanged
+        write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
-    write("603#2310100173617665");  // with an offset of 0
+    write("603#2310100173617665");  // saves an offset of 0
     for (int output = 1; output <= 4; ++output) {
         write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
         expect_steps(output, 1025);
@@ -318,7 +318,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
 TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     verifies<req::AO4_AOUT_013>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
-    write("603#2310100173617665");  // with 6443h = 1 and 6444h = 0
+    write("603#2310100173617665");  // 1010h:1 saves 6443h = 1 and 6444h = 0
     inputs.hardware_fault = true;
     set_inputs();
     send("000#8103");

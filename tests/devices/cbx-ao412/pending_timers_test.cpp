@@ -60,7 +60,7 @@ TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
         {"a new delay", [&] { write("603#2B911F012C010000"); }, 500},
         {"a new delay and reset communication",
          [&] {
-             write("603#2B911F012C010000");  // not stored
+             write("603#2B911F012C010000");  // 1F91h:1 self-start delay: 300 ms, not stored
              send("000#8203");
          },
          200 + 500},
@@ -121,7 +121,7 @@ TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
     for (const Told& one : cases) {
         inputs = cbx_ao412::Inputs{};
         power_on();
-        write("603#2B151000E8030000");  // 1000 * 100 us
+        write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms
         inputs.can_overrun = true;
         EXPECT_EQ(set_inputs().size(), 1U);
         inputs.can_state = 2;

@@ -42,10 +42,10 @@ TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
 // 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
 TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
     verifies<req::AO4_ID_001, req::AO4_OD_1018>();
-    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // AB 0105
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // serial number AB 0105
     factory.serial_number = 0xCBDA9387;
     power_on();
-    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810048793DACB"}));  // KZ 9387
+    EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810048793DACB"}));  // serial number KZ 9387
 }
 
 TEST_F(Startup, BitRateFollowsTable11) {
@@ -70,7 +70,7 @@ TEST_F(Startup, ModuleStartsItselfAfterTheDelay) {
     pass(1);
     EXPECT_EQ(device->state(), NmtState::operational);
     send("000#8003");
-    write("603#2B911F01F4010000");  // 500 ms
+    write("603#2B911F01F4010000");  // 1F91h:1 self-start delay: 500 ms
     write("603#2310100173617665");
     power_on();
     pass(499);

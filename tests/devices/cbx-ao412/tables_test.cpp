@@ -99,7 +99,7 @@ TEST(CbxTables, LedEFollowsTheManual) {
     EXPECT_EQ(led(false, t::Can::active, false), State::off);
 }
 
-// 3.2.3 Table 7 and 3.2.6
+// CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6
 TEST(CbxTables, LedSFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
@@ -115,7 +115,7 @@ TEST(CbxTables, LedSFollowsTheManual) {
     }
 }
 
-// 3.2.4 Table 8 and 3.2.5 Table 9
+// CAN-CBX-AO412, 3.2.4 Table 8 and 3.2.5 Table 9
 TEST(CbxTables, LedsMAndPFollowTheManual) {
     verifies<req::AO4_T8, req::AO4_T9>();
     namespace m = own::error_led;
@@ -132,7 +132,7 @@ TEST(CbxTables, LedsMAndPFollowTheManual) {
     }
 }
 
-// 7.10.3
+// CAN-CBX-AO412, 7.10.3
 TEST(CbxTables, ErrorModesFollowTheManual) {
     verifies<req::AO4_T_ERROR_MODE>();
     namespace t = own::error_mode;

@@ -53,7 +53,7 @@ TEST(ReplaceFile, LinkIsFollowedAndPermissionsAreKept) {
 TEST(ReplaceFile, UnwritableTargetIsRefused) {
     const ScratchFolder folder;
     EXPECT_THROW(replace_file(folder / "none" / "a", "x"), std::system_error);
-    EXPECT_THROW(replace_file(folder / "", "x"), std::system_error);  // a folder
+    EXPECT_THROW(replace_file(folder / "", "x"), std::system_error);  // the target is a folder
     EXPECT_THROW(replace_file("/dev/full", "x"), std::system_error);
     std::filesystem::create_symlink("nowhere", folder / "link");
     EXPECT_THROW(replace_file(folder / "link", "x"), std::system_error);

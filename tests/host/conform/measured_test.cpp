@@ -26,7 +26,7 @@ TEST(ConformSpread, SpreadIsSmallestMedianMeanAndLargest) {
 
 TEST(ConformSpread, NinetyNineOfAHundredTimesAreNotAboveThePercentile) {
     std::vector<std::uint64_t> times(100);
-    std::iota(times.begin(), times.end(), 1U);  // 1 to 100
+    std::iota(times.begin(), times.end(), 1U);  // the times are 1 to 100
     EXPECT_EQ(spread_of(times).percentile_99, 99U);
     EXPECT_EQ(spread_of(times).median, 50U);
 }
@@ -42,17 +42,17 @@ TEST(ConformHistogram, HistogramCountsEachTimeInOneOfFortyBins) {
     EXPECT_EQ(histogram.counts, wanted);
 }
 
-TEST(ConformHistogram, HistogramReachesToTheLimitsThatAreNear) {
+TEST(ConformHistogram, HistogramIncludesNearbyLimits) {
     const Histogram histogram = histogram_of({{100}, TimeLimits{80.0, 120.0}, {}});
     EXPECT_EQ(histogram.low, 80.0);
     EXPECT_EQ(histogram.width, 1.0);
     EXPECT_EQ(histogram.counts[20], 1U);
 }
 
-TEST(ConformHistogram, HistogramLeavesOutLimitsThatAreFarAway) {
+TEST(ConformHistogram, HistogramOmitsDistantLimits) {
     const Histogram far = histogram_of({{100}, {}, TimeLimits{0.0, 1000000.0}});
     EXPECT_EQ(far.low, 0.0);
-    EXPECT_EQ(far.width, 2.5);  // 0 to 100
+    EXPECT_EQ(far.width, 2.5);  // 40 bins of 2.5 µs cover 0 to 100 µs
     EXPECT_EQ(far.counts[39], 1U);
     const Histogram open = histogram_of({{100, 140}, {}, TimeLimits{100.0, std::numeric_limits<double>::infinity()}});
     EXPECT_EQ(open.low, 100.0);

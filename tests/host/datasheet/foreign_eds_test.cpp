@@ -143,7 +143,7 @@ TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
     EXPECT_EQ(read.part.info.bit_rate, 125000);
 }
 
-TEST(ForeignEds, ObjectThatNoListNamesExists) {
+TEST(ForeignEds, ObjectMissingInTheObjectListsIsReadWithANote) {
     const EdsResult read = read_eds(replaced(box, "3=0x2002\n", ""), "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists; the object exists"));
@@ -200,7 +200,7 @@ TEST(ForeignEds, InvalidLimitAllowsTheWholeRangeOfTheType) {
     EXPECT_EQ(answer("605#23002000000040C0"), "585#8000200032000906");  // -3 is too low
 }
 
-TEST(ForeignEds, SloppyFilesRunAndAssumptionsAreReported) {
+TEST(ForeignEds, FilesWithErrorsRunAndTheAssumptionsAreReported) {
     std::string text = replaced(box, "SupportedObjects=3\n1=0x1000", "SupportedObjects=7\n1=0x1000");
     text = replaced(text, "SubNumber=3", "SubNumber=9");
     text = replaced(text, "DefaultValue=-5", "DefaultValue=101");

@@ -69,7 +69,7 @@ TEST(ReadEds, EveryAttributeOfAnEntryIsRead) {
     const Entry& trim = entry(read.part, 0x2000, 0);
     EXPECT_EQ(trim.type, "INTEGER16");
     EXPECT_EQ(to_text(trim.value), "-5");
-    EXPECT_EQ(to_text(trim.range.minimum.number), "-100");  // FF9Ch
+    EXPECT_EQ(to_text(trim.range.minimum.number), "-100");  // FF9Ch in the sheet
     EXPECT_EQ(to_text(trim.range.maximum.number), "100");
     EXPECT_TRUE(trim.stored);
     EXPECT_EQ(entry(read.part, 0x1001, 0).mapping, "tpdo");

@@ -105,7 +105,7 @@ std::string described(const Part& part) {
 
 }  // namespace
 
-TEST(ReadXdd, Version1_0HasItsValuesInAttributes) {
+TEST(ReadXdd, ValuesInAttributesAreReadAsInVersion1_0) {
     const EdsResult read = read_eds(box_1_0, "folder/box.xdd");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(texts(read.notes),
@@ -128,7 +128,7 @@ TEST(ReadXdd, Version1_0HasItsValuesInAttributes) {
     EXPECT_EQ(entry(read.part, 0x2000, 0).place.line, line_of(box_1_0, "index=\"2000\""));
 }
 
-TEST(ReadXdd, Version1_1HasItsValuesInParameters) {
+TEST(ReadXdd, ValuesInParametersAreReadAsInVersion1_1) {
     const EdsResult read = read_eds(box_1_1, "box.xdc");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(described(read.part),

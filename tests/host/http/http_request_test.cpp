@@ -49,7 +49,7 @@ TEST(HttpRequest, RequestIsTheSameInPiecesOfAnySize) {
     EXPECT_EQ(read(post + "GET / HTTP/1.1\r\n\r\n").request().path, "/api/frame");
 }
 
-TEST(HttpRequest, QuerySelectsTheFirstChangeAndFrame) {
+TEST(HttpRequest, QueryGivesTheNumbersOfTheFirstChangeAndFrame) {
     const HttpRequest request = read("GET /api/state?changes=12&frames=18446744073709551615 HTTP/1.1\r\n\r\n");
     EXPECT_EQ(request.request().path, "/api/state");
     EXPECT_EQ(request.request().changes_from, 12U);

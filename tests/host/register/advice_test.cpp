@@ -77,8 +77,8 @@ TEST(RegisterAdvice, UncoveredStatementIsReported) {
 
 TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
     EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
-                ElementsAre("spec/manuals/m/1.toml:5: nothing that covers M1:1/1 cites 1 (AO4-R-1); add the place to "
-                            "the source of one, or name an item that cites it"));
+                ElementsAre("spec/manuals/m/1.toml:5: no item that covers M1:1/1 names 1 as its source (AO4-R-1); "
+                            "add the place to the source of one item, or name an item that has this source"));
 }
 
 TEST(RegisterAdvice, ObjectCountsForTheSectionThatDescribesIt) {

@@ -16,7 +16,7 @@ struct Broken {
     std::string file;  ///< name of a file of the small register, which is replaced or added
     std::string text;
     unsigned line;
-    std::string what;  ///< texts that the fault must contain
+    std::string what;  ///< text that the fault must contain
     std::string fix;
 };
 

@@ -50,7 +50,7 @@ LoadResult loaded(const std::string& box, const std::string& lid, const std::str
     return load_register(files);
 }
 
-/// A decision makes the register a complete one.
+/// The text of a decision, without which the register of the box is not complete.
 const std::string decision_of_box =
     "[[decision]]\nid = \"AO4-D-1\"\nquestion = \"?\"\nreadings = [ { says = \"a\", source = \"M1:1\" }, { says = "
     "\"b\", "
@@ -139,7 +139,7 @@ TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
 TEST(DecisionTopics, MissingAnswerIsNotReportedWithoutDeviceDecisions) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),
-                HasSubstr("items.toml:7: topic heartbeat.range has this one answer"));
+                HasSubstr("items.toml:7: no other item answers topic heartbeat.range"));
 }
 
 }  // namespace canproof::host::test

@@ -87,7 +87,7 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
     EXPECT_EQ(places[6].first, places[0].first);  // six in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // all different
+    EXPECT_EQ(looks.size(), 18U);  // all 18 looks differ
     EXPECT_TRUE(has_grouped_tick);
 }
 
@@ -102,6 +102,11 @@ TEST(Grouped, ThousandsAreSeparated) {
 TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
     parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
     parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
+}
+
+TEST(LinePlot, WordsNameTitleAxesAndCurves) {
+    const LinePlot plot{"Output after a step", "time in s", "voltage in V", {{"aout1", {}}, {"aout2", {}}}, {}};
+    EXPECT_EQ(plot_words(plot), "Output after a step. Plot of voltage in V against time in s: aout1, aout2.");
 }
 
 }  // namespace canproof::host::test

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames as fast as the kernel transfers them, in both directions, and the fate of frames for which there is no room."""
+"""Sends frames as fast as the kernel transfers them, in both directions. Checks what happens to frames for which there
+is no room."""
 import re
 import signal
 import subprocess

@@ -23,7 +23,7 @@ void CaptureModel::capture(double count) {
 }
 
 void CaptureModel::pass(double us) {
-    const double edges_per_capture = 1U << (mode_ >> 10U & 3U);  // IC4PSC
+    const double edges_per_capture = 1U << (mode_ >> 10U & 3U);  // IC4PSC: edges for each capture
     double left = us;
     while (captures() && oscillator_khz > 0) {
         const double until = (edges_per_capture - edges_) * 1000 / oscillator_khz;

@@ -84,7 +84,7 @@ void ClockModel::on_write(std::size_t offset, std::uint32_t bits) {
             enable_apb1_ = bits;
             return;
         case at_csr:
-            status_ = (bits & 1U << 24U) != 0 ? 0 : status_;  // RMVF
+            status_ = (bits & 1U << 24U) != 0 ? 0 : status_;  // RMVF clears the causes of the last reset
             return;
         default:
             fault("a write to another register");

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 struct CoreModel {
     bool registers_hold{true};
-    bool masked{false};              ///< interrupts
+    bool masked{false};              ///< interrupts are masked
     std::uint32_t marches{0};        ///< slices of RAM that were tested on the other stack
     const void* stack_end{nullptr};  ///< end of the other stack in the last of these tests
 };

@@ -8,7 +8,7 @@ namespace canproof::ax060805 {
 
 struct CountScale {
     std::uint16_t digits{1U};  ///< counts per unit
-    float offset{0.0F};        ///< counts
+    float offset{0.0F};        ///< offset in counts
 };
 
 /// Returns `value` times the digits plus the offset, rounded to nearest (halves away from zero) and saturated to

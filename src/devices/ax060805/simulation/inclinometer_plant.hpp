@@ -29,8 +29,8 @@ class InclinometerPlant {
     double normal();
 
     SensorErrors errors_{};
-    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};  ///< the acceleration that a sensor without noise and errors measures,
-                                                 ///< in g
+    /// The acceleration that a sensor without noise and errors measures, in g.
+    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};
     std::mt19937 noise_{1U};
 };
 

@@ -116,8 +116,8 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
     const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
     if (digital && runs && (!signals.control.is_available())) {
         static_assert(implements<req::AOR_OUT_032>);
-        conditions.enable = EnableAction::shut_off;  // without a control signal the output is OFF, whatever the
-                                                     // polarity
+        // Without a control signal the output is OFF, whatever the polarity.
+        conditions.enable = EnableAction::shut_off;
     }
     return choose_drive(conditions);
 }

@@ -40,8 +40,8 @@ constexpr double power_of_ten(const std::uint8_t digits) noexcept {
 /// digits give the same number, because the quotient is rounded once.
 constexpr double physical_value(const std::int32_t integer, const std::uint8_t digits) noexcept {
     const double whole = static_cast<double>(integer);
-    return (digits == 0U) ? whole : (whole / power_of_ten(digits));  // avoids a slow division: the FPU of a Cortex-M4F
-                                                                     // cannot divide doubles
+    // Avoids a slow division: the FPU of a Cortex-M4F cannot divide doubles.
+    return (digits == 0U) ? whole : (whole / power_of_ten(digits));
 }
 
 /// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change;

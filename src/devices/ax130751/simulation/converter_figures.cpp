@@ -188,8 +188,8 @@ LinePlot thirty_slopes_plot() {
         converter.put8(base + 4, 0, 1);
         std::vector<Point> points;
         for (int at = 10 * table; at <= 10 * table + 10; ++at) {
-            points.push_back({100 * at, 30 * at + (at % 2 == 1 ? 50 : 0)});  // every second point lies 5 % above the
-                                                                             // line
+            // Every second point lies 5 % above the line.
+            points.push_back({100 * at, 30 * at + (at % 2 == 1 ? 50 : 0)});
         }
         converter.set_table(base, points);
     }

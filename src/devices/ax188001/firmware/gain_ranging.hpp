@@ -19,8 +19,8 @@ struct ConverterCircuit {
     static constexpr std::size_t gain_count = 3U;
     std::array<ConverterGain, gain_count> gains{};  ///< highest gain first
     double codes{1.0};                              ///< steps on each side of 0 V
-    double raise_fraction{1.0};  ///< fraction of a full scale: at or below it, the converter returns to that
-                                 ///< gain
+    /// Fraction of a full scale: at or below it, the converter returns to that gain.
+    double raise_fraction{1.0};
     std::uint8_t settling_conversions{0U};
 };
 

@@ -155,8 +155,8 @@ class Run {
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
         const auto lines =
             table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{}, pace_.lag());
-        std::string text = "\033[H";  // cursor home; each line clears its rest, and the last code clears the screen
-                                      // below
+        // moves the cursor home; each line clears its rest, and the last code clears the screen below
+        std::string text = "\033[H";
         for (const std::string& line : lines) {
             text += line + "\033[K\n";
         }

@@ -14,11 +14,11 @@ struct RunOptions {
     std::vector<std::string> eds;      ///< each FILE or FILE@NODE
     std::vector<std::string> arm;      ///< each IMAGE or IMAGE@NODE, an image for the emulated microcontroller
     std::vector<std::string> factory;  ///< each KEY=VALUE or DEVICE.KEY=VALUE
-    std::string bus{"inproc"};         ///< inproc, socketcan:INTERFACE, socketcand[:HOST:PORT],
-                                       ///< socketcand-client:HOST:PORT[/BUS]
-    std::string bus_faults;            ///< faults of the in-process bus; parse_bus_faults() describes the format
-    bool control_interface{false};     ///< the run may set the bit rate of an interface and restart its controller
-    bool plain{false};                 ///< no table, even on a terminal
+    /// inproc, socketcan:INTERFACE, socketcand[:HOST:PORT], socketcand-client:HOST:PORT[/BUS]
+    std::string bus{"inproc"};
+    std::string bus_faults;         ///< faults of the in-process bus; parse_bus_faults() describes the format
+    bool control_interface{false};  ///< the run may set the bit rate of an interface and restart its controller
+    bool plain{false};              ///< no table, even on a terminal
     /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump
     std::string log;
     bool log_marks{false};  ///< appends T or R to each frame of a candump log

@@ -14,8 +14,8 @@ namespace canproof::host {
 void keep_standard_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) < 0) {
-            static_cast<void>(open("/dev/null", O_RDONLY));  // open() returns the lowest free descriptor, which is the
-                                                             // closed one one
+            // open() returns the lowest free descriptor, which is the closed one
+            static_cast<void>(open("/dev/null", O_RDONLY));
         }
     }
 }

@@ -192,8 +192,8 @@ void HttpFront::write_some(Connection& one, Instant now) {
     one.gone = one.gone || (count < 0 && !must_wait());
     one.written += count > 0 ? static_cast<std::size_t>(count) : 0U;
     if (one.written == one.output.size()) {
-        shutdown(one.descriptor, SHUT_WR);  // an immediate close could cut off a response that the client has not read
-                                            // yet
+        // an immediate close could cut off a response that the client has not read yet
+        shutdown(one.descriptor, SHUT_WR);
         one.closing = true;
         one.deadline = now + close_limit;
         one.output = {};

@@ -134,7 +134,7 @@ PanelResponse ok(const json& body) {
     return {200, "application/json", body.dump(-1, ' ', false, json::error_handler_t::replace)};
 }
 
-/// Returns the media type of a file of the page; nullptr when there is no such file.
+/// Returns the media type of a file of the page by its extension: text/html for any other than .js, .css and .svg.
 const char* asset_type(const std::string& path) {
     if (path.size() > 3 && path.substr(path.size() - 3) == ".js") {
         return "text/javascript; charset=utf-8";

@@ -14,6 +14,7 @@
 #include "host/assess/documents/item_words.hpp"
 #include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/source_pages.hpp"
+#include "host/assess/trace/review.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
 
@@ -114,6 +115,15 @@ std::string text_of(const Part& part, const Item& item) {
            (facts.empty() ? "" : fmt::format("<p><small>{}</small></p>", escaped(facts)));
 }
 
+/// Returns who read the item, or why its review no longer counts. The page shows it on screens only, to keep the print
+/// short.
+std::string review_of(const Part& part, const AuditedItem& audited) {
+    const auto found = part.reviews.find(audited.item->id);
+    return !audited.suspect.empty()      ? audited.suspect
+           : found == part.reviews.end() ? ""
+                                         : "reviewed " + review_words(found->second);
+}
+
 std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const PackInput& input,
                                   const ItemLinks& links) {
     const Item& item = *audited.item;
@@ -123,7 +133,9 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
             fmt::format("{}<p><small>{}{}{}</small></p>", text_of(part, item),
                         escaped(fmt::format("{}", fmt::join(origins(item), ", "))), decisions.empty() ? "" : " · ",
                         decisions),
-            places_of(input, part, item.id) + tests_of(input, item.id) + mutants_of(item.id, input)};
+            places_of(input, part, item.id) + tests_of(input, item.id) +
+                fmt::format("<p class=screen><small>{}</small></p>", escaped(review_of(part, audited))) +
+                mutants_of(item.id, input)};
 }
 
 /// Returns the numbers of items, of shown, suspect, open and failed ones.
@@ -161,7 +173,7 @@ std::string service_markup(const PartAudit& audit, const std::string& service,
     }
     return fmt::format("<details><summary><h2 id=\"service-{}\">{}</h2>{}</summary>\n{}</details>\n", escaped(service),
                        escaped(service_title(service)), counts,
-                       html_table({{"Item", 12}, {"Text", 53}, {"Code and tests", 35}}, rows));
+                       html_table({{"Item", 12}, {"Text", 53}, {"Code, tests, review", 35}}, rows));
 }
 
 }  // namespace

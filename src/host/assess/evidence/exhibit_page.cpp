@@ -76,7 +76,8 @@ std::string exhibit_page(const Exhibit& exhibit) {
         if (ends_with(path, ".csv")) {
             text += csv_table(bytes);
         } else if (ends_with(path, ".svg")) {
-            text += fmt::format("<figure><img src=\"{0}\" alt=\"{0}\"></figure>\n", escaped(path));
+            text += fmt::format("<figure><img src=\"{}\" alt=\"Plot of the figures of {}\"></figure>\n", escaped(path),
+                                escaped(exhibit.title));
         }
     }
     return text;

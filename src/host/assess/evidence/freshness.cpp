@@ -53,7 +53,8 @@ Contents contents_of(const fs::path& root, const std::vector<std::string>& folde
     return all;
 }
 
-/// Returns the first file that differs or is missing in `now` or `before`; empty when both are equal.
+/// Returns the first file that differs or is missing in `now` or `before`; returns an empty text when both
+/// are equal.
 std::string first_difference(const Contents& before, const Contents& now) {
     for (const auto& [name, sum] : now) {
         const auto found = before.find(name);

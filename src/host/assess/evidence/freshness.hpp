@@ -27,10 +27,10 @@ std::vector<std::string> target_sources(const std::filesystem::path& root);
 std::string newer_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                          const std::filesystem::path& measured);
 
-/// Returns the first of these sources that differs from its state when `measured` was made.
-/// The first call records the contents of the sources in build/freshness, if `measured` is below `root`/build and
-/// younger than its sources. Later calls compare the contents and ignore the times of the files. Without a record, the
-/// times decide.
+/// Returns the first of these sources that differs from its state when `measured` was made. Returns an empty text when
+/// there is none. The first call records the contents of the sources in build/freshness, if `measured` is below
+/// `root`/build and younger than its sources. Later calls compare the contents and ignore the times of the files.
+/// Without a record, the times decide.
 std::string changed_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                            const std::filesystem::path& measured);
 

@@ -17,8 +17,8 @@ inline constexpr const char* in_toto_layout = "in-toto/root.layout";
 bool is_in_toto_file(const std::string& name);
 
 /// Returns layout and link by name. `products`: the files of the pack with its manifest. `materials`: SHA-256 by name
-/// of the files from which it was made. Returns nothing for a key that is neither Ed25519 nor ECDSA on P-256. Throws
-/// InputError for a file that is no private key.
+/// of the files from which the pack was made. Returns nothing for a key that is neither Ed25519 nor ECDSA on P-256.
+/// Throws InputError for a file that is no private key.
 PackFiles in_toto_files(const PackFiles& products, const std::map<std::string, std::string>& materials,
                         const Provenance& provenance, const std::filesystem::path& private_key);
 

@@ -1,17 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/evidence/make_evidence.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 
 #include "host/base/child_process.hpp"
+#include "host/base/file_lock.hpp"
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Lets one run at a time make evidence. The steps inherit the lock: a step that goes on after its run was killed keeps
+/// it, because two runs of one step would damage each other's build.
+class OnlyRun {
+  public:
+    explicit OnlyRun(const std::filesystem::path& file) : descriptor_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
+        if (descriptor_ < 0) {
+            throw InputError{fmt::format("cannot write {}", file.string())};
+        }
+        if (!try_lock(descriptor_)) {
+            const std::string holder = lock_holder(descriptor_);
+            close(descriptor_);
+            throw InputError{fmt::format(
+                "an earlier `evidence --full` or a step of it still runs, started by {}; wait for it or end it",
+                holder)};
+        }
+    }
+    ~OnlyRun() { close(descriptor_); }
+    OnlyRun(const OnlyRun&) = delete;
+    OnlyRun& operator=(const OnlyRun&) = delete;
+
+  private:
+    int descriptor_;
+};
 
 std::string duration_words(const std::chrono::seconds time) {
     constexpr int sixty = 60;
@@ -48,6 +76,7 @@ std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std
                           const std::function<void(const std::string&)>& tell) {
     const auto logs = root / "build" / "log";
     std::filesystem::create_directories(logs);
+    const OnlyRun only_run{logs / "evidence.lock"};
     std::int64_t left = 0;
     for (const auto& one : wanted) {
         left += one.minutes;

@@ -18,7 +18,8 @@ std::vector<ExpectedEvidence> makeable(const Argument& argument, const Exhibits&
 
 /// Runs each command in a shell in `root` and writes its output to build/log/evidence-KEY.log. After a failed command,
 /// reports it and continues with the next. `tell` receives lines with progress and an estimate of the time. Returns the
-/// number of failed commands.
+/// number of failed commands. Throws InputError while another run, or a command that outlived its run, still works in
+/// `root`.
 std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std::filesystem::path& root,
                           const std::function<void(const std::string&)>& tell);
 

@@ -107,7 +107,8 @@ PackFiles make_pack(const PackInput& input) {
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));
     for (const auto& audit : input.audits) {
-        page(audit_page_name(*audit.part), "Audit of " + audit.part->name, part_audit_page(input, audit));
+        files[audit_page_name(*audit.part)] =
+            html_page("Audit of " + audit.part->name, "audit.html", frame, part_audit_page(input, audit));
         if (const Manual* manual = input.content->manual(audit.part->info.manual)) {
             page(manual_page_name(*audit.part), "Manual " + manual->key, manual_page(input, audit, *manual));
         }
@@ -132,8 +133,8 @@ PackFiles make_pack(const PackInput& input) {
     files["data/requirements.csv"] = write_requirements_csv(input.audits, input.evidence);
     files["data/decisions.csv"] = write_decisions_csv(input.audits);
     files["data/statements.csv"] = write_statements_csv(input.audits);
-    for (const auto& [name, text] : input.figures) {
-        files["plots/" + name] = text;
+    for (const auto& [name, figure] : input.figures) {
+        files["plots/" + name] = figure.svg;
     }
     for (const auto& one : input.exhibits) {
         if (one.page.empty()) {

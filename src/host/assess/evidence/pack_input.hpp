@@ -31,6 +31,12 @@ struct MeasuredMutation {
     std::string json;
 };
 
+/// A plot of a device's behaviour.
+struct Figure {
+    std::string svg;
+    std::string words;  ///< description for readers who do not see the plot
+};
+
 struct PackInput {
     const Register* content{nullptr};
     Evidence evidence;
@@ -46,7 +52,7 @@ struct PackInput {
     Argument argument;
     Analysis analysis;                           ///< content of reports/analysis
     std::vector<Exhibit> exhibits;               ///< exhibits of other tools
-    std::map<std::string, std::string> figures;  ///< SVG text by file name, which begins with the device's name
+    std::map<std::string, Figure> figures;       ///< figures by file name, which begins with the device's name
     std::map<std::string, std::string> sources;  ///< text of each source that implements or tests an item, by its path
     Provenance provenance;
     PackageRecords packages;

@@ -11,7 +11,7 @@ namespace canproof::host {
 /// The provenance of this build, as the manifest contains it.
 struct Provenance {
     std::string commit;         ///< commit id; a `+` follows when the working copy differs from the commit
-    std::string date;           ///< date of the commit; if set, the date of SOURCE_DATE_EPOCH
+    std::string date;           ///< date of SOURCE_DATE_EPOCH if that is set, otherwise date of the commit
     std::string configuration;  ///< build configuration of this program and of the tests
     std::map<std::string, std::string> tools;     ///< version of each tool by its name
     std::map<std::string, std::string> packages;  ///< installed version of each Debian package by its name

@@ -159,10 +159,10 @@ std::string tests_page(const PackInput& input) {
 
 std::string plots_page(const PackInput& input) {
     std::string text = "<p>What the devices do, drawn from their own frames and outputs.</p><div class=grid>\n";
-    for (const auto& figure : input.figures) {
+    for (const auto& [name, figure] : input.figures) {
         text +=
-            fmt::format("<figure><a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{0}\" loading=lazy></a></figure>\n",
-                        escaped(figure.first));
+            fmt::format("<figure><a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{1}\" loading=lazy></a></figure>\n",
+                        escaped(name), escaped(figure.words));
     }
     return text + "</div>\n";
 }

@@ -127,8 +127,8 @@ class ReqifWriter {
                                      const std::string& long_name) {
         auto node = parent.append_child(element);
         node.append_attribute("IDENTIFIER") = id.c_str();
-        node.append_attribute("LAST-CHANGE") = "1970-01-01T00:00:00Z";  // constant, so that the same register gives the
-                                                                        // same bytes
+        // constant, so that the same register gives the same bytes
+        node.append_attribute("LAST-CHANGE") = "1970-01-01T00:00:00Z";
         if (!long_name.empty()) {
             node.append_attribute("LONG-NAME") = long_name.c_str();
         }

@@ -15,7 +15,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The ids of the items that each line of the sources implements or tests, by `src/x.cpp:12`.
+/// The ids of the items that each line of the sources implements or tests, by place:
+/// `src/firmware/canopen/node.cpp:12`.
 using ItemsByPlace = std::map<std::string, std::set<std::string>>;
 
 ItemsByPlace items_by_place(const Evidence& evidence) {
@@ -101,7 +102,7 @@ std::map<std::string, std::string> source_pages(const PackInput& input, const Pa
     for (const auto& [file, text] : input.sources) {
         const std::string page = page_of(file);
         const std::string body = lines_markup(file, text, items, links);
-        pages[page] = html_page(file, page, {frame.navigation, frame.origin, way_back_from(page)},
+        pages[page] = html_page(file, "audit.html", {frame.navigation, frame.origin, way_back_from(page)},
                                 "<ol class=source>\n" + body + "</ol>\n");
     }
     return pages;

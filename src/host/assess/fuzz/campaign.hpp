@@ -42,7 +42,8 @@ struct CampaignOptions {
 };
 
 /// Runs the campaign. Returns the exit status: 0 no finding, 1 a finding, 2 a target that stopped before its time, 130
-/// interrupted without a finding. Throws InputError for missing programs or files.
+/// interrupted without a finding. With `shard`, a finding does not change the status. Throws InputError for missing
+/// programs or files.
 int run_campaign(CampaignOptions options, const Interrupted& interrupted);
 
 }  // namespace canproof::host

@@ -16,8 +16,8 @@ namespace canproof::host {
 
 class KillerLog {
   public:
-    /// Reads the results of earlier runs from the file and opens it for appending. Each line is `file TAB place TAB
-    /// change TAB test`.
+    /// Reads the results of earlier runs from the file and opens it for appending. Each line contains file, place,
+    /// change and test, separated by tabs.
     explicit KillerLog(const std::filesystem::path& file);
 
     /// Returns, as a GoogleTest filter, the tests that noticed this mutant, or a mutant with the same change in the

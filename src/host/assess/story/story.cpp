@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host/assess/trace/review.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/base/one_line.hpp"
 
@@ -20,20 +21,6 @@ std::string line(const char* what, const std::string& text) {
 
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
-}
-
-std::string review_line(const Review& review) {
-    const std::string role = review.role == "author"        ? ", author of the change"
-                             : review.role == "independent" ? ", not the author of the change"
-                                                            : ", role not stated";
-    if (!review.marked.empty()) {
-        return fmt::format("{} by {}{}; read: item; code and tests marked on {} and not read", review.date, review.by,
-                           role, review.marked);
-    }
-    std::string read = "item";
-    read += review.code.empty() ? "" : ", code";
-    read += review.tests.empty() ? "" : ", tests";
-    return fmt::format("{} by {}{}; read: {}", review.date, review.by, role, read);
 }
 
 }  // namespace
@@ -146,7 +133,7 @@ Story StoryTeller::item(const AuditedItem& audited) const {
                                        count.justified == 0 ? "" : fmt::format(", {} with a reason", count.justified)));
     }
     const auto reviewed = part.reviews.find(one.id);
-    story.text += line("review", !audited.suspect.empty() ? audited.suspect : review_line(reviewed->second));
+    story.text += line("review", !audited.suspect.empty() ? audited.suspect : review_words(reviewed->second));
     story.text += line("verdict", audited.status());
     return story;
 }

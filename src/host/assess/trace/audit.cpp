@@ -182,12 +182,12 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
 std::vector<std::string> orphans(const Evidence& evidence) {
     std::vector<std::string> all;
     for (const auto& file : evidence.untraced) {
-        all.push_back(fmt::format("{}: no requirement has this code or code that includes it", file));
+        all.push_back(fmt::format("{}: no requirement belongs to this code or to code that includes it", file));
     }
     all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {
         if (!run.claims && tests_the_firmware(run.file)) {
-            all.push_back(fmt::format("{} ({}): claims no requirement", run.name, run.file));
+            all.push_back(fmt::format("{} ({}): the test claims no requirement", run.name, run.file));
         }
     }
     return all;

@@ -97,7 +97,8 @@ void for_each_name(const std::string& line, const Visit& visit) {
     }
 }
 
-/// Returns the id of an object by its field in the dictionary: `o2340_…` belongs to 2340h.
+/// Returns the id of an object by its field in the dictionary: `o2340_…` belongs to 2340h. Returns an empty text for
+/// any other name.
 std::string object_of(const std::string& name, const Part& part) {
     if (name.size() < 6 || name[0] != 'o' || name[5] != '_') {
         return "";

@@ -169,7 +169,7 @@ Evidence collect_evidence(const std::filesystem::path& root, const std::filesyst
                           const Register& content) {
     Evidence evidence = read_verdict_files(verdicts);
     if (evidence.tests == 0) {
-        throw InputError{fmt::format("no test results in {}; run ./test first, or name a folder with --verdicts",
+        throw InputError{fmt::format("{} contains no test results; run ./test first, or name a folder with --verdicts",
                                      verdicts.string())};
     }
     for (const auto& file : files_below(root / "src", {".hpp", ".cpp"})) {

@@ -19,9 +19,9 @@ struct Verdict {
     std::string kind;  ///< test, property, fuzz or proof
     bool passed{false};
     double seconds{0.0};
-    std::string file{};  ///< source of the test relative to the project's folder; empty when the runner does not report
-                         ///< it
-    unsigned line{0};    ///< line of the test in its source; 0 when the runner does not report it
+    /// source of the test relative to the project's folder; empty when the runner does not report it
+    std::string file{};
+    unsigned line{0};  ///< line of the test in its source; 0 when the runner does not report it
 };
 
 /// One test case of the last run.
@@ -38,8 +38,8 @@ struct TestCase {
     bool passed{false};
     std::string failure;  ///< first message of the test if it failed
     double seconds{0.0};
-    std::string file{};                ///< source relative to the project's folder; empty when the runner does not
-                                       ///< report it
+    /// source relative to the project's folder; empty when the runner does not report it
+    std::string file{};
     std::vector<std::string> items{};  ///< ids that the case claims to show
 };
 
@@ -49,8 +49,8 @@ struct Evidence {
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
     /// by id: places where code names what is generated from the item
     std::map<std::string, std::vector<std::string>> used;
-    WorkByItem work;  ///< marks of the code and tests that a review of each item
-                      ///< covers
+    /// marks of the code and tests that a review of each item covers
+    WorkByItem work;
     std::vector<TestRun> runs;
     /// files of the firmware that belong to no requirement, directly or by inclusion
     std::vector<std::string> untraced;
@@ -60,7 +60,7 @@ struct Evidence {
 };
 
 /// Returns the folder with the verdicts of the last test run: the newest among build/release/verdicts,
-/// build/debug/verdicts and build/coverage/verdicts.
+/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no verdicts.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
 /// Reads the verdicts in one folder. Throws InputError for a file that is not XML.

@@ -89,8 +89,8 @@ class Auditor {
     void audit_tests() {
         for (const auto& [test, line] : record_) {
             if (ran_.count(test) == 0 && !line.kills.empty()) {
-                audit_.regressions.push_back(
-                    fmt::format("{}: gone; it noticed mutants of {}", test, fmt::join(line.kills, ", ")));
+                audit_.regressions.push_back(fmt::format("{}: the test no longer exists; it noticed mutants of {}",
+                                                         test, fmt::join(line.kills, ", ")));
             }
         }
         for (const TestRun& run : evidence_.runs) {
@@ -131,8 +131,8 @@ KillAudit audit_kills(const std::vector<std::string>& ids, const Evidence& evide
 
 std::string kill_summary(const KillAudit& audit) {
     std::string text = fmt::format(
-        "mutants: of {} item(s) a test notices one, of {} none does, {} have none, {} wait for `canproof mutate "
-        "--kills`\n",
+        "mutants: {} item(s) have a mutant that a test notices, {} have only mutants that no test notices, {} have no "
+        "mutants, {} wait for `canproof mutate --kills`\n",
         audit.shown, audit.unnoticed.size(), audit.immutable.size(), audit.unjudged.size());
     text += named("no test notices a mutant of", audit.unnoticed);
     text += named("without mutants", audit.immutable);

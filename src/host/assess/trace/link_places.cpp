@@ -62,9 +62,9 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
             inside = !begins(code, "//") && code.back() != ';';
         }
         if (links > most_links) {
-            all.push_back(
-                fmt::format("{}:{}: {} items in one place, at most {}; name each item directly above its code", name,
-                            first, links, most_links));
+            all.push_back(fmt::format(
+                "{}:{}: one place names {} items but may name only {}; name each item directly above its code", name,
+                first, links, most_links));
         }
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
             all.push_back(fmt::format("{}:{}: no code that can implement it follows the link", name, first));

@@ -180,4 +180,18 @@ ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
     return counts;
 }
 
+std::string review_words(const Review& review) {
+    const std::string role = review.role == "author"        ? ", author of the change"
+                             : review.role == "independent" ? ", not the author of the change"
+                                                            : ", role not stated";
+    if (!review.marked.empty()) {
+        return fmt::format("{} by {}{}; read: item; code and tests marked on {} and not read", review.date, review.by,
+                           role, review.marked);
+    }
+    std::string read = "item";
+    read += review.code.empty() ? "" : ", code";
+    read += review.tests.empty() ? "" : ", tests";
+    return fmt::format("{} by {}{}; read: {}", review.date, review.by, role, read);
+}
+
 }  // namespace canproof::host

@@ -49,6 +49,9 @@ std::string write_reviews(const Part& part, const std::set<std::string>& ids, co
 /// not mean that someone has read the code.
 std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work);
 
+/// Returns date, reader, role and what was read: `2026-11-21 by NAME, author of the change; read: item, code, tests`.
+std::string review_words(const Review& review);
+
 /// Returns the ids of the part's items and decisions that are in force.
 std::set<std::string> reviewable(const Part& part);
 /// Returns the ids among reviewable() without a review of the present item, code and tests.

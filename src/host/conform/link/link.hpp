@@ -79,7 +79,7 @@ class Link {
     /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }
 
-    /// Ends repeated frames and watches, drops received frames, and starts an empty log.
+    /// Ends repeated frames, background traffic and watches, drops received frames, and starts an empty log.
     void begin_case();
     const std::vector<FrameRecord>& log() const { return log_; }
     /// Returns the bus use of all frames since the link was made.

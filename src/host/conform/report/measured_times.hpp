@@ -10,8 +10,9 @@
 
 namespace canproof::host::conform {
 
-/// Returns the bus load in words: `3.1 % on average, 47.0 % in the busiest second; 812 frames, 400 of them from the
-/// tester, 0 error frames, 0 lost`.
+/// Returns the bus load in words. It consists of the mean load, the load of the busiest second, and the numbers of all
+/// frames, of the tester's frames, of error frames and of lost frames.
+/// If the bit rate is not known, the number of bits replaces the loads.
 std::string load_words(const ConformReport& report);
 
 /// Returns the times that have the same meaning in every case, merged over all cases: `SDO answer` and `boot-up`.

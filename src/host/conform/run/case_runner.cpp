@@ -140,7 +140,7 @@ void CaseRunner::begin(ConformReport& report) {
     }
     sdo_.allow_unasked(true);
     if (boots_silently_) {
-        report.troubles.emplace_back("no boot-up message after reset node");
+        report.troubles.emplace_back("the slave sent no boot-up message after reset node");
     }
     for (const auto& [subindex, name] :
          std::map<std::uint8_t, const char*>{{1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
@@ -280,7 +280,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
         context.at = nullptr;
         check_unasked(one);
         if (journal_.judged == 0) {
-            throw BrokenCase{"the case judges nothing"};
+            throw BrokenCase{"the case ran no step that checks the slave"};
         }
     } catch (const CaseSkipped& skipped) {
         end(Verdict::skipped, skipped.what());
@@ -295,7 +295,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     } catch (const BrokenCase& broken) {
         end(Verdict::broken, broken.what());
     } catch (const Returned&) {
-        end(Verdict::broken, "a return outside of a procedure");
+        end(Verdict::broken, "a `return` stands outside of a procedure");
     }
 }
 
@@ -336,7 +336,7 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
         try {
             run_steps(one.restore, context);
         } catch (const std::runtime_error& failed) {
-            result.left.push_back(fmt::format("restore at `{}`: {}", context.at->text, failed.what()));
+            result.left.push_back(fmt::format("the restore step `{}` failed: {}", context.at->text, failed.what()));
         }
     }
     const std::set<ObjectPlace> written = written_;

@@ -78,7 +78,8 @@ struct ConformReport {
     /// Returns the bus load of the second with the highest load, in per cent. For a run shorter than a second, returns
     /// the load over its duration.
     std::optional<double> highest_load() const;
-    /// Returns the exit status: 0 when all cases passed, 1 when a case failed, 2 when the run could not be finished.
+    /// Returns the exit status. 2: the run was interrupted, had no case, or a case is broken. 1: a case failed, was
+    /// unstable or got no answer, or an entry could not be restored at the end of the run. 0: none of these.
     int exit_status() const;
 
   private:

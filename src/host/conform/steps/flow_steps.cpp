@@ -175,7 +175,7 @@ Action parse_repeat(Scanner& line, StepSource& source) {
             }
             turns.run(steps, name.empty() ? "" : fmt::format("{} = {}", name, i));
         }
-        turns.finish("nothing to repeat");
+        turns.finish("the step has nothing to repeat");
     };
 }
 
@@ -196,7 +196,7 @@ Action parse_for(Scanner& line, StepSource& source) {
             context.scope->set(name, value);
             turns.run(steps, fmt::format("{} = {}", name, words_of(value)));
         }
-        turns.finish("no values");
+        turns.finish("the step has no values");
     };
 }
 

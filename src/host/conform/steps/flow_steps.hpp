@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs choose, each, for, repeat, while, if, check, skip, note, fail, do, return, next, let.
+// The verbs choose, each, for, repeat, while, if, check, skip, note, fail, do, return, next, let, eds.
 #pragma once
 
 #include <vector>

@@ -36,7 +36,7 @@ std::string ask_block(Context& context, bool upload) {
             } else {
                 const ObjectPlace place{0x1017, 0};
                 if (!has(context, place.index)) {
-                    return "no object 1017h (Producer heartbeat time) to try a block download with";
+                    return "the EDS has no object 1017h (Producer heartbeat time) that a block download could write";
                 }
                 outcome = context.sdo.block_write(place, context.sdo.read(place).data, {});
             }
@@ -58,7 +58,7 @@ std::string ask_capability(Context& context, unsigned index) {
     }
     const SdoOutcome outcome = context.sdo.read(place);
     const bool can = outcome.abort == 0 && (from_little_endian(outcome.data, 0, 4) & 1) != 0;
-    return can ? "" : fmt::format("bit 0 of {} is not set: no such command", words_of(place));
+    return can ? "" : fmt::format("bit 0 of {} is not set, so the slave does not have the command", words_of(place));
 }
 
 std::string unless(bool met, const char* reason) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs silence, count, period, watch.
+// The verbs silence, count, period, watch, end.
 #pragma once
 
 #include <vector>

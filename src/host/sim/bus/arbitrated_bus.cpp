@@ -113,7 +113,7 @@ void ArbitratedBus::tell_bit_rates() {
         port.rate = port.gateway ? 0 : port.node->bit_rate();
         if (before != 0 && port.rate != before) {
             const char* const outcome =
-                port.rate == bit_rate_ ? "the bus has it as well" : "the bus has another one; no communication";
+                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another, so no frame passes";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }

@@ -36,7 +36,8 @@ void ArrivalClock::compare(Instant now, const std::function<std::uint64_t()>& re
 
 Instant ArrivalClock::at(std::uint64_t stamp_ns, Instant otherwise) const {
     const std::int64_t us = static_cast<std::int64_t>(stamp_ns / 1000U) + offset_us_;
-    return stamp_ns == 0U || us < 0 ? otherwise : Instant{static_cast<std::uint64_t>(us)};
+    const bool is_stamped = stamp_ns != 0U && us >= 0;
+    return is_stamped ? Instant{static_cast<std::uint64_t>(us)} : otherwise;
 }
 
 }  // namespace canproof::host

@@ -16,8 +16,8 @@ class BitRateVote {
             ++votes_[rate];
         }
     }
-    /// Returns the bit rate with the most votes. Returns `present` if it has as many votes as any other rate, or if
-    /// there is no vote.
+    /// Returns the bit rate with the most votes. Returns `present` if no other rate has more votes, or if there is
+    /// no vote.
     std::uint32_t outcome(std::uint32_t present) const {
         std::uint32_t best = present;
         for (const auto& [rate, count] : votes_) {

@@ -53,7 +53,8 @@ class CanSystem {
     virtual bool is_up(const std::string& interface) = 0;
     /// Returns the bit rate of the interface in bit/s; 0 when it has none (vcan) or does not report it.
     virtual std::uint32_t bit_rate(const std::string& interface) = 0;
-    /// Switches the interface off, sets the bit rate in bit/s, and switches the interface on again.
+    /// Switches the interface off, sets the bit rate in bit/s, and switches the interface on again. Does nothing when
+    /// the interface already has this bit rate.
     virtual BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t bit_rate) = 0;
     /// Restarts the bus-off controller of the interface. Returns whether this was possible.
     virtual bool restart(const std::string& interface) = 0;
@@ -62,7 +63,7 @@ class CanSystem {
 };
 
 /// Requested receive buffer of each socket in bytes. The kernel doubles the request and counts about 800 bytes for a
-/// frame. The buffer suffices for four seconds of frames without data at 1 Mbit/s.
+/// frame. The buffer suffices for about four seconds of frames without data at 1 Mbit/s.
 inline constexpr int receive_room = 1 << 25;
 
 }  // namespace canproof::host

@@ -64,7 +64,7 @@ TextFault read_line(std::string_view line, LoggedFrame& logged) {
     const std::string_view text = next_word(line);
     const std::string_view mark = next_word(line);
     if (text.empty() || (!mark.empty() && mark != "R" && mark != "T")) {
-        return "not time, interface and frame";
+        return "the line does not consist of a time, an interface and a frame";
     }
     if (TextFault fault = read_time(time, logged.time)) {
         return fault;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the receivers of a frame by its identifier. The effort does not depend on the number of nodes.
+// Finds the receivers of a frame by its identifier. For filters of a single identifier, the effort does not depend on
+// the number of nodes.
 #pragma once
 
 #include <cstddef>

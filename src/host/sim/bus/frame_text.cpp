@@ -93,7 +93,8 @@ void append_hex(std::string& text, std::uint32_t value, unsigned digits) {
 TextFault read_frame_text(std::string_view text, FrameText& read) {
     const auto hash = std::min(text.find('#'), text.size());
     const std::string_view id = text.substr(0, hash);
-    const auto number = is_identifier(id) && hash < text.size() ? hexadecimal(id) : std::nullopt;
+    const bool has_identifier = is_identifier(id) && hash < text.size();
+    const auto number = has_identifier ? hexadecimal(id) : std::nullopt;
     if (!number) {
         return fmt::format("`{}` has no identifier of three or eight hexadecimal digits before #", text);
     }

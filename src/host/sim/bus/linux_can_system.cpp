@@ -180,7 +180,8 @@ class LinuxCanSystem final : public CanSystem {
     BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t wanted) override {
         const std::uint32_t present = bit_rate(interface);
         if (present == 0 || present == wanted) {
-            return {present == wanted, present == wanted ? "" : fmt::format("{} has no bit rate to be set", interface)};
+            return {present == wanted,
+                    present == wanted ? "" : fmt::format("{} has no bit rate that can be set", interface)};
         }
         const Hush hush;
         if (can_do_stop(interface.c_str()) != 0) {
@@ -190,7 +191,7 @@ class LinuxCanSystem final : public CanSystem {
         const bool up = can_do_start(interface.c_str()) == 0;
         return {done && up, done && up ? ""
                             : done     ? fmt::format("{} could not be taken up again", interface)
-                                       : fmt::format("{} takes no such bit rate", interface)};
+                                       : fmt::format("{} does not support this bit rate", interface)};
     }
 
     bool restart(const std::string& interface) override {

@@ -119,7 +119,7 @@ Instant SocketCanBus::read_socket(std::size_t port, Instant now) {
 }
 
 /// Returns the kernel's time stamp on the run's clock; returns `now` when there is no time stamp. A time before the
-/// last delivered frame becomes the present time.
+/// last call of advance() becomes the time of that call.
 Instant SocketCanBus::arrival_time(std::uint64_t stamp_ns, Instant now) {
     const Instant stamped = arrival_clock().at(stamp_ns, now);
     return stamped < advanced_to_ ? advanced_to_ : stamped;
@@ -230,7 +230,7 @@ void SocketCanBus::send_waiting(Port& port, Instant now) {
             return;
         }
         if (error != 0) {
-            notice(fmt::format("{} did not take {} ({})", interface_, format_frame(frame), std::strerror(error)));
+            notice(fmt::format("{} refused the frame {} ({})", interface_, format_frame(frame), std::strerror(error)));
         } else if (port.node != nullptr) {
             own_.sent(frame, Sender{port.node, now});
         }

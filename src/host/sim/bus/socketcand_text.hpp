@@ -12,7 +12,8 @@
 namespace canproof::host {
 
 std::vector<std::string> words_of(const std::string& text);
-/// Parses a hexadecimal number. Returns nothing when it has more than eight digits or is greater than `highest`.
+/// Parses a hexadecimal number of at most eight digits. Returns nothing for any other text, and for a number greater
+/// than `highest`.
 std::optional<std::uint32_t> hex_number(const std::string& text, std::uint32_t highest);
 /// Parses an identifier. One with eight digits has 29 bits, any other has 11 bits. Returns false for an invalid
 /// identifier.

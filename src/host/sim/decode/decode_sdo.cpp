@@ -19,8 +19,8 @@ std::string object_of(ByteView data, const Part* part) {
                        data[sdo::subindex_position]);
 }
 
-/// Returns the value of an expedited transfer in words. The command byte contains its length; if not, all four bytes
-/// belong to it.
+/// Returns the value of an expedited transfer in words. If the command byte contains no length, the value has all four
+/// bytes.
 std::string expedited_value(ByteView data, const Part* part) {
     const bool sized = (data[0] & sdo::size_flag) != 0U;
     const std::size_t unused = sized ? (data[0] >> 2U) & 3U : 0U;

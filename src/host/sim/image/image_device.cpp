@@ -133,11 +133,12 @@ void ImageDevice::compare(Instant now) const {
 std::string ImageDevice::difference() const {
     const DeviceState& image = calls_->state();
     if (!are_same(queue_, twin_->queue())) {
-        return fmt::format("{} waits to be sent, here {}", frames_of(queue_), frames_of(twin_->queue()));
+        return fmt::format("the image waits to send {}, this program {}", frames_of(queue_), frames_of(twin_->queue()));
     }
     const std::vector<double> outputs = twin_->outputs();
     if (!are_same(image.outputs, outputs)) {
-        return fmt::format("outputs {}, here {}", fmt::join(image.outputs, " "), fmt::join(outputs, " "));
+        return fmt::format("the outputs of the image are {}, those of this program {}", fmt::join(image.outputs, " "),
+                           fmt::join(outputs, " "));
     }
     struct Number {
         const char* what;
@@ -150,7 +151,7 @@ std::string ImageDevice::difference() const {
           Number{"NMT state", static_cast<std::uint8_t>(image.nmt), static_cast<std::uint8_t>(twin_->state())},
           Number{"bit rate", image.bit_rate, twin_->bit_rate()}}) {
         if (one.its != one.ours) {
-            return fmt::format("{} {}, here {}", one.what, one.its, one.ours);
+            return fmt::format("the {} of the image is {}, that of this program {}", one.what, one.its, one.ours);
         }
     }
     return {};

@@ -23,8 +23,8 @@ constexpr std::size_t most_memory_bytes = 512U;
 
 enum class Kind : std::uint8_t {
     // Messages from the image.
-    greeting,  ///< protocol, number of inputs and of outputs (u8 each), length of the device's name (u8), its
-               ///< characters
+    /// protocol, number of inputs and of outputs (u8 each), length of the device's name (u8), its characters
+    greeting,
     /// after each command: next deadline (u64), node-ID and NMT state (u8 each), bit rate (u32). Then: whether the
     /// boot-up message waits (u8), number of waiting frames (u8), these frames, outputs (f64 each)
     state,

@@ -133,7 +133,7 @@ class Player {
     void pass_silence(Instant line, Instant now) {
         const std::uint64_t shift = std::max(shift_, line.us - std::min(now.us, line.us));
         if (shift > shift_) {
-            tell(fmt::format("nothing happens before {}: {} s of it are left out", format_seconds(line),
+            tell(fmt::format("nothing happens before {}; the replay leaves out {} s", format_seconds(line),
                              (shift - shift_) / 1000000U));
         }
         shift_ = shift;

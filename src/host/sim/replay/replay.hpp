@@ -45,8 +45,8 @@ constexpr Duration longest_silence = milliseconds(3600000);
 /// identifiers.) Otherwise they are written when the device sends them.
 ///
 /// Writes the device's frames to `frames_out` and, unless it is nullptr, changes of outputs as `seconds,signal,value`
-/// to `outputs_out`. Throws InputError for a signal that the device does not have, and StuckDevice for a device whose
-/// deadline does not advance.
+/// to `outputs_out`. Throws InputError for a signal that the device does not have, and for an end before the start.
+/// Throws StuckDevice for a device whose deadline does not advance.
 void replay(SimulatedDevice& device, const ReplayInput& input, std::ostream& frames_out, std::ostream* outputs_out);
 
 }  // namespace canproof::host

@@ -39,7 +39,8 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         // npos + 1 is 0, so that without a first comma there is no second one either
         const auto second = line.find(',', first + 1);
         if (second == std::string::npos) {
-            throw InputError{fmt::format("{}: `{}` has no three fields; write seconds,signal,value", where, line)};
+            throw InputError{
+                fmt::format("{}: `{}` does not have three fields; write seconds,signal,value", where, line)};
         }
         Stimulus one;
         one.where = where;

@@ -20,7 +20,8 @@ class EventLoop {
     EventLoop(const EventLoop&) = delete;
     EventLoop& operator=(const EventLoop&) = delete;
 
-    /// Waits until one of `watches` is ready or `pause` has passed. A regular file is always ready.
+    /// Waits until one of `watches` is ready, `pause` has passed, or SIGINT, SIGTERM or SIGHUP arrives. A regular file
+    /// is always ready.
     void wait(const std::vector<Watch>& watches, Duration pause);
     /// Returns whether a descriptor was ready when wait() last returned.
     bool is_ready(int descriptor) const { return ready_.count(descriptor) != 0; }

@@ -26,7 +26,7 @@ class FrameLog {
     FrameLog(std::ostream* out, LogFormat format) : out_{out}, format_{format} {}
 
     bool is_wanted() const { return out_ != nullptr; }
-    /// Writes the header. Must be called before the first frame.
+    /// Writes the header of the file, if the format has one. Must be called before the first frame.
     void begin(const std::string& interface);
     /// Writes a frame. `own` is true when one of these devices has sent it.
     void write(const LoggedFrame& frame, bool own);

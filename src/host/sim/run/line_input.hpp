@@ -16,7 +16,8 @@ class LineInput {
     int descriptor() const { return descriptor_; }
     bool is_open() const { return open_; }
     /// Returns the complete lines that have arrived, without empty lines. Must be called when the descriptor is ready.
-    /// Drops a line that is too long for any frame. The last line may lack a line break.
+    /// Drops the beginning of a line when it has more than `longest_line` bytes and no line break has arrived. The last
+    /// line may lack a line break.
     std::vector<std::string> read_lines();
 
   private:

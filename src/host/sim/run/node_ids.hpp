@@ -17,8 +17,8 @@ std::vector<std::string> node_id_lines(const std::vector<std::unique_ptr<DeviceN
 /// Detects devices that have the same node-ID, at power-on or later through LSS.
 class NodeIdClashes {
   public:
-    /// Returns a warning for each node-ID that more than one device has now. Leaves out those that the last call has
-    /// returned.
+    /// Returns a warning for each node-ID that more than one device has now. Leaves out the clashes
+    /// that already existed at the last call.
     std::vector<std::string> found(const std::vector<std::unique_ptr<DeviceNode>>& nodes);
 
   private:

@@ -182,12 +182,12 @@ TEST(FunctionBlocks, FunctionBlockFollowsEquation4) {
     verifies<req::INC_BIN_001>();
     FunctionBlock block;
     block.inputs[0] = input(continuous_signal(-10.0F));
-    block.inputs[0].unary = 3;              // 10
-    block.inputs[0].linear = {0.5F, 1.0F};  // 6
+    block.inputs[0].unary = 3;              // absolute value: 10
+    block.inputs[0].linear = {0.5F, 1.0F};  // 10 * 0.5 + 1 = 6
     block.inputs[1] = input(discrete_signal(4U));
-    block.inputs[1].linear = {-2.0F, 5.0F};  // -3
+    block.inputs[1].linear = {-2.0F, 5.0F};  // 4 * -2 + 5 = -3
     block.operation = 2;                     // 6 - -3 = 9
-    block.output = {10.0F, 0.25F};           // 90.25
+    block.output = {10.0F, 0.25F};           // 9 * 10 + 0.25 = 90.25
     const Signal result = evaluate(block);
     EXPECT_EQ(result.kind, SignalKind::continuous);
     EXPECT_EQ(result.continuous, 90.25F);

@@ -40,8 +40,8 @@ AngleFilter filter_of(AngleFilterKind kind, std::uint16_t samples) {
 TEST(LowPass, CoefficientIsOneMinusExpOfMinus2PiFT) {
     verifies<req::INC_FILTER_002>();
     EXPECT_NEAR(low_pass_coefficient(5.0F, period), 0.145364F, 1e-6F);   // 2 pi 5 0.005 = 0.157080
-    EXPECT_NEAR(low_pass_coefficient(50.0F, period), 0.792120F, 1e-6F);  // 1.570796
-    EXPECT_NEAR(low_pass_coefficient(1.0F, period), 0.030928F, 1e-6F);   // 0.031416
+    EXPECT_NEAR(low_pass_coefficient(50.0F, period), 0.792120F, 1e-6F);  // 2 pi 50 0.005 = 1.570796
+    EXPECT_NEAR(low_pass_coefficient(1.0F, period), 0.030928F, 1e-6F);   // 2 pi 1 0.005 = 0.031416
 }
 
 TEST(LowPass, OutputMovesByTheCoefficientTimesTheDifference) {

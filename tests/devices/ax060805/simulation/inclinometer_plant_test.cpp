@@ -149,7 +149,8 @@ TEST(InclinometerSimulation, SimulationSendsTheAngleOfItsStimulus) {
     frames_until(*device, Instant{1000000});
     device->receive(host::parse_frame("000#0100", "test"), Instant{1000000});
     ASSERT_FALSE(device->queue().empty());
-    EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");  // 30, 0, 30
+    // Pitch 30, roll 0, gravity angle 30 degrees.
+    EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");
 }
 
 TEST(InclinometerSimulation, SimulatedPitchScattersByTheRatedResolution) {

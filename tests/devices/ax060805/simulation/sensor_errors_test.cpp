@@ -66,7 +66,8 @@ TEST(SensorErrors, UnitAsShippedHasNoSensorErrors) {
 
 TEST(SensorErrors, InitialErrorTiltsALevelUnit) {
     verifies<req::INC_PLANT_008>();
-    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);  // sin 2
+    // sin 2° = 0.0348995
+    expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, 25.0), 0.0348995, 0.0348995, -0.9651005);
     expect_felt(with_errors(level, {2.0, 0.0, 0.0, 0.0}, -40.0), 0.0348995, 0.0348995, -0.9651005);
 }
 
@@ -74,15 +75,17 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
     verifies<req::INC_PLANT_008, req::INC_K_DRIFT_REFERENCE, req::INC_K_LOWEST_AMBIENT>();
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
-    expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5
-    expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);     // sin (3.5 * 60 / 65)
+    expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5° = -0.0610485
+    // sin (3.5° * 60 / 65) = 0.0563577
+    expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 
 TEST(SensorErrors, NonLinearityIsLargestBetweenTheFixedPoints) {
     verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);
-    expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);  // +-0.007
+    // Each magnitude grows by 0.007.
+    expect_felt(with_errors({0.57735027F, -0.57735027F, 0.0F}, errors, 25.0), 0.5843503, -0.5843503, 0.0);
     expect_felt(with_errors({2.0F, -1.5F, 0.0F}, errors, 25.0), 2.0, -1.5, 0.0);
     for (int thousandths = -1000; thousandths <= 1000; ++thousandths) {
         const float g = static_cast<float>(thousandths) / 1000.0F;

@@ -48,12 +48,12 @@ TEST(LogicBlock, ComparisonsFollowTable16) {
     verifies<req::AOR_T16, req::AOR_LOGIC_001>();
     //              <    =    >
     const std::array<std::array<ConditionResult, 3>, 6> expected{{
-        {no, yes, no},   // 0: =
-        {yes, no, yes},  // 1: !=
-        {no, no, yes},   // 2: >
-        {no, yes, yes},  // 3: >=
-        {yes, no, no},   // 4: <
-        {yes, yes, no},  // 5: <=
+        {no, yes, no},   // operator 0: =
+        {yes, no, yes},  // operator 1: !=
+        {no, no, yes},   // operator 2: >
+        {no, yes, yes},  // operator 3: >=
+        {yes, no, no},   // operator 4: <
+        {yes, yes, no},  // operator 5: <=
     }};
     for (std::uint8_t comparison = 0; comparison < 6; ++comparison) {
         EXPECT_EQ(compare(1.0, comparison, 1.1), expected[comparison][0]) << int{comparison};
@@ -117,7 +117,7 @@ TEST(LogicBlock, AndWithoutConditionsIsTrue) {
     EXPECT_EQ(chosen({function(2, na), function(2, yes), function(0, na)}), 1U);
 }
 
-TEST(LogicBlock, TableAIsChosenWithoutADefault) {
+TEST(LogicBlock, TableAIsChosenWhenNoFunctionSelectsItsTable) {
     verifies<req::AOR_LOGIC_005>();
     EXPECT_EQ(chosen({function(1, no), function(1, no), function(1, no)}), 0U);
 }

@@ -72,7 +72,7 @@ TEST(LookupTable, StepsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(101.0, points), 100.0);
 }
 
-TEST(LookupTable, PointsFromTheFirstIgnoredOnAreUnused) {
+TEST(LookupTable, PointsAreUnusedFromTheFirstIgnoredPointOn) {
     verifies<req::AOR_LT_004>();
     auto points = defaults(ramp);
     points.response[5] = ignore;  // point 6 at 50; 7 to 11 are still of type ramp

@@ -42,18 +42,18 @@ TEST(MathBlock, OperatorsFollowTable21) {
         double less, equal, greater;  // 0.4 with 0.6, 0.6 with 0.6, 0.6 with 0.4
     };
     const std::array<Row, 12> rows{{
-        {0, 0, 1, 0},   // =
-        {1, 1, 0, 1},   // !=
-        {2, 0, 0, 1},   // >
-        {3, 0, 1, 1},   // >=
-        {4, 1, 0, 0},   // <
-        {5, 1, 1, 0},   // <=
+        {0, 0, 1, 0},   // operator =
+        {1, 1, 0, 1},   // operator !=
+        {2, 0, 0, 1},   // operator >
+        {3, 0, 1, 1},   // operator >=
+        {4, 1, 0, 0},   // operator <
+        {5, 1, 1, 0},   // operator <=
         {6, 1, 1, 1},   // or: 0.6 is true, 0.4 is not
-        {7, 0, 0, 0},   // nor
-        {8, 0, 1, 0},   // and
-        {9, 1, 0, 1},   // nand
-        {10, 1, 0, 1},  // xor
-        {11, 0, 1, 0},  // xnor
+        {7, 0, 0, 0},   // operator nor
+        {8, 0, 1, 0},   // operator and
+        {9, 1, 0, 1},   // operator nand
+        {10, 1, 0, 1},  // operator xor
+        {11, 0, 1, 0},  // operator xnor
     }};
     for (const auto& row : rows) {
         const auto number = static_cast<std::uint8_t>(row.number);

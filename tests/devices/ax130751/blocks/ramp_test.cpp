@@ -20,7 +20,7 @@ const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace
 
-TEST(Ramp, RampCrossesTheSpanInTheTimeUp) {
+TEST(Ramp, RisingRampCrossesTheSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(100)), 0.0);
@@ -30,7 +30,7 @@ TEST(Ramp, RampCrossesTheSpanInTheTimeUp) {
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(9000)), 10.0);
 }
 
-TEST(Ramp, RampCrossesTheSpanInTheTimeDown) {
+TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     ramp.set(10.0);

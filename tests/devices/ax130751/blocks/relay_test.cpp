@@ -115,8 +115,8 @@ TEST_F(RelayTest, UnlatchPutsAnInverseLatchedRelayOn) {
 
 TEST_F(RelayTest, LatchSelectedAgainAcceptsTheFirstEdge) {
     verifies<req::AOR_RELAY_020, req::AOR_RELAY_021, req::AOR_RELAY_003>();
-    // The relay is unlatched when another polarity is selected. When the latch is selected again, it accepts the first
-    // edge.
+    // The latch is in state unlatched when another polarity is selected. When the latch is selected again, it accepts
+    // the first edge.
     EXPECT_EQ(run("#.", latched, ".#"), "#.");
     EXPECT_EQ(run(".", normal), ".");
     EXPECT_EQ(run("#", latched), "#");
@@ -229,7 +229,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     times.on_delay = milliseconds(5);
     run("#", normal);
     EXPECT_EQ(relay.next_change().us, 5000U);
-    run("######", normal);  // to 7 ms
+    run("######", normal);  // until 7 ms
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = Duration{};
     run(".", normal);

@@ -76,7 +76,7 @@ TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
     // 3.2.14: COB-ID of RPDO4
     EXPECT_THAT(text_, HasSubstr(lines("[1403sub1]\nParameterName=COB-ID used by RPDO\nObjectType=0x7\n"
                                        "DataType=0x0007\nAccessType=rw\nDefaultValue=$NODEID+0x40000500\n")));
-    // 3.1, 3.2.11
+    // AX130751, 3.1, 3.2.11
     EXPECT_THAT(text_, HasSubstr(lines("VendorNumber=0x55\n")));
     EXPECT_THAT(text_, HasSubstr(lines("ProductNumber=0xAA130751\n")));
     EXPECT_THAT(text_, HasSubstr(lines("NrOfRXPDO=4\nNrOfTXPDO=4\nLSS_Supported=1\n")));

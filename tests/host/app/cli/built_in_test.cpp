@@ -67,7 +67,7 @@ TEST(BuiltIn, DecisionsHazardsAndReviewsAreNotEmbedded) {
     EXPECT_EQ(embedded_spec().count("spec/devices/cbx-ao412/device.toml"), 1U);
 }
 
-TEST(BuiltIn, FileThatNeedsAnotherFileIsRefusedAlone) {
+TEST(BuiltIn, FileThatNeedsAnotherFileIsRefusedWithoutThatFile) {
     // Its range is a table of another file.
     const SpecFiles alone{{"spec/devices/box/objects.toml", R"([[object]]
 index = 0x2000

@@ -105,7 +105,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndChangesNothing) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(100);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc9_celsius", 1.0), 422);
-    EXPECT_EQ(bench.stimulate("ax188001@2", "adc_filter", 50.0), 422);  // an output
+    EXPECT_EQ(bench.stimulate("ax188001@2", "adc_filter", 50.0), 422);  // adc_filter is an output of the device
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 1821.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", -271.0), 422);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc1_open", 2.0), 422);

@@ -244,7 +244,7 @@ TEST_F(Coverage, FunctionIsNamedWithoutTemplateArguments) {
 }
 
 TEST_F(Coverage, InvalidFilesAreReportedWithTheirRemedy) {
-    EXPECT_THAT(told("absent.json"), HasSubstr("tests/coverage measures it"));
+    EXPECT_THAT(told("absent.json"), HasSubstr("tests/coverage makes it"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));
     write("empty.json", R"({"data": [{"files": [], "functions": []}]})");
@@ -255,7 +255,7 @@ TEST_F(Coverage, InvalidFilesAreReportedWithTheirRemedy) {
         std::filesystem::last_write_time(root_ / "measured.json") + std::chrono::seconds{1});
     EXPECT_THAT(told("measured.json"), HasSubstr("has changed since it was measured"));
     std::filesystem::remove(root_ / "src/firmware/base/one.cpp");
-    EXPECT_THAT(told("measured.json"), HasSubstr("one.cpp was measured but is not there"));
+    EXPECT_THAT(told("measured.json"), HasSubstr("one.cpp was measured but does not exist any more"));
     write("records.toml", "[[record]]\nfile = \"a\"\nkind = \"colour\"\ncode = \"b\"\nreason = \"c\"\n");
     EXPECT_THAT(told("records.toml"), HasSubstr("records.toml:3: "));
     write("records.toml", "[[record]]\nfile = \"a\"\nkind = \"line\"\ncode = \"b\"\n");

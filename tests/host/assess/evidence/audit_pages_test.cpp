@@ -67,6 +67,13 @@ TEST_F(AuditPages, CodeAndTestsAreLinksToTheirLines) {
     EXPECT_THAT(page, Not(HasSubstr("two.cpp.html")));
 }
 
+TEST_F(AuditPages, ItemShowsItsReviewOrWhyItNoLongerCounts) {
+    EXPECT_THAT(make().at("audit-device.html"),
+                HasSubstr("reviewed 2026-01-02 by someone, author of the change; read: item"));
+    content_.parts[0].requirements[0].text = "edited";
+    EXPECT_THAT(make().at("audit-device.html"), HasSubstr("changed since its review of 2026-01-02"));
+}
+
 TEST_F(AuditPages, TestsOfOneSuiteAndOneResultStandInOneLine) {
     input_.evidence.verdicts["D-A-001"] = {{"S.One", "test", true}, {"T.Two", "test", true}, {"S.Three", "test", true}};
     input_.evidence.verdicts["D-A-001"].push_back({"S.Four", "test", false});

@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+
+#include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 
 namespace canproof::host::test {
@@ -66,6 +69,30 @@ TEST(MakeEvidence, FailedCommandIsReportedWithItsOutputAndTheRestContinues) {
     EXPECT_THAT(told[1], HasSubstr("build/log/evidence-one.log"));
     EXPECT_EQ(told[2], "[2/2] Second: about 7 min; 7 min for all that is left");
     EXPECT_THAT(told[3], HasSubstr("[2/2] Second: done after"));
+    std::filesystem::remove_all(root);
+}
+
+TEST(MakeEvidence, StepThatOutlivesItsRunKeepsTheNextRunOut) {
+    const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "outliving step";
+    std::filesystem::remove_all(root);
+    std::filesystem::create_directories(root);
+    const auto silent = [](const std::string&) {};
+    const std::vector<ExpectedEvidence> outlives{{"one", "", "", "tail -f /dev/null & echo $! >process", 1}};
+    const std::vector<ExpectedEvidence> next{{"two", "", "", "touch made", 1}};
+    EXPECT_EQ(make_evidence(outlives, root, silent), 0U);
+    const pid_t process = std::stoi(read_file(root / "process"));
+    EXPECT_THROW(make_evidence(next, root, silent), InputError);
+    EXPECT_FALSE(std::filesystem::exists(root / "made"));
+    EXPECT_EQ(kill(process, SIGKILL), 0);
+    std::filesystem::remove_all(root);
+}
+
+TEST(MakeEvidence, RunAfterAFinishedRunIsAllowed) {
+    const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "finished run";
+    const auto silent = [](const std::string&) {};
+    const std::vector<ExpectedEvidence> wanted{{"one", "", "", "true", 1}};
+    EXPECT_EQ(make_evidence(wanted, root, silent), 0U);
+    EXPECT_EQ(make_evidence(wanted, root, silent), 0U);
     std::filesystem::remove_all(root);
 }
 

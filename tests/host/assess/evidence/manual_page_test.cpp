@@ -137,7 +137,7 @@ TEST_F(ManualPage, ManualWithoutStatementsIsCountedBySection) {
     EXPECT_THAT(page(), HasSubstr("This manual has no statements"));
 }
 
-TEST_F(ManualPage, ClaimOfStatementsIsOpenWhileOneIsUncovered) {
+TEST_F(ManualPage, ClaimAboutStatementsIsOpenWhileAStatementIsUncovered) {
     page();
     const Exhibit holds = exhibits_of(input_).at("statements");
     EXPECT_EQ(holds.state, Exhibit::State::holds);
@@ -151,7 +151,7 @@ TEST_F(ManualPage, ClaimOfStatementsIsOpenWhileOneIsUncovered) {
     EXPECT_THAT(exhibits_of(input_).at("statements").says, HasSubstr("1 of them with neither an item nor a reason"));
 }
 
-TEST_F(ManualPage, ClaimOfStatementsIsLeftOutWithoutStatements) {
+TEST_F(ManualPage, ClaimAboutStatementsIsLeftOutWithoutStatements) {
     manual().statements.clear();
     page();
     EXPECT_EQ(exhibits_of(input_).count("statements"), 0U);

@@ -27,7 +27,7 @@ pugi::xml_document parsed(const std::string& text) {
 TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndItsSubclaimsHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
-    input_.evidence.verdicts.erase("D-A-002");  // a gap
+    input_.evidence.verdicts.erase("D-A-002");  // D-A-002 has no verdict: a gap
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_EQ(state_of("C"), "✗ open");
 }
@@ -91,7 +91,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
-TEST_F(Pack, TablesOfTheStandardsAreAPage) {
+TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
                                   {"IEC A.2", "Architecture", "1", "Voting", "R", "not applicable", "One channel."}};
@@ -182,7 +182,7 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
                                 "<td data-h=\"case\">2.1.1"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">20<td><td data-h=\"case\">3.4"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000<td class=n data-h=\"seconds\">12,345.25"));
-    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\""));
+    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\" alt=\"Plot of the figures of Many devices\">"));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("devices in real time: <b>1,000</b>"));
@@ -215,6 +215,14 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
     input_.mutation->items["D-A-002"].noticed = 3;
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
+}
+
+TEST_F(Pack, PlotsAreDescribedForReadersWhoDoNotSeeThem) {
+    input_.figures["lamp.svg"] = {"<svg/>", "Light of a lamp. Plot of <lux> against seconds: lamp."};
+    const PackFiles files = make();
+    EXPECT_EQ(files.at("plots/lamp.svg"), "<svg/>");
+    EXPECT_THAT(files.at("plots.html"),
+                HasSubstr("alt=\"Light of a lamp. Plot of &lt;lux&gt; against seconds: lamp.\""));
 }
 
 TEST_F(Pack, OnlyExistingFilesAreLinked) {

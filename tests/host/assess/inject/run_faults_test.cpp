@@ -87,7 +87,7 @@ InjectionOptions faults(std::size_t count, unsigned jobs = 1) {
 
 }  // namespace
 
-TEST(RunFaults, EachByteOfTheMadeUpDeviceHasItsEffect) {
+TEST(RunFaults, FaultInEachByteOfTheInventedDeviceHasTheExpectedEffect) {
     const std::map<std::size_t, FaultEffect> expected{
         {unused, FaultEffect::masked},  {output, FaultEffect::wrong_output},
         {pdo, FaultEffect::wrong_pdo},  {emergency, FaultEffect::emergency},

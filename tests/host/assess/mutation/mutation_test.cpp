@@ -287,7 +287,7 @@ TEST(CodeMutation, KillsAreCountedByLayerOperatorAndHarness) {
               "one,all,3,0,1,0,1,0,1\r\none,literal,2,0,0,0,1,0,1\r\none,statement,1,0,1,0,0,0,0\r\n");
 }
 
-TEST(CodeMutation, HostHasItsOwnLayersInTableAndExhibit) {
+TEST(CodeMutation, MutantsOfTheHostAreCountedSeparatelyInTableAndExhibit) {
     EXPECT_EQ(layer_of("src/host/sim/bus/candump.cpp"), "host/bus");
     EXPECT_EQ(layer_of("src/host/sim/replay/replay.cpp"), "host/replay");
     EXPECT_TRUE(is_host("src/host/sim/bus/candump.cpp"));

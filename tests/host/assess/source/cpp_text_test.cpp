@@ -19,12 +19,12 @@ Lines function_of(const std::string& source, std::size_t link) {
 
 }  // namespace
 
-TEST(CppText, CodeOnlyKeepsLineNumbers) {
+TEST(CppText, CommentsAndLiteralsAreReplacedByBlanksAndLineBreaksStay) {
     EXPECT_EQ(code_only("int a;  // {\nf(\"}\"); /* {\n} */ b = 1'000;"),
               "int a;      \nf(   );     \n     b = 1'000;");
 }
 
-TEST(CppText, CodeOnlyReadsRawLiterals) {
+TEST(CppText, RawLiteralsAreReplacedByBlanksToo) {
     EXPECT_EQ(code_only("f(R\"({\")\", x);"), "f(R      , x);");
 }
 

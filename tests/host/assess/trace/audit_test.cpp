@@ -179,8 +179,9 @@ TEST_F(AuditOfASmallRegister, FirmwareTestWithoutARequirementIsAnOrphan) {
     evidence.runs.push_back({"S.Stray", "tests/firmware/stray_test.cpp", true, false});
     evidence.runs.push_back({"Bus.Tool", "tests/host/bus/tool_test.cpp", true, false});
     evidence.untraced = {"src/firmware/stray.hpp"};
-    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("src/firmware/stray.hpp"),
-                                               "S.Stray (tests/firmware/stray_test.cpp): claims no requirement"));
+    EXPECT_THAT(orphans(evidence),
+                ElementsAre(HasSubstr("src/firmware/stray.hpp"),
+                            "S.Stray (tests/firmware/stray_test.cpp): the test claims no requirement"));
 }
 
 TEST_F(AuditOfASmallRegister, UnclaimedTestPropertyOrCorpusOfADeviceIsAnOrphan) {

@@ -87,7 +87,7 @@ TEST_F(Kills, RemovedTestIsARegression) {
     EXPECT_EQ(found.shown, 0U);
     EXPECT_THAT(found.regressions,
                 ElementsAre("A: Relay.Closes noticed a mutant of it, but no test in its present form does",
-                            "Relay.Closes: gone; it noticed mutants of A"));
+                            "Relay.Closes: the test no longer exists; it noticed mutants of A"));
 }
 
 TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
@@ -97,7 +97,7 @@ TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     record_["RelayLaw.Holds"].kills = {"A"};
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
-    EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: gone; it noticed mutants of A"));
+    EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: the test no longer exists; it noticed mutants of A"));
 }
 
 TEST_F(Kills, TestWithoutItsAssertionsShowsNothing) {
@@ -117,7 +117,8 @@ TEST_F(Kills, NewTestIsListedAsUnjudged) {
     const KillAudit found = audit();
     EXPECT_THAT(found.never, ElementsAre("Relay.IsNew"));
     EXPECT_THAT(found.unjudged, ElementsAre("B"));
-    EXPECT_THAT(kill_summary(found), HasSubstr("of 1 item(s) a test notices one, of 0 none does, 1 have none, 1 wait"));
+    EXPECT_THAT(kill_summary(found), HasSubstr("1 item(s) have a mutant that a test notices, 0 have only mutants that "
+                                               "no test notices, 1 have no mutants, 1 wait"));
 }
 
 TEST_F(Kills, CommentsAndLayoutDoNotChangeTheBodyHash) {

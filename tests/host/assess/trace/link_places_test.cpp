@@ -43,7 +43,7 @@ TEST(LinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
 TEST(LinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
     EXPECT_THAT(misplaced({"void other() {}", "static_assert(implements<req::A> && implements<req::B> &&",
                            "              implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr("src/firmware/a.cpp:2: 4 items in one place, at most 3")));
+                ElementsAre(HasSubstr("src/firmware/a.cpp:2: one place names 4 items but may name only 3")));
 }
 
 TEST(LinkPlaces, AdjacentLinkStatementsCountAsOnePlace) {

@@ -151,8 +151,8 @@ TEST_F(BusLoad, BitRateChangesBetweenFramesNotDuringAFrame) {
     EXPECT_EQ(bus.report(Instant{100}).bit_rate, 125000U);
     run_until(bus, Instant{100}, Instant{10000});
     EXPECT_EQ(bus.report(Instant{10000}).bit_rate, 250000U);
-    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; the bus has it as well",
-                                     "b: LSS sets 250000 bit/s; the bus has it as well"));
+    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; the bus has this bit rate",
+                                     "b: LSS sets 250000 bit/s; the bus has this bit rate"));
 }
 
 TEST_F(BusLoad, NodeThatAcceptsAnyBitRateIsConnectedAgain) {

@@ -10,7 +10,7 @@ namespace canproof::host::test {
 
 namespace {
 
-constexpr std::uint64_t ns = 1000;  // per microsecond
+constexpr std::uint64_t ns = 1000;  // 1 µs in nanoseconds
 
 /// A clock that first returns the times given, and then the last of them.
 ArrivalClock::Clock clock_of(std::deque<std::uint64_t> times_us) {
@@ -38,13 +38,13 @@ TEST(ArrivalClock, StampIsConvertedToTheRun) {
     EXPECT_EQ(clock.at(4999500 * ns, Instant{7}), Instant{500});
 }
 
-TEST(ArrivalClock, MissingStampAndStampBeforeTheRunHaveTheOtherTime) {
+TEST(ArrivalClock, MissingTimestampAndTimestampBeforeTheRunAreReplacedByTheGivenTime) {
     const ArrivalClock clock = compared({1000}, 5000000);
     EXPECT_EQ(clock.at(0, Instant{7}), Instant{7});
     EXPECT_EQ(clock.at(4998999 * ns, Instant{7}), Instant{7});
 }
 
-TEST(ArrivalClock, ComparisonWithALongGapIsRepeated) {
+TEST(ArrivalClock, ClockComparisonInterruptedForLongIsRepeated) {
     // The process loses the processor for 114 ms between its clock and the real time, then compares again.
     const ArrivalClock clock = compared({1000, 115000, 115000, 115000}, 5114000);
     EXPECT_EQ(clock.at(5100000 * ns, Instant{}), Instant{101000});
@@ -59,7 +59,7 @@ TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
 }
 
-TEST(ArrivalClock, RealTimeThatWasSetIsFollowed) {
+TEST(ArrivalClock, ChangeOfTheRealTimeClockIsFollowed) {
     ArrivalClock clock = compared({1000}, 5000000);
     clock.use(clock_of({2000}));
     clock.compare(Instant{}, [] { return 5051000 * ns; });  // 50 ms more than 1 ms later: within the tolerance

@@ -152,7 +152,7 @@ TEST_F(LateRun, FrameOfASocketcandServerHasItsTimeOfArrival) {
     EXPECT_TRUE(is_between(first, got.time, last));
 }
 
-TEST_F(SocketCan, LostProcessorBetweenTheClocksDoesNotMakeFramesEarlier) {
+TEST_F(SocketCan, PauseBetweenTheReadingsOfTwoClocksDoesNotMakeFramesEarlier) {
     start();
     Instant clock{1000000};  // 1 s of the run at 5 s of the real time
     bus->use_clock([&] { return clock; });

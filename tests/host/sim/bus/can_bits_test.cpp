@@ -91,7 +91,7 @@ TEST(CanBits, FieldsHaveTheOrderOfTheStandard) {
               text_of(bits_of("0 00000000001 1 1 000000000000000001 0 0 0 0000")));
 }
 
-TEST(CanBits, StuffBitFollowsFiveEqualBitsAndCountsItself) {
+TEST(CanBits, StuffBitFollowsFiveEqualBitsAndBeginsTheNextFive) {
     EXPECT_EQ(count_stuff_bits(bits_of("0000")), 0U);
     EXPECT_EQ(count_stuff_bits(bits_of("1111")), 0U);
     EXPECT_EQ(count_stuff_bits(bits_of("11111")), 1U);

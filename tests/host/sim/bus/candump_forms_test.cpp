@@ -98,8 +98,9 @@ TEST(CandumpLine, LineHasTimeInterfaceFrameAndMark) {
 }
 
 TEST(CandumpLine, RefusalNamesTheWrongPart) {
-    EXPECT_NE(refusal("(1.0) can0").find("not time, interface and frame"), std::string::npos);
-    EXPECT_NE(refusal("(1.0) can0 703#05 X").find("not time, interface and frame"), std::string::npos);
+    EXPECT_NE(refusal("(1.0) can0").find("does not consist of a time, an interface and a frame"), std::string::npos);
+    EXPECT_NE(refusal("(1.0) can0 703#05 X").find("does not consist of a time, an interface and a frame"),
+              std::string::npos);
     for (const char* text : {"1.0) can0 703#05", "(1.0 can0 703#05", "() can0 703#05", "( can0 703#05"}) {
         EXPECT_NE(refusal(text).find("is not in brackets"), std::string::npos) << text;
     }

@@ -156,7 +156,7 @@ TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
     EXPECT_THAT(system.rates_set, SizeIs(1));
 }
 
-TEST_F(SocketCan, BitRateOfLssIsReportedWithoutPermissionOrSupport) {
+TEST_F(SocketCan, BitRateOfLssThatCannotBeSetIsReportedToTheUser) {
     a.rate = 125000;
     start();
     a.rate = 250000;
@@ -166,11 +166,11 @@ TEST_F(SocketCan, BitRateOfLssIsReportedWithoutPermissionOrSupport) {
     EXPECT_THAT(notices[0], HasSubstr("without --control-interface"));
     EXPECT_THAT(notices[0], HasSubstr("ip link set vcan0 type can bitrate 250000"));
 
-    system.rate_refusal = "vcan0 has no bit rate to be set";
+    system.rate_refusal = "vcan0 has no bit rate that can be set";
     start(InterfaceControl::granted);
     a.rate = 500000;
     step(10);
-    EXPECT_THAT(notices.back(), HasSubstr("vcan0 has no bit rate to be set"));
+    EXPECT_THAT(notices.back(), HasSubstr("vcan0 has no bit rate that can be set"));
     EXPECT_THAT(notices.back(), HasSubstr("bitrate 500000"));
 }
 

@@ -52,7 +52,7 @@ TEST_F(SocketCan, RefusedFrameIsReportedAndTheNextFrameIsSent) {
     a.send("704#05");
     system.sockets[first].send_answers = {EINVAL};
     step(10);
-    EXPECT_THAT(notices, ElementsAre("vcan0 did not take 703#05 (Invalid argument)"));
+    EXPECT_THAT(notices, ElementsAre("vcan0 refused the frame 703#05 (Invalid argument)"));
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("704#05"));
     system.arrive(monitor, "703#05", system.realtime_us);  // the same frame from another program
     system.arrive(monitor, "704#05", system.realtime_us);

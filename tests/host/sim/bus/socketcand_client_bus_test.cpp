@@ -154,7 +154,7 @@ TEST_F(SocketcandServerElsewhere, FramesAreSpacedByTheBitRate) {
     bus->advance(now + microseconds(383));
     EXPECT_THAT(log, SizeIs(1));
     const Instant next = bus->next_deadline();
-    EXPECT_LE(next, now + microseconds(480));  // 60 bits
+    EXPECT_LE(next, now + microseconds(480));  // 60 bits at 125 kbit/s
     bus->advance(next);
     EXPECT_THAT(log, ElementsAre("a 555#", "b 555#"));
 }

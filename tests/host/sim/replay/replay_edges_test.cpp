@@ -128,7 +128,7 @@ TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
     RecordingDevice shortened;
     play(shortened, "(1.000000) can0 080#\n(3602.999999) can0 300#\n(3604.000000) can0 300#01\n");
     EXPECT_THAT(shortened.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 300#", "3602.000001 300#01"));
-    EXPECT_THAT(notices, ElementsAre("nothing happens before 3602.999999: 1 s of it are left out"));
+    EXPECT_THAT(notices, ElementsAre("nothing happens before 3602.999999; the replay leaves out 1 s"));
     EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // in the time of the log
 }
 
@@ -137,8 +137,8 @@ TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
     input.start = Instant{2000000};
     play(device, "(3.000000) can0 080#\n(3606.000000) can0 081#\n(7209.500000) can0 082#\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 081#", "7201.000000 082#"));
-    EXPECT_THAT(notices, ElementsAre("nothing happens before 3606.000000: 3 s of it are left out",
-                                     "nothing happens before 7209.500000: 3 s of it are left out"));
+    EXPECT_THAT(notices, ElementsAre("nothing happens before 3606.000000; the replay leaves out 3 s",
+                                     "nothing happens before 7209.500000; the replay leaves out 3 s"));
 }
 
 TEST_F(ReplayEdges, DeviceRunsAlonePastTheLongestSilenceUntilTheGivenTime) {

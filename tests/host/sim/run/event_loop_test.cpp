@@ -102,7 +102,7 @@ TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
     }
 }
 
-TEST(EventLoop, IgnoredHangupSignalEndsNothing) {
+TEST(EventLoop, IgnoredHangupSignalDoesNotEndTheLoop) {
     const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
     {
         EventLoop loop;

@@ -84,7 +84,7 @@ TEST(FrameLog, PcapHasAHeaderAndPackets) {
     EXPECT_EQ(written(LogFormat::pcap), bytes(header + " " + heard + " " + own));
 }
 
-TEST(FrameLog, PcapngFlagsExtendedAndRemoteFrames) {
+TEST(FrameLog, PcapngLogMarksExtendedAndRemoteFrames) {
     std::ostringstream out;
     FrameLog log{&out, LogFormat::pcapng};
     log.write({Instant{}, "can0", parse_frame("1FFFFFFF#", "test")}, false);
