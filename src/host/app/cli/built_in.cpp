@@ -73,7 +73,8 @@ const Part& device_named(const std::string& name) {
             return device_part(one.name);
         }
     }
-    throw InputError{fmt::format("there is no device `{}`; `canproof devices` lists them", name)};
+    throw InputError{
+        fmt::format("there is no device `{}` in this program; `canproof devices` lists those that it has", name)};
 }
 
 }  // namespace canproof::host

@@ -65,8 +65,8 @@ std::filesystem::path home_of(const std::filesystem::path& build) {
     std::ifstream in{file};
     std::string home;
     if (!std::getline(in, home) || home.empty()) {
-        throw InputError{
-            fmt::format("there is no {}; build the project first, or name its folder with --root", file.string())};
+        throw InputError{fmt::format(
+            "there is no {}; build the project first, or name the folder of its build with --build", file.string())};
     }
     return home;
 }

@@ -31,8 +31,10 @@ void check_register(const std::map<std::string, std::string>& files) {
     }
     const LoadResult loaded = load_register(with_shared_rules(std::move(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
-        throw InputError{fmt::format("nothing is written, because the register would have {} fault(s), the first {}",
-                                     loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
+        throw InputError{
+            fmt::format("nothing is written: correct the data sheet or the options; their register would have {} "
+                        "fault(s), the first {}",
+                        loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
 }
 

@@ -83,8 +83,9 @@ void store_finding(const CampaignContext& context, const FoundInput& found) {
     finding.reproduces = found.reproduces;
     finding.regression = land(context, *found.target, finding, found.input);
     write_json(folder / "finding.json", finding);
-    context.display.say(fmt::format("FINDING {}: {}\n  {} ({} bytes, {} time(s))", finding.target, finding.title,
-                                    finding.folder, finding.bytes, finding.times));
+    context.display.say(fmt::format("FINDING {}: {}\n  {} ({} bytes, {} time(s)){}{}", finding.target, finding.title,
+                                    finding.folder, finding.bytes, finding.times,
+                                    finding.regression.empty() ? "" : "\n  kept as ", finding.regression));
     all.push_back(std::move(finding));
 }
 
