@@ -90,10 +90,13 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
     }
     const std::uint64_t number = number_in(value);
     code = objects_.check_bits(*entry.row, number);
-    if ((code == AbortCode::none) && objects_.put_bits(*entry.row, number)) {
+    if (code != AbortCode::none) {
+        return code;
+    }
+    if (objects_.put_bits(*entry.row, number)) {
         note_change(entry, now);
     }
-    return code;
+    return AbortCode::none;
 }
 
 /// Writes an entry that a service or the device owns, or that has a variable length, or returns why it cannot be

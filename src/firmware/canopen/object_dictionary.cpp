@@ -71,17 +71,14 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
     }
     // Sub-indices ascend from 0 and few are absent: the row of sub-index n is row n or an earlier one.
     const ObjectRow& object = tables.objects[position];
-    const EntryRow* const first = &tables.entries[object.first_entry];
+    const std::size_t first = object.first_entry;
     const std::size_t wanted = subindex;
-    const bool is_within = wanted < object.count;
-    if (is_within && (first[wanted].subindex == wanted)) {
-        return EntryRef{first + wanted, index};
+    std::size_t place = first + ((wanted < object.count) ? wanted : (object.count - std::size_t{1U}));
+    while ((place != first) && (std::uint32_t{tables.entries[place].subindex} > subindex)) {
+        --place;
     }
-    const EntryRow* row = first + (is_within ? wanted : (object.count - std::size_t{1U}));
-    while ((row != first) && (std::uint32_t{row->subindex} > subindex)) {
-        --row;
-    }
-    return EntryRef{(std::uint32_t{row->subindex} == subindex) ? row : nullptr, index};
+    const EntryRow& row = tables.entries[place];
+    return EntryRef{(std::uint32_t{row.subindex} == subindex) ? &row : nullptr, index};
 }
 
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
@@ -99,8 +96,7 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
 ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     constexpr std::size_t step = sizeof(Word);
     std::size_t length{0U};
-    while (((bytes.size() - length) >= step) &&
-           !has_zero_byte(static_cast<Word>(load_le<step>(bytes.data() + length)))) {
+    while (((bytes.size() - length) >= step) && !has_zero_byte(static_cast<Word>(get_le<step>(bytes, length)))) {
         length += step;
     }
     while ((length < bytes.size()) && (bytes[length] != 0U)) {
@@ -188,7 +184,10 @@ bool ObjectDictionary::put(const EntryRef& entry, const ByteView value) noexcept
 }
 
 bool ObjectDictionary::put_bits(const EntryRow& row, const std::uint64_t bits) noexcept {
-    return !row.may(rights::constant) && image_.exchange_le(row.offset, row.size, bits);
+    if (row.may(rights::constant)) {
+        return false;
+    }
+    return image_.exchange_le(row.offset, row.size, bits);
 }
 
 void ObjectDictionary::load_defaults(const ParameterGroup group, const std::uint8_t node_id) noexcept {

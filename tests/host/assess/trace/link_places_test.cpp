@@ -49,7 +49,7 @@ TEST(LinkPlaces, MoreThanThreeLinksInOnePlaceAreReported) {
 TEST(LinkPlaces, AdjacentLinkStatementsCountAsOnePlace) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A> && implements<req::B>);",
                            "static_assert(implements<req::C> && implements<req::D>);", "void do_it() {", "}"}),
-                ElementsAre(HasSubstr(":1: 4 items")));
+                ElementsAre(HasSubstr(":1: one place names 4 items")));
 }
 
 TEST(LinkPlaces, LinkAboveNoCodeIsMisplaced) {
