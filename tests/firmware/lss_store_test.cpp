@@ -23,7 +23,7 @@ void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) 
 
 }  // namespace
 
-TEST(LssStore, FactoryValuesApplyUntilAStore) {
+TEST(LssStore, FactoryValuesApplyWithoutAStore) {
     verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     expect(LssStore{memory}.load(shipped), 127, 125000);
