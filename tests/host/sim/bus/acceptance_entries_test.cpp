@@ -108,7 +108,7 @@ TEST(AcceptanceEntries, ValidSdoServerIdentifiersAreAcceptedAndClientIdentifiers
               (Names{"000", "7E5", "705", "605"}));
 }
 
-TEST(AcceptanceEntries, EveryValidPdoIsAccepted_ATransmitPdoForItsRequests) {
+TEST(AcceptanceEntries, ValidPdosAreAccepted_TransmitPdosForTheirRequests) {
     EXPECT_EQ(names(filters_with({{0x1400, record(0x1400, {0x205, 255})},
                                   {0x1401, record(0x1401, {0x80000305, 255})},
                                   {0x15FF, record(0x15FF, {0x20010306, 255})},
