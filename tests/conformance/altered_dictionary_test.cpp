@@ -70,7 +70,7 @@ TEST_F(AlteredDictionary, FifthHeartbeatConsumerMonitorsNoNode) {
     EXPECT_EQ(pass(1000), Frames{"100:085#3081110100000000"});
 }
 
-TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverTheLimitsOfItsEntry) {
+TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedByAnEntryWithoutLimitsToo) {
     verifies<req::CO_PDO_024>();
     entry(0x1802, 6).limit = no_limit;
     power_on();
@@ -78,7 +78,7 @@ TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedWhateverTheLimitsOfItsE
     EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
 }
 
-TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedWhateverTheLimitsOfItsEntry) {
+TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedByAnEntryWithoutLimitsToo) {
     verifies<req::CO_SYNC_007>();
     entry(0x1019, 0).limit = no_limit;
     power_on();

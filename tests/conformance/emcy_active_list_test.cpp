@@ -174,7 +174,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     EXPECT_TRUE(emcy.take_register_change());  // the register has changed, whether messages are sent or not
 }
 
-TEST_F(ActiveList, ResetNodeClearsAllActiveErrors) {
+TEST_F(ActiveList, ResetNodeClearsAnActiveError) {
     verifies<req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     sent();

@@ -266,7 +266,7 @@ TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
-TEST_F(Errors, ErrorThatOutlastsAResetIsReportedAgain) {
+TEST_F(Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_012>();
     overrun(true);
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
@@ -283,7 +283,7 @@ TEST_F(Errors, ErrorThatOutlastsAResetIsReportedAgain) {
     EXPECT_EQ(error_register(), "01");
 }
 
-TEST_F(Errors, HardwareFailureThatOutlastsAResetIsReportedAgain) {
+TEST_F(Errors, HardwareFailureThatOutlastsAResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_018, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();

@@ -181,7 +181,7 @@ TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110200000000"}));
 }
 
-TEST_F(ErrorControlService, ResetEndsTheHeartbeatError) {
+TEST_F(ErrorControlService, ResetCommunicationEndsTheHeartbeatError) {
     verifies<req::CO_HB_004, req::CO_NMT_006>();
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("731#05");

@@ -352,7 +352,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }
 
-TEST_F(Rpdo, ResetEndsTheErrorsOfReception) {
+TEST_F(Rpdo, ResetCommunicationEndsTheErrorsOfReception) {
     verifies<req::CO_PDO_020, req::CO_PDO_021>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -127,7 +127,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
                 });
 }
 
-TEST_F(SdoBlock, BlockSizesFrom1To127AreAccepted) {
+TEST_F(SdoBlock, BlockSizesOtherThan1To127AreRefused) {
     verifies<req::CO_SDO_024, req::CO_E_ABORT>();
     hold(nine);
     talk(*this, {

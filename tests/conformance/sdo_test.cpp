@@ -250,7 +250,7 @@ TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
     EXPECT_EQ(send("605#2100240002000000"), (Frames{"585#8000240012000706"}));
 }
 
-TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAnyByte) {
+TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},

@@ -55,7 +55,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     }
 }
 
-TEST_F(VerifyConfiguration, ChangeOfAnyByteOfATextClearsDateAndTime) {
+TEST_F(VerifyConfiguration, ChangeOfATextClearsDateAndTimeAndTheSameTextDoesNot) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
@@ -103,7 +103,7 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
 
 // Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
 // AX060805 4.2.12
-TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreKeptWhateverIsConfigured) {
+TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOf1017h) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);

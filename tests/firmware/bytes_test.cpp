@@ -50,7 +50,7 @@ TEST(Bytes, NumbersBeyondTheEndReadAsZeroAndStayUnwritten) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 8>{{0xBB, 0xAA, 3, 0xBB, 5, 6, 7, 8}}));
 }
 
-TEST(Bytes, ExchangeTellsWhetherTheBytesDiffered) {
+TEST(Bytes, ExchangeReturnsWhetherTheBytesDiffered) {
     shows_rule("a value that stays is no change");
     for (std::size_t count = 0; count <= 8; ++count) {
         std::array<std::uint8_t, 10> room{{9, 1, 2, 3, 4, 5, 6, 7, 8, 9}};

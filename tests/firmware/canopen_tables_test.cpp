@@ -96,7 +96,7 @@ TEST(CanopenTables, FastscanLengthsFollowCiA305) {
 }
 
 // CiA 301, 7.3.3
-TEST(CanopenTables, IdentifiersFollowCiA301) {
+TEST(CanopenTables, GuardingIdentifiersBeginAt700h) {
     verifies<req::CO_K_GUARDING_ID>();
     EXPECT_EQ(own::guarding_cob_id_base, 0x700U);
 }

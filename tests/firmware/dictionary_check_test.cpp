@@ -72,7 +72,7 @@ TEST(DictionaryCheck, ObjectsOutOfOrderOrWithEntryGapsAreRefused) {
     EXPECT_FALSE(overlapping.sound());
 }
 
-TEST(DictionaryCheck, SubindicesOutOfOrderAreRefused) {
+TEST(DictionaryCheck, RepeatedSubindexIsRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary twice;
     twice.entries[2].subindex = 0U;

@@ -23,7 +23,7 @@ void expect(const LssConfiguration& found, int node_id, std::uint32_t bit_rate) 
 
 }  // namespace
 
-TEST(LssStore, FactoryValuesApplyUntilAStore) {
+TEST(LssStore, FactoryValuesApplyWithoutAStore) {
     verifies<req::CO_LSS_017>();
     host::Memory memory{64};
     expect(LssStore{memory}.load(shipped), 127, 125000);
@@ -104,7 +104,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
     expect(LssStore{memory}.load(shipped), 127, 125000);
 }
 
-TEST(LssStore, DamagedSlotIsIgnored) {
+TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     verifies<req::CO_LSS_017, req::CO_LSS_065>();
     for (const int stores : {1, 2, 3}) {  // the latest is in the first slot, in the second, in the first
         for (std::size_t at = 0; at < 40; ++at) {

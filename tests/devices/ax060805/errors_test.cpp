@@ -190,7 +190,7 @@ TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10 ms with the sample, not at 7 ms with the filter
 }
 
-TEST_F(Ax060805Errors, ErrorThatOutlastsAResetIsReportedAgain) {
+TEST_F(Ax060805Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
     fail_accelerometer();
     EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));

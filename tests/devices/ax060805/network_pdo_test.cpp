@@ -53,7 +53,7 @@ TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
     EXPECT_EQ(pass(200), (Frames{}));
 }
 
-TEST_F(Network, NoTpdoAnswersARemoteFrame) {
+TEST_F(Network, Tpdo1And2DoNotAnswerRemoteFrames) {
     verifies<req::INC_OD_1800, req::INC_OD_1801, req::INC_PDO_002>();
     send("000#0100");
     EXPECT_EQ(send("1FF#R"), (Frames{}));

@@ -218,7 +218,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, InputInErrorPutsTheRelayOffWhateverItsOverride) {
+TEST_F(Ax130751Interlock, InputInErrorPutsAnOverriddenRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
     watch_extra();
     set8(0x2293, 1, 1);
@@ -313,7 +313,7 @@ TEST_F(Ax130751Interlock, SecondSilentProducerShutsOutputsOffToo) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F) << "pre-operational again";
 }
 
-TEST_F(Ax130751Interlock, BlocksRunOutsideOperational) {
+TEST_F(Ax130751Interlock, LookupTableRunsInPreOperational) {
     verifies<req::AOR_OUT_026>();
     send("000#807F");
     choose(0x3010, 0, canopen, 4);

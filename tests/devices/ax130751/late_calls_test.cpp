@@ -137,7 +137,7 @@ TEST_F(Ax130751LateCalls, EmcyWithoutRoomInTheQueueDelaysNoTimeOut) {
     EXPECT_EQ(sent(), (Frames{"0FF#1082010000000000", "0FF#0081010000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, NextDeadlineIsNeverTooEarly) {
+TEST_F(Ax130751LateCalls, DeviceAtRestHasNoDeadlineUntilItsInputsChange) {
     verifies<req::AOR_OUT_027>();
     pass(500);
     EXPECT_EQ(device->next_deadline(), never) << "at rest";

@@ -191,7 +191,7 @@ TEST_F(Ax130751Output, OutputOfType0IgnoresOverrideAndFaultValue) {
     }
 }
 
-TEST_F(Ax130751Output, OutputStaysInTheRangeOfItsType) {
+TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
     verifies<req::AOR_OUT_016>();
     make(10);
     set16(0x7323, 1, 10000);

@@ -34,7 +34,7 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax130751Storage, WritesToOtherObjectsChangeNoNodeId) {
+TEST_F(Ax130751Storage, WriteTo6310hChangesNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
     EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -54,7 +54,7 @@ TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
     EXPECT_EQ(read(0x1400, 1), 0x40000220U);
 }
 
-TEST_F(Ax130751Storage, LeavingLssConfigurationAlwaysSendsBootUp) {
+TEST_F(Ax130751Storage, LeavingLssConfigurationWithoutAChangeSendsBootUp) {
     verifies<req::AOR_LSS_001>();
     send("7E5#0401");
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));

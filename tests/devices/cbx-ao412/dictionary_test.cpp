@@ -127,7 +127,7 @@ TEST_F(Dictionary, StringsMatchTheManual) {
     EXPECT_EQ(send("603#400A100000000000"), (Frames{"583#430A1000322E3034"}));  // "2.04"
 }
 
-TEST_F(Dictionary, EachUnitHasItsOwnVersionsAndDate) {
+TEST_F(Dictionary, FactoryDataGiveTheUnitItsVersionsAndDate) {
     verifies<req::AO4_OD_1009, req::AO4_OD_100A, req::AO4_OD_1018, req::AO4_OD_1F52>();
     factory.hardware_version = {'1', '.', '1', '0'};
     factory.software_version = {'2', '.', '0', '6', ' ', 'b', 'e', 't'};

@@ -42,7 +42,7 @@ class WholeFile : public testing::Test {
 
 }  // namespace
 
-TEST_F(WholeFile, FileIsReadByteByByte) {
+TEST_F(WholeFile, FileIsReadUnchanged) {
     const std::string bytes("a\0\r\n\xFF", 5);
     EXPECT_EQ(read_file(file(bytes), 5), bytes);
     EXPECT_EQ(read_file(file(""), 5), "");

@@ -25,7 +25,7 @@ TEST(ReplaceFile, NewAndExistingFilesGetTheWholeContent) {
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-TEST(ReplaceFile, OldContentStaysUntilTheNewContentIsComplete) {
+TEST(ReplaceFile, OldContentStaysWhenTheNewContentIsAbandoned) {
     const ScratchFolder folder;
     ScratchFolder::fill(folder / "a", "old");
     {

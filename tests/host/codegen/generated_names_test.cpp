@@ -101,7 +101,7 @@ TEST(GeneratedNames, ProfileWithoutServicesEqualsThatOfAPlainNode) {
                 HasSubstr("canproof::lss_bit_rates(canopen::lss_bit_rates::rows);"));
 }
 
-TEST(GeneratedNames, UnknownServicesAreFaults) {
+TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
     SpecFiles files = small_register();
     files[device_file] += "lss_bit_rates = \"AO4-T9\"\nrpdos_answering_remote = [0, 9]\n";
     const std::string faults = all_faults(load_register(files));

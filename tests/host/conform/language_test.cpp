@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLine{"block write 1008:00 = zeros(9) lost 3", "is no option of a block transfer"},
                     BadLine{"let x = foo", "functions are"}, BadLine{"each object as E {\n}", "`each` has no list"}));
 
-TEST(ConformLanguage, UnknownKeysOfACaseAreRefused) {
+TEST(ConformLanguage, UnknownKeysAndRepeatedNamesOfCasesAreRefused) {
     EXPECT_THAT(faults_of_steps("wait 1 ms", "risk = \"some\""), ElementsAre(HasSubstr("none")));
     EXPECT_THAT(faults_of_steps("wait 1 ms", "needs = [\"a unicorn\"]"), ElementsAre(HasSubstr("is no need")));
     EXPECT_THAT(faults_of_steps("wait 1 ms", "colour = \"red\""), ElementsAre(HasSubstr("colour")));

@@ -41,7 +41,7 @@ TEST(ConformRun, SkippedCaseHasItsReason) {
     EXPECT_EQ(left_out.why, "not this one");
 }
 
-TEST(ConformRun, CaseWithoutACheckIsReportedAsBroken) {
+TEST(ConformRun, CaseThatCannotBeJudgedIsBroken) {
     EXPECT_EQ(run_steps_on_slave("wait 1 ms").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("wait $unknown").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("while 1 {\nwait 1 us\n}").verdict, Verdict::broken);
@@ -56,7 +56,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, PeriodIsMeasured) {
+TEST(ConformRun, PeriodCountAndSilenceAreMeasured) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
     const CaseResult late = run_steps_on_slave(steps + "period 700+N = 90 ms +- 5 % over 10");
@@ -82,7 +82,7 @@ TEST(ConformRun, BlockTransfersCarryEveryByte) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why << result.step;
 }
 
-TEST(ConformRun, UnexpectedAdditionalFrameFails) {
+TEST(ConformRun, UnexpectedBootUpMessageFails) {
     VirtualTarget target{hooked_slave([](Frame& frame) {
                              frame.data[0] = frame.id == 0x705 ? std::uint8_t{0} : frame.data[0];
                              return true;
@@ -237,7 +237,7 @@ TEST(ConformRun, UnknownCaseNamesAreRefused) {
     EXPECT_THROW(run_on(target, case_text("some", "read 1000:00"), options), InputError);
 }
 
-TEST(ConformRun, BackgroundTrafficFillsTheBus) {
+TEST(ConformRun, BackgroundTrafficLoadsTheBusAsRequested) {
     const CaseResult result =
         run_steps_on_slave("traffic 80 % high\nread 1000:00\nwait 1 s\ntraffic off\nread 1000:00");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;

@@ -73,7 +73,7 @@ class ToolSheet : public testing::Test {
 
 }  // namespace
 
-TEST_F(ToolSheet, MappingIsARecordInEveryFormat) {
+TEST_F(ToolSheet, MappingIsARecordInEdsXddAndJson) {
     EXPECT_THAT(eds(), HasSubstr(crlf("[1600]\nParameterName=RPDO1 mapping\nObjectType=0x9\n")));
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_xdd(loaded_.content, box()).c_str()));
@@ -129,7 +129,7 @@ TEST_F(ToolSheet, Real32IsWrittenAsDecimalWithoutLimitsOrAsBitsWithLimits) {
                                                  "LowLimit=0xC0000000\nHighLimit=0x41000000\nPDOMapping=0\n")));
 }
 
-TEST_F(ToolSheet, Real32WithoutLimitsAcceptsEveryNumber) {
+TEST_F(ToolSheet, Real32ReadFromADataSheetWithoutLimitsHasNoRange) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     EXPECT_TRUE(read.part.objects.back().entries.front().range.empty());

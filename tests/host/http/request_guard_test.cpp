@@ -71,7 +71,7 @@ TEST(RequestGuard, OtherOriginIsRefused) {
     }
 }
 
-TEST(RequestGuard, CrossSiteFetchIsRefused_WithoutOriginToo) {
+TEST(RequestGuard, CrossSiteFetchWithoutOriginIsRefused) {
     for (const std::string site : {"cross-site", "same-site"}) {
         PanelRequest request = post();
         request.origin = "";
@@ -105,7 +105,7 @@ TEST(RequestGuard, OtherMethodsAreRefused) {
     }
 }
 
-TEST(RequestGuard, ErrorTextIsJson_WhateverBytesItHolds) {
+TEST(RequestGuard, ErrorTextWithQuotesOrInvalidUtf8IsJson) {
     EXPECT_EQ(error_response(404, "no \"x\"").body, R"({"error":"no \"x\""})");
     EXPECT_NE(error_response(404, "\xFF").body.find("error"), std::string::npos);
 }

@@ -80,7 +80,7 @@ TEST(Fingerprint, FingerprintChangesWithDefaultLimitAndAccessOfAnObject) {
     EXPECT_NE(before, other_limit);
 }
 
-TEST(Fingerprint, EveryIdOfAPartHasAFingerprint) {
+TEST(Fingerprint, RequirementsAndTablesOfAPartHaveFingerprints) {
     Part part;
     part.requirements.push_back(requirement("Opens."));
     part.tables.push_back(table(1));

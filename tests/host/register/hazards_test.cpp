@@ -63,7 +63,7 @@ TEST(RegisterHazards, HazardsAreReadAsWritten) {
     EXPECT_EQ(hazard.failures[1].reason, "The box does not measure its output.");
 }
 
-TEST(RegisterHazards, HazardsNameExistingRequirementsAndOutputs) {
+TEST(RegisterHazards, UnknownItemsOfAHazardAreRefused) {
     EXPECT_THAT(faults_of(edited("prevented_by = [\"AO4-R-1\"]", "prevented_by = [\"AO4-R-9\"]")),
                 HasSubstr("AO4-R-9 is no requirement in force; name a requirement that prevents the failure"));
     EXPECT_THAT(faults_of(edited("at = [\"AO4-S-OUT\"]", "at = [\"AO4-R-1\"]")),

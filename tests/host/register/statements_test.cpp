@@ -115,13 +115,13 @@ TEST(ManualStatements, UncoveredStatementsAreNoFault) {
     EXPECT_TRUE(loaded.content.manual("M1")->statements.at(0).is_open());
 }
 
-TEST(ManualStatements, StatementsNameExistingPlacesOfTheManual) {
+TEST(ManualStatements, StatementOfAnUnknownSectionIsRefused) {
     EXPECT_THAT(faults_of(edited("\"1\"", "\"4.2\"")),
                 HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct it, or add 4.2 to "
                           "spec/manuals/m.toml"));
 }
 
-TEST(ManualStatements, StatementsAreCoveredByItemsInForceOfTheirDevice) {
+TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
     EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-9")),
                 HasSubstr("1-objects.toml:5: M1:1/1 is covered by AO4-R-9, which does not exist; correct the id"));
     EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-2")),
@@ -146,12 +146,12 @@ TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
     EXPECT_EQ(all_faults(load_register(files)), "");
 }
 
-TEST(ManualStatements, StatementsHaveItemsOrAReasonAndNotBoth) {
+TEST(ManualStatements, StatementWithItemsAndAReasonIsRefused) {
     EXPECT_THAT(faults_of(covered + "reason = \"hardware\"\n"),
                 HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
 }
 
-TEST(ManualStatements, StatementMarksAreUniqueInAManual) {
+TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
     EXPECT_THAT(faults_of(edited("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
     EXPECT_THAT(faults_of(edited("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
     EXPECT_THAT(faults_of(edited("20:3f9a0c1b2d4e", "20:3f9a")),
@@ -160,14 +160,14 @@ TEST(ManualStatements, StatementMarksAreUniqueInAManual) {
                 HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e is already at M1:1/1; mark another passage"));
 }
 
-TEST(ManualStatements, StatementsAreInTheFolderOfAManual) {
+TEST(ManualStatements, StatementsInAFolderWithoutAManualAreRefused) {
     SpecFiles files = with(items_file, items);
     files["spec/manuals/n/1.toml"] = covered;
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("spec/manuals/n/1.toml:1: the folder belongs to no manual"));
 }
 
-TEST(ManualStatements, FileOfStatementsHasNothingElse) {
+TEST(ManualStatements, UnknownKeyInAFileOfStatementsIsRefused) {
     EXPECT_THAT(faults_of("[[section]]\nref = \"9\"\n" + covered), HasSubstr("the key `section` is unknown"));
     EXPECT_THAT(faults_of(covered + "author = \"me\"\n"), HasSubstr("the key `author` is unknown"));
 }

@@ -33,7 +33,7 @@ void expect_angles(const LinePlot& plot, double second, double pitch, double rol
 
 }  // namespace
 
-TEST(InclinometerFigures, TumbleCoversAllOrientations) {
+TEST(InclinometerFigures, TumblePlotShowsTheAnglesOfItsPositions) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004, req::INC_ANGLE_015, req::INC_ANGLE_013>();
     const LinePlot plot = tumble_plot();
     ASSERT_EQ(plot.curves.size(), 3U);

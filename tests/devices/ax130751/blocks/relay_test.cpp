@@ -155,7 +155,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, DisabledRelayIsOffWhateverThePolarity) {
+TEST_F(RelayTest, DisabledInverseRelayIsOff) {
     verifies<req::AOR_RELAY_009>();
     EXPECT_EQ(run("..", inverse, "", OutputDrive::shut_off), "..");
     EXPECT_EQ(run("..", inverse), "##");

@@ -250,7 +250,7 @@ TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
     }
 }
 
-TEST(Thermocouple, ReferenceFunctionsContinueBeyondTheirRange) {
+TEST(Thermocouple, ReferenceFunctionOfTypeBContinuesBelowItsRange) {
     verifies<req::TCS_CJ_005>();
     // B at -40 degC: c1 t + c2 t^2 + c3 t^3 = 9.860 + 9.446 + 0.085 uV
     EXPECT_NEAR(reference_mv(curve_of(its90_b()), -40.0) * 1000.0, 9.860 + 9.446 + 0.085, 0.006);

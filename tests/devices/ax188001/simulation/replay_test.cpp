@@ -74,7 +74,7 @@ TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
               "(93.110000) can0 0FF#11F0010120000000\n");
 }
 
-TEST(Ax188001Replay, ReplayIsTheSameEveryTime) {
+TEST(Ax188001Replay, ReplayIsTheSameTwice) {
     verifies<req::TCS_IN_015>();
     std::string outputs[2];
     const std::string log = "(0.100000) can0 000#0100\n(7.000000) can0 67F#4000610100000000\n";

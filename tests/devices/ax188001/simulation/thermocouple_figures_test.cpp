@@ -43,7 +43,7 @@ TEST(ThermocoupleFigures, ConversionOfAllEightTypesErrsByAtMostAFiftiethOfADegre
     EXPECT_DOUBLE_EQ(hottest(plot.curves[7]), 1820.0);
 }
 
-TEST(ThermocoupleFigures, InverseFunctionsAloneErrByMore) {
+TEST(ThermocoupleFigures, InverseFunctionsAloneErrByLessThan61Millidegrees) {
     verifies<req::TCS_CONV_009>();
     const LinePlot plot = inverse_error_plot();
     ASSERT_EQ(plot.curves.size(), 8U);

@@ -74,7 +74,7 @@ TEST(ChosenDevices, ImpossibleNodeIdIsRefused) {
     }
 }
 
-TEST(ChosenDevices, NodeIdsFrom1To127AreAccepted) {
+TEST(ChosenDevices, NodeIds1And127Boot_And255SendsNothing) {
     EXPECT_THAT(first_frames(choose_device("ax188001@1")), HasSubstr("701#00"));
     EXPECT_THAT(first_frames(choose_device("ax188001@127")), HasSubstr("77F#00"));
     EXPECT_THAT(first_frames(choose_eds(small_eds() + "@127")), HasSubstr("77F#00"));

@@ -204,7 +204,7 @@ TEST_F(PanelOverHttp, PageIsServedWithItsContentSecurityPolicy) {
     EXPECT_THAT(get("/nothing"), StartsWith("HTTP/1.1 404 "));
 }
 
-TEST_F(PanelOverHttp, PageIsSentOnceWhateverRangesTheRequestNames) {
+TEST_F(PanelOverHttp, RequestWithManyRangesGetsThePageOnce) {
     std::string ranges = "Host: localhost\r\nRange: bytes=0-";
     while (ranges.size() < 7900) {
         ranges += ",0-";
@@ -254,7 +254,7 @@ TEST_F(PanelOverHttp, RequestHiddenInTheBodyOfARefusedRequestIsNotExecuted) {
     EXPECT_THAT(bench.log.str(), Not(HasSubstr("000#0103")));
 }
 
-TEST_F(PanelOverHttp, InvalidHttpEndsTheConnection) {
+TEST_F(PanelOverHttp, InvalidHttpIsRefusedAndTheNextRequestIsServed) {
     EXPECT_THAT(exchange("\x01\x02\x03\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(get("/"), StartsWith("HTTP/1.1 200 "));
 }

@@ -87,7 +87,7 @@ TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_EvenWhenRarelyPolled) {
     EXPECT_EQ(bench.get("/api/state").at("devices").at(0).at("lamps").at("run"), "1 flash");
 }
 
-TEST(Panel, InputsShowTheValuesComputedByThePlant) {
+TEST(Panel, InputShowsTheAccelerationComputedByThePlant) {
     PanelBench bench{{"ax060805@5"}};
     ASSERT_EQ(bench.stimulate("ax060805@5", "pitch", 90.0), 200);
     bench.run_until(10);

@@ -167,7 +167,7 @@ TEST(Impact, ImpactListsCodeTestsAndItemsOfTouchedFiles) {
     EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
 }
 
-TEST(Impact, ItemsWhoseCodeOrTestsChangedAreStale) {
+TEST(Impact, ItemsWithChangedCodeOrTestsAreStale) {
     const auto changes = work_changes({{"A", {"1", "2"}}, {"B", {"1", "2"}}, {"C", {"1", ""}}, {"D", {"1", "2"}}},
                                       {{"A", {"1", "2"}}, {"B", {"9", "2"}}, {"C", {"1", "8"}}});
     ASSERT_EQ(changes.size(), 3U);

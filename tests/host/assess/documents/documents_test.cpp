@@ -324,7 +324,7 @@ rest = "Some."
                             ElementsAre("LSS", "FR 2", "Lost.", "AO4-A-001", "Some.")));
 }
 
-TEST_F(Documents, DocumentHasTheSameContentAsPageMarkdownAndJson) {
+TEST_F(Documents, DocumentIsWrittenAsPageMarkdownAndJson) {
     const Document manual = safety_manual(content_, box());
     const std::string page = document_html(manual, {{"AO4-H-001", "hazards.html#AO4-H-001"}});
     EXPECT_THAT(page, HasSubstr("<a href=\"hazards.html#AO4-H-001\">AO4-H-001</a>"));

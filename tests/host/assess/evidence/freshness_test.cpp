@@ -120,7 +120,7 @@ TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
     fs::remove_all(root);
 }
 
-TEST(ArgumentFile, ProjectArgumentIsValidAndInvalidOnesAreReportedWithTheirLine) {
+TEST(ArgumentFile, ValidArgumentIsReadAndInvalidOnesAreReportedWithTheirLine) {
     const auto file = std::filesystem::path{::testing::TempDir()} / "argument.toml";
     const auto told = [&](const char* text) {
         std::ofstream{file} << text;

@@ -106,7 +106,7 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
-TEST_F(Pack, DocumentsOfEachDeviceAreListedAndLinked) {
+TEST_F(Pack, DocumentsOfADeviceAreListedAndLinked) {
     const PackFiles files = make();
     for (const char* name :
          {"safety-manual", "hardware-interface", "interface-control", "error-matrix", "failure-modes", "threats"}) {
@@ -225,7 +225,7 @@ TEST_F(Pack, PlotsAreDescribedForReadersWhoDoNotSeeThem) {
                 HasSubstr("alt=\"Light of a lamp. Plot of &lt;lux&gt; against seconds: lamp.\""));
 }
 
-TEST_F(Pack, OnlyExistingFilesAreLinked) {
+TEST_F(Pack, OnlyExistingDataFilesAreLinked) {
     const PackFiles files = make();
     const std::string page = files.at("index.html");
     EXPECT_THAT(page, Not(HasSubstr("cobertura")));

@@ -39,7 +39,7 @@ TEST(FaultEffect, FaultThatChangesNothingIsMasked) {
     EXPECT_EQ(effect(frames, outputs), FaultEffect::masked);
 }
 
-TEST(FaultEffect, NewEmergencyMessageDetectsTheFault) {
+TEST(FaultEffect, NewEmergencyMessageIsAnEmergencyEffect) {
     const std::string emergency = "(0.260000) can0 085#0010810000000000\n";
     EXPECT_EQ(effect(frames + emergency, outputs + "0.260000,volts,9\n"), FaultEffect::emergency);
     // The run without the fault sends this message once: a second one is new.
@@ -53,7 +53,7 @@ TEST(FaultEffect, SyncIsNoEmergencyMessage) {
     EXPECT_EQ(effect(frames + "(0.260000) can0 080#\n", outputs), FaultEffect::wrong_answer);
 }
 
-TEST(FaultEffect, ChangedHeartbeatDetectsTheFault) {
+TEST(FaultEffect, MissingHeartbeatOrExtraBootUpIsANetworkEffect) {
     EXPECT_EQ(effect(without(frames, "(0.150000) can0 705#05\n"), outputs), FaultEffect::network);
     EXPECT_EQ(effect(frames + "(0.260000) can0 705#00\n", outputs), FaultEffect::network);
 }
@@ -76,19 +76,19 @@ TEST(FaultEffect, OutputWithAnotherValueIsWrong) {
               FaultEffect::wrong_output);
 }
 
-TEST(FaultEffect, PdoWithDataOfAnotherTimeIsWrong) {
+TEST(FaultEffect, PdoWithOtherOrOlderDataIsWrong) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n") + "(0.260000) can0 185#0305\n", outputs),
               FaultEffect::wrong_pdo);
     // Frozen: 0102 was right at 0.1 s, but the value of 0.2 s is 0304.
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0102\n", outputs), FaultEffect::wrong_pdo);
 }
 
-TEST(FaultEffect, PdoAtAnotherTimeIsMissingOrLate) {
+TEST(FaultEffect, MissingPdoOrRepeatedPdoCountsAsMissingOrLate) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n"), outputs), FaultEffect::missing_pdo);
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0304\n", outputs), FaultEffect::missing_pdo);
 }
 
-TEST(FaultEffect, OtherSdoAnswerIsAWrongAnswer) {
+TEST(FaultEffect, MissingSdoAnswerIsAWrongAnswer) {
     EXPECT_EQ(effect(without(frames, "(0.250000) can0 585#4300100092010200\n"), outputs), FaultEffect::wrong_answer);
 }
 

@@ -90,7 +90,7 @@ TEST(ManualTextMarks, MarksMayEndWithinAWord) {
     EXPECT_THAT(find_marks(text, {mark_of("two lamp")}), ElementsAre(Pair(mark_of("two lamp"), ElementsAre(0U))));
 }
 
-TEST(ManualTextMarks, MarksOfEmptyTextAreNotFound) {
+TEST(ManualTextMarks, MarksAreNotFoundInEmptyText) {
     EXPECT_THAT(find_marks(ManualText{""}, {mark_of("a")}), IsEmpty());
     EXPECT_THAT(find_marks(ManualText{"...\n\n"}, {mark_of("a")}), IsEmpty());
 }
@@ -184,7 +184,7 @@ double cost_of(const unsigned words) {
 
 }  // namespace
 
-TEST(ManualTextCoverage, CoverageTimeGrowsLinearlyWithTheText) {
+TEST(ManualTextCoverage, CoverageCostGrowsLessThanQuadraticallyWithTheText) {
     // Four times the text takes four times the work; the limit allows twice that. Quadratic work would take sixteen
     // times as much.
     EXPECT_LT(cost_of(8000), 8.0 * cost_of(2000));

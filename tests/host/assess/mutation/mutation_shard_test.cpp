@@ -106,7 +106,7 @@ TEST_F(MutationShards, ShardsOfOtherAlterationsAreRefused) {
     EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 1/2`"));
 }
 
-TEST_F(MutationShards, OtherFilesAreRefusedByName) {
+TEST_F(MutationShards, InvalidShardFileIsNamed) {
     leave({1, 2});
     const fs::path file = folder / mutation_shard_name(true, {2, 2});
     for (const char* text : {"", "{", "[]", "{}", R"({"shard": "2/2", "outcomes": [{"number": "x"}]})"}) {

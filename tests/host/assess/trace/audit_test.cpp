@@ -293,7 +293,7 @@ double cost_of(std::size_t count) {
 
 }  // namespace
 
-TEST(AuditOfALargeRegister, AuditTimeGrowsLinearlyWithTheRegister) {
+TEST(AuditOfALargeRegister, AuditCostGrowsLessThanQuadraticallyWithTheRegister) {
     // Ten times the requirements and sections take ten times the work; the limit allows 25 times. An audit that
     // compares each section with each item would take a hundred times as much.
     EXPECT_LT(cost_of(5000), 25.0 * cost_of(500));

@@ -126,7 +126,7 @@ TEST_F(AuditOfStatements, StatementAboutAnObjectCountsForTheSectionOfTheObject) 
     EXPECT_THAT(sections.at("2"), ElementsAre(1U, 2U));
 }
 
-TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemWithItAsSource) {
+TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemThatNamesIt) {
     // No item has section 2 as its source; its statements are covered by a decision and a reason.
     EXPECT_THAT(audits()[0].sections[1].covered_by, IsEmpty());
     EXPECT_TRUE(audits()[0].sections[1].covered);

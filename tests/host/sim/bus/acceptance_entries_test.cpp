@@ -71,7 +71,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST(AcceptanceEntries, EveryNodeAcceptsNmtLssGuardingAndItsSdo) {
+TEST(AcceptanceEntries, NodeWithANodeIdAcceptsNmtLssGuardingAndItsSdo) {
     EXPECT_EQ(names(filters_with({})), (Names{"000", "7E5", "705", "605"}));
 }
 
@@ -82,7 +82,7 @@ TEST(AcceptanceEntries, NodeWithoutANodeIdAcceptsNmtAndLss) {
     EXPECT_EQ(names(filters_with(objects, 1)), (Names{"000", "7E5", "701", "601", "080"}));
 }
 
-TEST(AcceptanceEntries, SyncGuardingAndTimeAreAcceptedWhateverTheirHighestBits) {
+TEST(AcceptanceEntries, SyncGuardingAndTimeIdentifiersAreAcceptedWithoutTheirFlags) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x40000081)},
                                   {0x100E, variable(0x100E, 0x706)},
                                   {0x1012, variable(0x1012, 0xC0000100)}})),
@@ -90,7 +90,7 @@ TEST(AcceptanceEntries, SyncGuardingAndTimeAreAcceptedWhateverTheirHighestBits) 
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x20010081)}})).back(), "00010081");
 }
 
-TEST(AcceptanceEntries, EachIdentifierHasOneFilter) {
+TEST(AcceptanceEntries, SharedIdentifierHasOneFilterPerFormat) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x80)}})),
               (Names{"000", "7E5", "705", "605", "080"}));
     // an 11-bit and a 29-bit identifier of the same value need two filters
@@ -98,7 +98,7 @@ TEST(AcceptanceEntries, EachIdentifierHasOneFilter) {
               (Names{"000", "7E5", "705", "605", "080", "00000080"}));
 }
 
-TEST(AcceptanceEntries, EverySdoServerIdentifierIsAcceptedAndNoClientIdentifier) {
+TEST(AcceptanceEntries, ValidSdoServerIdentifiersAreAcceptedAndClientIdentifiersAreNot) {
     EXPECT_EQ(names(filters_with({{0x1200, record(0x1200, {0x605, 0x585})},
                                   {0x1201, record(0x1201, {0x621, 0x5A1})},
                                   {0x127F, record(0x127F, {0x622, 0x5A2})},
@@ -108,7 +108,7 @@ TEST(AcceptanceEntries, EverySdoServerIdentifierIsAcceptedAndNoClientIdentifier)
               (Names{"000", "7E5", "705", "605"}));
 }
 
-TEST(AcceptanceEntries, EveryValidPdoIsAccepted_ATransmitPdoForItsRequests) {
+TEST(AcceptanceEntries, ValidPdosAreAccepted_TransmitPdosForTheirRequests) {
     EXPECT_EQ(names(filters_with({{0x1400, record(0x1400, {0x205, 255})},
                                   {0x1401, record(0x1401, {0x80000305, 255})},
                                   {0x15FF, record(0x15FF, {0x20010306, 255})},

@@ -174,7 +174,7 @@ TEST_F(ArbitratedBusTest, CorruptedFrameIsSentAgainAndCounted) {
     }
 }
 
-TEST_F(ArbitratedBusTest, LostFrameIsAnOverrunOfOneReceiverUntilTheNextArrives) {
+TEST_F(ArbitratedBusTest, LostFrameIsAnOverrunOfAReceiverUntilTheNextFrameArrives) {
     BusFaultRates faults;
     faults.lost = 0.3;
     faults.seed = 5;

@@ -122,7 +122,7 @@ TEST(CanBits, FrameLengthIsFieldsPlusStuffBits) {
     }
 }
 
-TEST(CanBits, NmtStartFrameHasTheLengthCountedByHand) {
+TEST(CanBits, NmtStartFrameHasTheBitsAndStuffBitsCountedByHand) {
     // 000#0100 is 0 00000000000 0 0 0 0010 00000001 00000000, then the CRC. The frame begins with 17 zeros: stuff bits
     // follow the 5th, 10th and 15th zero, because each inserted 1 ends the run. After the 1 of the DLC come eight
     // zeros: one stuff bit follows the fifth. After the 1 of the first byte come eight zeros: one stuff bit follows the

@@ -113,7 +113,7 @@ TEST(CandumpLine, RefusalNamesTheWrongPart) {
     EXPECT_NE(refusal("(1.0) can0 70#01").find("`70#01` has no identifier of three or eight"), std::string::npos);
 }
 
-TEST(CandumpLine, ErrorFrameHasBit29OfItsIdentifierOnly) {
+TEST(CandumpLine, ErrorFrameHasBit29AndNoHigherBit) {
     const LoggedFrame error = line("(1.0) can0 20000044#0010000000000000");
     EXPECT_TRUE(error.error);
     EXPECT_EQ(error.frame.length, 8U);

@@ -117,7 +117,7 @@ TEST(StimulusFile, LineWithoutThreeFieldsOrANumberIsRefused) {
 }
 
 // The acceptance run replays the telegrams of the manual and compares the log byte by byte.
-TEST(Replay, TelegramsOfTheManualReplayTheSameTwice) {
+TEST(Replay, TelegramsOfTheManualGiveTheSameReplayTwice) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
         "(0.000000) can0 703#00\n(1.000000) can0 583#6011640100000000\n(1.100000) can0 583#4300100091010800\n";
@@ -211,7 +211,7 @@ TEST(Replay, OwnFrameOfAPlainLogIsNotReceived) {
     EXPECT_NE(replayed(requests + "(0.110050) can0 703#7F R\n", "", 0.25).find("083#"), std::string::npos);
 }
 
-TEST(Replay, UnknownSignalIsNamed) {
+TEST(Replay, UnknownSignalIsRefused) {
     EXPECT_THROW(replayed("", "0.5,temperature,20\n", 1.0), InputError);
 }
 
@@ -247,7 +247,7 @@ TEST(StimulusFile, ValueWithoutADeviceNameMustFitEveryDeviceWithTheSignal) {
     EXPECT_THROW(check_stimuli(stimuli, {loaded.content.part("ax060805"), &other}), InputError);
 }
 
-TEST(StimulusFile, NoiseSeedIsAnUnsigned32) {
+TEST(StimulusFile, NoiseSeedOutsideUnsigned32IsRefused) {
     const LoadResult loaded = load_register(embedded_spec());
     for (const char* value : {"-1", "4294967296", "1e300", "0.5"}) {
         std::istringstream in{std::string{"1.0,noise_seed,"} + value};

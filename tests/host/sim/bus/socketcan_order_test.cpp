@@ -164,7 +164,7 @@ TEST_F(SocketCan, InitialBitRateOfANodeIsNotReported) {
     EXPECT_THAT(system.rates_set, IsEmpty());
 }
 
-TEST_F(SocketCan, LossOfOneSocketIsReportedWithoutLossOfAnother) {
+TEST_F(SocketCan, LossIsReportedOnlyForTheSocketThatLostFrames) {
     a.rate = 125000;
     start();
     system.arrive(first, "603#40", system.realtime_us);

@@ -100,7 +100,7 @@ TEST_F(SocketCan, WaitingFrameIsSentAfterItsPauseNotOnReception) {
     EXPECT_EQ(system.sockets[first].send_calls, 2);
 }
 
-TEST_F(SocketCan, UpTo256FramesOfTheUserWaitAndCountOnceTheyAreSent) {
+TEST_F(SocketCan, UpTo256UserFramesWait_AndAreCountedWhenSent) {
     start();
     system.sockets[monitor].send_answers = {ENOBUFS};
     int taken = 0;

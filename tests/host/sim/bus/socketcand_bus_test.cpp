@@ -333,7 +333,7 @@ TEST_F(SocketcandServer, ClientThatNeverOpensTheBusIsDropped_AndASilentJoinedCli
     EXPECT_TRUE(until([&] { return silent.heard().find("< frame 703 ") != std::string::npos; }));
 }
 
-TEST_F(SocketcandServer, KeepaliveProbesASilentPeer) {
+TEST_F(SocketcandServer, ConnectionHasTheKeepaliveOptions) {
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));

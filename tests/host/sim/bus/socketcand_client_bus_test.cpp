@@ -241,7 +241,7 @@ TEST_F(SocketcandServerElsewhere, RemoteFrameIsReportedOnceAndNotSent) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("704#R is a remote frame")));
 }
 
-TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReported_TheBusOfTheServerKeepsItsOwn) {
+TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReportedOnce) {
     a.rate = 125000;
     join();
     a.rate = 250000;

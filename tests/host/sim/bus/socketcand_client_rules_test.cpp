@@ -179,7 +179,7 @@ TEST_F(ScriptedBus, LoadCoversTheLastSecondReceivedAndSent) {
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(ScriptedBus, BitRateIs125000WithoutANumber) {
+TEST_F(ScriptedBus, BitRateIs125000WhenNoneIsGiven) {
     connect(0);
     EXPECT_EQ(bus->report(now).bit_rate, 125000U);
 }
@@ -288,7 +288,7 @@ TEST_F(ScriptedBus, ImpossibleAddressIsRefusedAtOnce) {
     EXPECT_THROW((SocketcandClientBus{{"255.255.255.255", 29536, "can0"}, 125000, now}), InputError);
 }
 
-TEST_F(ScriptedBus, RemoteFrameIsReportedOnceAndNotSent) {
+TEST_F(ScriptedBus, UserRemoteFrameIsReportedAndNotSent) {
     join();
     bus->put(parse_frame("703#R", "test"), now);
     bus->advance(now);
@@ -297,7 +297,7 @@ TEST_F(ScriptedBus, RemoteFrameIsReportedOnceAndNotSent) {
     EXPECT_THAT(a.heard, ElementsAre("1000000 703#R"));
 }
 
-TEST_F(ScriptedBus, ChangedBitRateOfANodeIsReported) {
+TEST_F(ScriptedBus, BitRateThatANodeSetsAgainIsReported) {
     a.rate = 125000;
     join();
     a.rate = 0;

@@ -85,7 +85,7 @@ TEST_F(SocketcandClient, CommandMayArriveInPieces) {
     EXPECT_EQ(frames(), Frames{"703#05"});
 }
 
-TEST_F(SocketcandClient, NoCommandWorksBeforeOpen) {
+TEST_F(SocketcandClient, SendAndRawmodeAreRefusedBeforeOpen) {
     heard();
     EXPECT_EQ(say("< send 703 1 05 >"), "< error no bus is open >");
     EXPECT_EQ(say("< rawmode >"), "< error no bus is open >");

@@ -125,7 +125,7 @@ TEST_F(DecodedFrame, LssFrameIsDecodedToItsCommand) {
     EXPECT_EQ(words("7E4#4400000000000000"), "LSS : selected (answer)");
 }
 
-TEST_F(DecodedFrame, EveryIdentifierAndLengthIsDecoded) {
+TEST_F(DecodedFrame, EveryBaseIdentifierIsDecodedAtEveryLength) {
     for (std::uint32_t id = 0; id <= 0x7FFU; ++id) {
         for (std::uint8_t length = 0; length <= 8U; ++length) {
             Frame frame = data_frame(id, length);

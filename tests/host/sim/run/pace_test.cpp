@@ -56,7 +56,7 @@ TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
     EXPECT_EQ(pace.summary(), "");
 }
 
-TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverWorkIsLeft) {
+TEST_F(PaceOfARun, TurnEndsAfterItsTimeWithWorkLeft) {
     clock = Instant{5000000};
     cost = milliseconds(5);  // far more than the millisecond that a step advances
     turn();
@@ -66,7 +66,7 @@ TEST_F(PaceOfARun, TurnEndsAfterItsTimeWhateverWorkIsLeft) {
     EXPECT_EQ(pace.lag().us, clock.us - session->now().us);
 }
 
-TEST_F(PaceOfARun, LagIsReportedOncePerTenSecondsAndItsEndOnce) {
+TEST_F(PaceOfARun, LagAndItsEndAreReportedOnce) {
     clock = Instant{610000};
     cost = milliseconds(5);
     turn();
