@@ -177,7 +177,7 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
     EXPECT_EQ(send("603#2301160110000500"), (Frames{"583#8001160141000406"}));  // UNSIGNED8 has 8 bits, not 16
 }
 
-TEST_F(Pdo, Rpdo3IsEmptyUntilItIsMapped) {
+TEST_F(Pdo, Rpdo3SetsNoOutputByDefault) {
     verifies<req::AO4_PDO_002>();
     send("403#1111222233334444");
     for (int number = 1; number <= 4; ++number) {
