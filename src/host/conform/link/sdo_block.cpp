@@ -86,7 +86,8 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         return outcome;
     }
     if ((begun.front() & 0xF9U) != 0xC0U) {
-        throw SlaveFailed{fmt::format("the answer to a block read is {}", hex_words(begun))};
+        throw SlaveFailed{fmt::format("{} came where C0h, C2h, C4h or C6h must begin the answer to a block upload{}",
+                                      hex_words(begun), how.switch_size != 0 ? " (or 40h to 4Fh to switch)" : "")};
     }
     want_object(begun, place, "the answer");
     send({0xA3U});
