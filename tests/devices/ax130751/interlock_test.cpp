@@ -218,7 +218,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, InputInErrorPutsTheRelayOffWhateverItsOverride) {
+TEST_F(Ax130751Interlock, InputInErrorPutsAnOverriddenRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
     watch_extra();
     set8(0x2293, 1, 1);

@@ -145,7 +145,7 @@ TEST_F(Ax130751Math, UnusedInputsAreSkipped) {
     EXPECT_EQ(output(1), 0) << "no function to do: 0, not scaling 1";
 }
 
-TEST_F(Ax130751Math, DisabledMathBlockIsZeroWhateverItsScaling) {
+TEST_F(Ax130751Math, DisabledMathBlockIsZeroDespiteItsScaling) {
     verifies<req::AOR_MATH_011, req::AOR_SRC_009>();
     set16(0x4021, 1, 500);
     pass(1);
