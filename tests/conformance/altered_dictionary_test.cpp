@@ -70,7 +70,7 @@ TEST_F(AlteredDictionary, FifthHeartbeatConsumerMonitorsNoNode) {
     EXPECT_EQ(pass(1000), Frames{"100:085#3081110100000000"});
 }
 
-TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedByAnEntryWithoutLimitsToo) {
+TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedEvenWithoutALimitOfItsEntry) {
     verifies<req::CO_PDO_024>();
     entry(0x1802, 6).limit = no_limit;
     power_on();
@@ -78,7 +78,7 @@ TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedByAnEntryWithoutLimitsT
     EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
 }
 
-TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedByAnEntryWithoutLimitsToo) {
+TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedEvenWithoutALimitOfItsEntry) {
     verifies<req::CO_SYNC_007>();
     entry(0x1019, 0).limit = no_limit;
     power_on();
@@ -329,7 +329,7 @@ TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegmen
     EXPECT_TRUE(send("605#0101020304050607").empty());
     EXPECT_TRUE(send("605#0208090A0B0C0D0E").empty());
     EXPECT_EQ(send("605#8300000000000000"), Frames{"585#A2037F0000000000"});
-    // End of the block upload: C1h | 7 unused bytes << 2.
+    // End of the block download: C1h | 7 unused bytes << 2.
     EXPECT_EQ(send("605#DD00000000000000"), Frames{"585#A100000000000000"});
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#410024000E000000"});
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0001020304050607"});

@@ -219,7 +219,7 @@ TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
     EXPECT_EQ(send("609#4001140100000000"), Frames{"589#4301140109030000"});
 }
 
-TEST_F(AlteredNode, RefusedValueAtAnyPlaceDiscardsTheWholePdo) {
+TEST_F(AlteredNode, RefusedSecondValueDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
     ship(0x1600, 1, 0x20000108);
     ship(0x1600, 2, 0x10190008);  // 1019h, in which 1 is reserved

@@ -55,7 +55,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     }
 }
 
-TEST_F(VerifyConfiguration, ChangeOfATextClearsDateAndTimeAndTheSameTextDoesNot) {
+TEST_F(VerifyConfiguration, ChangedTextClearsDateAndTimeAndTheSameTextDoesNot) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {

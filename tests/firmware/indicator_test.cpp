@@ -64,7 +64,7 @@ TEST(Indicator, NextChangeIsTheEndOfThePhase) {
     EXPECT_EQ(indicator_phase(pattern(State::on), Instant{} + milliseconds(700), Duration{}).next_change, never);
 }
 
-TEST(Indicator, PatternWithoutFlashesIsSteadyDespiteAPause) {
+TEST(Indicator, PatternWithoutFlashesIsSteadyDespiteItsPause) {
     verifies<req::AO4_LED_005>();
     const IndicatorPattern lit{0U, milliseconds(1), Duration{}, milliseconds(500)};
     for (const std::uint64_t time : {0U, 1U, 499U, 500U, 1234U}) {

@@ -135,7 +135,7 @@ TEST(CanController, Every11BitIdentifierIsAcceptedAndNo29BitIdentifier) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanController, WorstStateOfTheControllerIsReported) {
+TEST(CanController, MostSevereStateThatTheControllerShowsIsReported) {
     verifies<req::CO_CAN_007>();
     Bench bench;
     bench.join();

@@ -79,7 +79,7 @@ TEST(RamCheck, PassFindsCouplingBetweenNeighbouringWords) {
     }
 }
 
-TEST(RamCheck, PassFindsAWriteThatReachesTheNextWordToo) {
+TEST(RamCheck, PassFindsAWriteThatAlsoReachesANeighbouringWord) {
     verifies<req::CO_SELF_001>();
     for (std::size_t word = 0; word + 1 < word_count; ++word) {
         EXPECT_TRUE(finds({Fault::address, {word + 1, 0}, false, {word, 0}, false})) << word;

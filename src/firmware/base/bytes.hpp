@@ -14,7 +14,8 @@ namespace canproof {
 // Numbers in memory have the byte order of the bus, so that one access reads or writes them.
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a processor that puts the least significant byte first");
 
-/// Reads N (1…8) existing bytes as a number; store_le() writes them.
+/// Reads N (1…8) bytes as a number, least significant byte first; store_le() writes the N low bytes of a number. The
+/// caller ensures that memory for N bytes begins at `bytes`.
 template <std::size_t N>
 inline std::uint64_t load_le(const std::uint8_t* const bytes) noexcept {
     std::conditional_t<(N == sizeof(std::uint32_t)), std::uint32_t, std::uint64_t> value{0U};
@@ -26,8 +27,8 @@ inline void store_le(std::uint8_t* const bytes, const std::uint64_t value) noexc
     static_cast<void>(std::memcpy(bytes, &value, N));
 }
 
-/// Reads N (1…8) bytes of an array from position `at` on; set_field_le() writes them. The compiler checks that they lie
-/// within the array.
+/// Reads N (1…8) bytes of an array from position `at` on, least significant byte first; set_field_le() writes them. The
+/// compiler checks that they lie within the array.
 template <std::size_t at, std::size_t N, std::size_t size>
 inline std::uint64_t field_le(const std::array<std::uint8_t, size>& bytes) noexcept {
     static_assert((at + N) <= size, "the field ends behind the array");

@@ -42,12 +42,12 @@ class Emcy {
     /// Begins or ends a lasting error; a call without a change does nothing. `channel` is added to the detail of the
     /// row when the error begins, for example the node-ID of a lost heartbeat.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
-    /// Reports an error that is already over: listed and sent, never active.
+    /// Reports an error that is already over: it is listed and sent as its row demands, but never active.
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
-    /// Permits or stops sending. Emergency messages leave in pre-operational and operational only; messages from other
-    /// states wait until then.
+    /// Permits or stops sending. The node permits it only in pre-operational and operational, and while it may send on
+    /// CAN; a message about an error that occurs at another time waits.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {

@@ -140,8 +140,8 @@ class Lss {
     using Request = LssFastscan::Request;
 
     bool is_served(Served when, NmtState nmt) const noexcept;
-    /// Executes a request. Returns false when it must not be answered; otherwise `said` holds the content of the answer
-    /// after its command specifier.
+    /// Executes a request. Returns false when the device must not answer it. Returns true otherwise; if the command has
+    /// an answer, `said` then contains the bytes of the answer after the command specifier.
     bool execute(LssCommand command, const Request& request, Instant now, std::uint32_t& said) noexcept;
     void switch_globally(std::uint8_t mode) noexcept;
     bool select(std::uint32_t number, std::uint32_t wanted) noexcept;

@@ -155,7 +155,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
         watch_communication(now);
         send_events(now);
     } else {
-        // a node without a node-ID serves no other frame
+        // a node without a node-ID serves only LSS requests
     }
 }
 

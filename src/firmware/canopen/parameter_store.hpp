@@ -35,8 +35,8 @@ class ParameterStore {
     /// Returns whether a saved set exists that open() or load() could not read: none of it is used, defaults apply.
     bool is_damaged() const noexcept { return damaged_; }
 
-    /// Executes a write to 1010h or 1011h. `entry` selects the groups; `value` must be the signature (otherwise
-    /// 08000020h). Returns 06060000h when the memory fails; the set stored before then remains valid.
+    /// Executes a write to 1010h (store) or 1011h (restore). `entry` selects the groups. Returns 08000020h when `value`
+    /// is not the signature, and 06060000h when the memory fails; the set that was stored before then remains valid.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
     /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses

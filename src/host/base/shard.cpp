@@ -31,7 +31,8 @@ Shard parse_shard(const std::string& text) {
                       slash == std::string::npos ? 0 : count_in(text.substr(slash + 1))};
     if (shard.number == 0 || shard.count == 0 || shard.number > shard.count) {
         throw InputError{
-            fmt::format("`{}` is not a shard; write 1/3 for the first of three, at most {} of them", text, max_shards)};
+            fmt::format("`{}` is not a shard; write 1/3 for the first of three shards; at most {} shards are allowed",
+                        text, max_shards)};
     }
     return shard;
 }

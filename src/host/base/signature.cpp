@@ -77,7 +77,9 @@ PublicKey public_key_of(const std::filesystem::path& private_key) {
         std::array<unsigned char, 32> raw{};
         std::size_t size = raw.size();
         if (EVP_PKEY_get_raw_public_key(key.get(), raw.data(), &size) != 1) {
-            throw InputError{fmt::format("the key in {} has no public half", private_key.string())};
+            throw InputError{
+                fmt::format("cannot derive the public key from the private key in {}; use another private key",
+                            private_key.string())};
         }
         made.text = fmt::format("{:02x}", fmt::join(raw, ""));
         return made;
@@ -89,7 +91,8 @@ PublicKey public_key_of(const std::filesystem::path& private_key) {
     const Memory memory{BIO_new(BIO_s_mem()), &BIO_free};
     char* text = nullptr;
     if (!memory || PEM_write_bio_PUBKEY(memory.get(), key.get()) != 1) {
-        throw InputError{fmt::format("the key in {} has no public half", private_key.string())};
+        throw InputError{fmt::format("cannot derive the public key from the private key in {}; use another private key",
+                                     private_key.string())};
     }
     const long size = BIO_get_mem_data(memory.get(), &text);
     made.text.assign(text, static_cast<std::size_t>(size) - 1U);

@@ -23,7 +23,7 @@ struct PublicKey {
 };
 
 /// Returns the public key that belongs to the private key in a PEM file. Throws InputError when the file contains no
-/// private key, a key with a password, or a key without a public half.
+/// private key, a key with a password, or a key whose public key cannot be derived.
 PublicKey public_key_of(const std::filesystem::path& private_key);
 
 }  // namespace canproof::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generated cells, and how `canproof mutate` alters each of them. Only test programs that are built with changeable
-// cells (preset `mutation`) contain them.
+// The alterations that `canproof mutate` makes to cells, the values in generated tables. Only test programs that are
+// built with changeable cells (preset `mutation`) contain the list of alterations.
 #pragma once
 
 #include <cstddef>

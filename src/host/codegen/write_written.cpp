@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates an enumeration of the objects whose values a write can change, so that a compiler can check that a switch
-// is complete.
+// Generates an enumeration of the objects whose writes the firmware reports to the device, so that a compiler can check
+// that a switch over them is complete.
 #include "host/codegen/write_written.hpp"
 
 #include <fmt/format.h>
@@ -128,7 +128,7 @@ std::string write_written(const Part& part) {
         "enum class Parameter : std::uint16_t {\n" +
         enumerators(part, stretches) + "};\n\n";
     text +=
-        "/// The object that a write has changed.\n"
+        "/// The object of a write.\n"
         "struct Written {\n    Parameter parameter;\n"
         "    std::uint8_t member;    ///< number within the family; 0: no family\n"
         "    std::uint8_t subindex;  ///< position in an array, from 1\n};\n\n";

@@ -41,7 +41,8 @@ void say(const char* name, bool ok, std::uint32_t instructions) {
     say("\n");
 }
 
-/// Runs `steps` steps. Prints whether all of them succeeded, and the instructions of the longest.
+/// Runs `steps` steps. Prints whether all of them succeeded, and how many instructions the longest step
+/// took.
 template <typename Step>
 void measure(const char* name, std::uint32_t steps, const Step& step) {
     const target::InstructionClock clock;

@@ -99,7 +99,7 @@ TEST_F(Filters, InputFilterSettlesTo95PercentWithin200msWithoutOvershoot) {
     EXPECT_EQ(last, 3000);
 }
 
-TEST_F(Filters, SwitchedOffInputFilterPassesAStepAtOnce) {
+TEST_F(Filters, AccelerationIsUnfilteredWhileTheInputFilterIsOff) {
     verifies<req::INC_FILTER_004, req::INC_OD_2002>();
     write(0x2003, 0, 1, 1);
     switch_filter_off();

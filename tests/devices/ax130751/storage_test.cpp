@@ -54,7 +54,7 @@ TEST_F(Ax130751Storage, NodeIdSetByLssIsKept) {
     EXPECT_EQ(read(0x1400, 1), 0x40000220U);
 }
 
-TEST_F(Ax130751Storage, LeavingLssConfigurationWithoutAChangeSendsBootUp) {
+TEST_F(Ax130751Storage, LeavingLssConfigurationSendsBootUpEvenWhenNothingChanged) {
     verifies<req::AOR_LSS_001>();
     send("7E5#0401");
     EXPECT_EQ(send("7E5#0400"), (Frames{"77F#00"}));

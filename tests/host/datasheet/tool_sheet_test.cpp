@@ -98,7 +98,7 @@ TEST_F(ToolSheet, EveryMappingOfTheCatalogueIsARecord) {
 }
 
 // 1003h sub-index 0 reads 0 to 4 here; a write takes only 0, which a data sheet cannot express.
-TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEveryFormat) {
+TEST_F(ToolSheet, ErrorListCountsUpToItsLengthInEdsJsonMarkdownAndXdd) {
     EXPECT_THAT(eds(), HasSubstr(crlf("ParameterName=Number of errors\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
                                       "DefaultValue=0\nLowLimit=0\nHighLimit=4\n")));
     const auto json = nlohmann::json::parse(write_object_json(box()));
@@ -129,7 +129,7 @@ TEST_F(ToolSheet, Real32IsWrittenAsDecimalWithoutLimitsOrAsBitsWithLimits) {
                                                  "LowLimit=0xC0000000\nHighLimit=0x41000000\nPDOMapping=0\n")));
 }
 
-TEST_F(ToolSheet, Real32ReadFromADataSheetWithoutLimitsHasNoRange) {
+TEST_F(ToolSheet, Real32WithoutLimitsHasNoRange) {
     const EdsResult read = read_eds(eds(), "box.eds");
     ASSERT_TRUE(read.faults.empty());
     EXPECT_TRUE(read.part.objects.back().entries.front().range.empty());

@@ -105,7 +105,7 @@ TEST(RequestGuard, OtherMethodsAreRefused) {
     }
 }
 
-TEST(RequestGuard, ErrorTextWithQuotesOrInvalidUtf8IsJson) {
+TEST(RequestGuard, ErrorTextIsJsonWithQuotesAndWithInvalidBytes) {
     EXPECT_EQ(error_response(404, "no \"x\"").body, R"({"error":"no \"x\""})");
     EXPECT_NE(error_response(404, "\xFF").body.find("error"), std::string::npos);
 }

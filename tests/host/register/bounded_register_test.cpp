@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers that are much too deep, too large or no files: reported as faults, in bounded time and memory.
+// Registers that are nested too deeply or too large are reported as faults, in bounded time and memory. A pipe, a
+// device or a file that is too large in the place of a `.toml` file is refused.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>

@@ -146,7 +146,7 @@ TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
     EXPECT_EQ(all_faults(load_register(files)), "");
 }
 
-TEST(ManualStatements, StatementWithItemsAndAReasonIsRefused) {
+TEST(ManualStatements, StatementWithItemsAndAReasonIsAFault) {
     EXPECT_THAT(faults_of(covered + "reason = \"hardware\"\n"),
                 HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
 }

@@ -13,12 +13,13 @@
 namespace canproof::ax060805 {
 
 struct InclinationSettings {
-    float filter_share{1.0F};      ///< result of low_pass_coefficient(); 1 switches the filter off
-    PitchRoll calibration{};       ///< angles of the sensor in the unit, degrees
-    PitchRoll installation{};      ///< angles of the unit on the machine, degrees
-    bool euler{false};             ///< pitch and roll as Euler angles; otherwise as tilt angles
-    float gimbal_lock_cone{0.0F};  ///< degrees from the vertical; within this angle the Euler roll is unreliable
-    float least_gravity{0.0F};     ///< g; a smaller acceleration has no measurable direction
+    float filter_share{1.0F};  ///< result of low_pass_coefficient(); 1 switches the filter off
+    PitchRoll calibration{};   ///< angles of the sensor in the unit, degrees
+    PitchRoll installation{};  ///< angles of the unit on the machine, degrees
+    bool euler{false};         ///< pitch and roll as Euler angles; otherwise as tilt angles
+    float gimbal_lock_cone{
+        0.0F};                  ///< degrees between the X axis and the vertical; below it the Euler roll is unreliable
+    float least_gravity{0.0F};  ///< g; a smaller acceleration has no measurable direction
 };
 
 /// Positions of the three angles in the array that angles() returns.

@@ -36,8 +36,8 @@ Part read_eds_part(const std::string& path) {
     if (!read.faults.empty()) {
         std::string all = faults_text(read.faults);
         all.pop_back();
-        throw InputError{
-            fmt::format("{} cannot be run, {} fault(s):\n{}", path, read.faults.size() + read.faults.left_out(), all)};
+        throw InputError{fmt::format("{} describes no device that can be run; fix its {} fault(s):\n{}", path,
+                                     read.faults.size() + read.faults.left_out(), all)};
     }
     if (std::string notes = faults_text(read.notes); !notes.empty()) {
         notes.pop_back();

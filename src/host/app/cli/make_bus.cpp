@@ -20,7 +20,9 @@ constexpr std::size_t longest_interface_name = 15;  // IFNAMSIZ without the term
 
 std::unique_ptr<Bus> make_socketcan(const RunOptions& options, const std::string& interface) {
     if (interface.empty() || interface.size() > longest_interface_name) {
-        throw InputError{fmt::format("`{}` is no interface; write --bus socketcan:vcan0", interface)};
+        throw InputError{
+            fmt::format("`{}` cannot name an interface: a name has 1 to {} characters; write --bus socketcan:vcan0",
+                        interface, longest_interface_name)};
     }
     const auto control = options.control_interface ? InterfaceControl::granted : InterfaceControl::none;
     return std::make_unique<SocketCanBus>(interface, linux_can_system(), control, Instant{});
@@ -42,7 +44,7 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
     const std::string rest = colon == std::string::npos ? "" : options.bus.substr(colon + 1);
     const BusFaultRates faults = parse_bus_faults(options.bus_faults);
     if ((kind == "socketcan" || kind == "socketcand-client") && faults.any()) {
-        throw InputError{"--bus-faults apply only to the in-process bus"};
+        throw InputError{"--bus-faults applies only to --bus inproc and --bus socketcand"};
     }
     if (kind == "inproc" && rest.empty()) {
         return std::make_unique<ArbitratedBus>("inproc", bit_rate, faults);

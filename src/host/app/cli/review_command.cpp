@@ -106,7 +106,8 @@ int review_spec(const ReviewOptions& options) {
         files.emplace_back(reviews_file(options, part), write_reviews(part, chosen, session, work));
     }
     if (!names.empty()) {
-        throw InputError{fmt::format("`{}` is neither a device nor an id in force", *names.begin())};
+        throw InputError{fmt::format(
+            "`{}` is neither a device nor an id in force; `canproof devices` lists the devices", *names.begin())};
     }
     for (const auto& [file, text] : files) {
         write_file(file, text);

@@ -81,7 +81,9 @@ std::vector<Technique> read_techniques(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     if (std::filesystem::is_directory(folder)) {
         for (const auto& file : std::filesystem::directory_iterator{folder}) {
-            files.push_back(file.path());
+            if (file.path().extension() == ".toml") {
+                files.push_back(file.path());
+            }
         }
     }
     std::sort(files.begin(), files.end());

@@ -57,8 +57,8 @@ struct Argument {
 /// Reads reports/argument.toml. Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
 
-/// Returns the rows of the standards' tables in all TOML files of a folder, in the order of the file names; none when
-/// the folder does not exist. Throws InputError with file, line and fix.
+/// Reads all `.toml` files of a folder, in the order of their names, and returns the rows of their tables of techniques
+/// (IEC 61508, ISO 26262); none when the folder does not exist. Throws InputError with file, line and fix.
 std::vector<Technique> read_techniques(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

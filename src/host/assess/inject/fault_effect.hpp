@@ -16,7 +16,7 @@ enum class FaultEffect : std::uint8_t {
     processor_fault,  ///< detected: an invalid access or instruction stopped the program
     watchdog,         ///< detected: a call of the device did not end, or its deadline did not advance
     emergency,        ///< detected: the device sends an EMCY message that the run without the fault does not contain
-    network,          ///< detected: a boot-up message or a changed NMT state, which a heartbeat consumer sees
+    network,          ///< detected: a boot-up message, heartbeat or guarding answer is changed, missing, extra or late
     safe_state,       ///< outputs differ, but only because they have their value after power-on
     wrong_output,     ///< silent: an output has a wrong value
     wrong_pdo,        ///< silent: a PDO contains wrong data

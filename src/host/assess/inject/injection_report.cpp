@@ -79,7 +79,9 @@ ShardFile read_shard(const std::filesystem::path& path) {
         for (const Json& one : all.at("runs")) {
             const auto numbers = one.get<std::array<std::size_t, 5>>();
             if (numbers[4] >= fault_effects || numbers[1] >= file.campaign.regions.size()) {
-                throw InputError{fmt::format("{}: a run has an unknown effect or region", path.string())};
+                throw InputError{fmt::format(
+                    "{}: a run has an unknown effect or region; write it again with `canproof inject --shard`",
+                    path.string())};
             }
             file.campaign.runs.push_back({{numbers[0], numbers[1], numbers[2], static_cast<unsigned>(numbers[3])},
                                           static_cast<FaultEffect>(numbers[4])});
@@ -232,7 +234,8 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
     for (std::size_t place = 0; place < count; ++place) {
         const auto& runs = files[place % files.size()].campaign.runs;
         if (place / files.size() >= runs.size()) {
-            throw InputError{fmt::format("{}: runs are missing", files[place % files.size()].name)};
+            throw InputError{fmt::format("{}: runs are missing; write it again with `canproof inject --shard`",
+                                         files[place % files.size()].name)};
         }
         merged.runs.push_back(runs[place / files.size()]);
     }

@@ -201,7 +201,7 @@ Bytes DataPattern::to_send(const Scope& scope) const {
         all.insert(all.end(), bytes.begin(), bytes.end());
     }
     if (all.size() > max_frame_length) {
-        throw BrokenCase{fmt::format("{} bytes do not fit a frame", all.size())};
+        throw BrokenCase{fmt::format("{} bytes do not fit a frame; write at most {}", all.size(), max_frame_length)};
     }
     if (rest_) {
         all.resize(max_frame_length);

@@ -23,13 +23,13 @@ std::int64_t signed_of(std::uint64_t number) {
 }
 std::int64_t divisor(std::int64_t number) {
     if (number == 0 || number == -1) {  // -1 is refused because the smallest number has no positive counterpart
-        throw BrokenCase{fmt::format("the expression divides by {}", number)};
+        throw BrokenCase{fmt::format("the expression divides by {}; a divisor must not be 0 or -1", number)};
     }
     return number;
 }
 std::uint64_t shift(std::int64_t number) {
     if (number < 0 || number > 63) {
-        throw BrokenCase{fmt::format("the expression shifts by {} bits", number)};
+        throw BrokenCase{fmt::format("the expression shifts by {} bits; it must be 0 to 63", number)};
     }
     return bits(number);
 }

@@ -14,7 +14,8 @@ constexpr std::int64_t highest_subindex = 0xFF;
 
 ObjectPlace place_of(std::int64_t index, std::int64_t subindex) {
     if (index < 0 || index > highest_index || subindex < 0 || subindex > highest_subindex) {
-        throw BrokenCase{fmt::format("{:X}h sub {:X}h is no object", index, subindex)};
+        throw BrokenCase{fmt::format("{:X}h sub {:X}h is no object; the highest is {:X}h sub {:X}h", index, subindex,
+                                     highest_index, highest_subindex)};
     }
     return {static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(subindex)};
 }

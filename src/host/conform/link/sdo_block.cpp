@@ -86,7 +86,8 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         return outcome;
     }
     if ((begun.front() & 0xF9U) != 0xC0U) {
-        throw SlaveFailed{fmt::format("the answer to a block read is {}", hex_words(begun))};
+        throw SlaveFailed{fmt::format("{} came where C0h, C2h, C4h or C6h must begin the answer to a block upload{}",
+                                      hex_words(begun), how.switch_size != 0 ? " (or 40h to 4Fh to switch)" : "")};
     }
     want_object(begun, place, "the answer");
     send({0xA3U});
@@ -107,7 +108,8 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         ++outcome.blocks;
         send({0xA2U, taken, how.block_sizes[std::min<std::size_t>(outcome.blocks, how.block_sizes.size() - 1)]});
         if (outcome.data.size() > longest_value || outcome.blocks > longest_value / segment_size) {
-            throw SlaveFailed{"the block upload does not end"};
+            throw SlaveFailed{fmt::format("the block upload does not end within {} bytes and {} blocks", longest_value,
+                                          longest_value / segment_size)};
         }
     }
     const Bytes end = answer();
@@ -204,7 +206,8 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool begins = wanted == 0xA0U;
         const std::uint8_t block_size = begins ? got[4] : got[2];
         if ((got.front() & (begins ? 0xFBU : 0xFFU)) != wanted || block_size == 0 || block_size > highest_block_size) {
-            throw SlaveFailed{fmt::format("{} came during a block download", hex_words(got))};
+            throw SlaveFailed{fmt::format("{} came where {} and a block size of 1 to 127 must come", hex_words(got),
+                                          begins ? "A0h or A4h" : "A2h")};
         }
         if (begins) {
             want_object(got, place, "the answer");
@@ -221,7 +224,7 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool lossy = outcome.blocks == 0 && how.lose && *how.lose <= count;
         const std::size_t all = lossy ? *how.lose - 1U : count;
         if (!abort_code(got) && got[1] != all) {
-            throw SlaveFailed{fmt::format("{} segments were acknowledged of {}", got[1], all)};
+            throw SlaveFailed{fmt::format("{} segments were acknowledged where {} must be", got[1], all)};
         }
         done += all;
         ++outcome.blocks;

@@ -87,7 +87,8 @@ SdoOutcome SdoClient::take_upload(const ObjectPlace& place, const Bytes& first) 
     }
     const std::uint8_t command = first.front();
     if ((command & 0xF0U) != 0x40U) {
-        throw SlaveFailed{fmt::format("the answer to a read is {}", hex_words(first))};
+        throw SlaveFailed{
+            fmt::format("the answer to an upload is {}; its first byte must be 40h to 4Fh", hex_words(first))};
     }
     want_object(first, place, "the answer");
     if ((command & 0x02U) != 0U) {
@@ -117,7 +118,7 @@ SdoOutcome SdoClient::read_segments(const Bytes& first) {
         append(outcome.data, segment, 1, segment_size - ((segment.front() >> 1U) & 7U));
         last = (segment.front() & 0x01U) != 0U;
         if (outcome.data.size() > longest_value) {
-            throw SlaveFailed{"the upload does not end"};
+            throw SlaveFailed{fmt::format("the upload does not end within {} bytes", longest_value)};
         }
     }
     if (says_size && size != static_cast<std::int64_t>(outcome.data.size())) {
@@ -142,7 +143,8 @@ SdoOutcome SdoClient::write(const ObjectPlace& place, const Bytes& data, Transfe
     SdoOutcome outcome;
     outcome.abort = abort_code(confirmed).value_or(0);
     if (outcome.abort == 0 && confirmed.front() != 0x60U) {
-        throw SlaveFailed{fmt::format("the answer to a write is {}", hex_words(confirmed))};
+        throw SlaveFailed{
+            fmt::format("the answer to a download is {}; its first byte must be 60h", hex_words(confirmed))};
     }
     return outcome;
 }
@@ -160,7 +162,8 @@ SdoOutcome SdoClient::write_segments(const ObjectPlace& place, const Bytes& data
     bool last = false;
     for (std::uint8_t wanted = 0x60U; abort_code(got).value_or(0) == 0; got = answer()) {
         if (got.front() != wanted) {
-            throw SlaveFailed{fmt::format("{} came where {:02X} must come", hex_words(got), wanted)};
+            throw SlaveFailed{
+                fmt::format("{} came where a frame that begins with {:02X} must come", hex_words(got), wanted)};
         }
         if (last) {
             return outcome;

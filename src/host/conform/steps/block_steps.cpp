@@ -20,8 +20,9 @@ struct Option {
     template <typename Number>
     Number of(const Scope& scope) const {
         const std::int64_t number = number_of(value(scope));
-        if (number < 0 || static_cast<std::uint64_t>(number) > std::numeric_limits<Number>::max()) {
-            throw BrokenCase{fmt::format("{} is out of range", number)};
+        constexpr std::uint64_t most = std::numeric_limits<Number>::max();
+        if (number < 0 || static_cast<std::uint64_t>(number) > most) {
+            throw BrokenCase{fmt::format("{} is out of range; write 0 to {}", number, most)};
         }
         return static_cast<Number>(number);
     }

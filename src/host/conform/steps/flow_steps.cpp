@@ -129,11 +129,11 @@ class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}
 
-    /// Runs one iteration. `words` names the iteration in messages; an empty text adds no name. Throws BrokenCase after
-    /// too many iterations.
+    /// Runs one iteration. `words` names the iteration in messages; an empty text adds no name. Throws BrokenCase when
+    /// a loop begins more than most_turns iterations.
     void run(const Steps& steps, const std::string& words) {
         if (++begun_ > most_turns) {
-            throw BrokenCase{"the loop has too many iterations"};
+            throw BrokenCase{fmt::format("the loop has more than {} iterations", most_turns)};
         }
         if (!words.empty()) {
             context_.turns.push_back(words);
@@ -305,7 +305,7 @@ Action parse_each(Scanner& line, StepSource& source) {
 
 Value call(const Procedure& procedure, const std::vector<Value>& given, Context& context) {
     if (++context.depth > deepest_call) {
-        throw BrokenCase{"calls of procedures are nested too deeply"};
+        throw BrokenCase{fmt::format("calls of procedures are nested more than {} deep", deepest_call)};
     }
     Scope* const outer = context.scope;
     Scope own{outer};

@@ -16,8 +16,9 @@ constexpr std::int64_t highest_extended_id = 0x1FFFFFFF;
 
 FrameKey FrameSpec::key(const Scope& scope) const {
     const std::int64_t number = number_of(id(scope));
-    if (number < 0 || number > (extended ? highest_extended_id : highest_id)) {
-        throw BrokenCase{fmt::format("{:X}h is no identifier", number)};
+    const std::int64_t highest = extended ? highest_extended_id : highest_id;
+    if (number < 0 || number > highest) {
+        throw BrokenCase{fmt::format("{:X}h is no identifier; write 0 to {:X}h", number, highest)};
     }
     return {static_cast<std::uint32_t>(number), extended, remote};
 }

@@ -87,7 +87,8 @@ void send_scan(Context& context, std::uint32_t number, std::uint8_t bit, std::ui
 bool scan_answered(Context& context) {
     const auto answer = take_answer(context, scan_limit);
     if (answer && (answer->size() != max_frame_length || answer->front() != 0x4FU)) {
-        throw SlaveFailed{fmt::format("the answer to Fastscan is {}", hex_words(*answer))};
+        throw SlaveFailed{
+            fmt::format("the answer to Fastscan is {}; it must have 8 bytes and begin with 4Fh", hex_words(*answer))};
     }
     return answer.has_value();
 }

@@ -105,7 +105,8 @@ Steps StepSource::block_of(Scanner& line) {
     line.want("{", "end the line with `{`");
     line.finish();
     if (++depth_ > deepest_block) {
-        line.fail("blocks are nested too deeply", "make a procedure of the inner ones");
+        line.fail(fmt::format("blocks are nested more than {} deep", deepest_block),
+                  "make a procedure of the inner ones");
     }
     closing_ = line;
     Steps steps = block(true);

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 /// Returns the rules of this group.
 const std::vector<EdsRule>& pdo_rules();
-/// Adds the findings of these rules in the sheet.
+/// Checks the sheet against these rules and adds each violation to `findings`.
 void check_pdo(const EdsSheet& sheet, EdsFindings& findings);
 
 }  // namespace canproof::host

@@ -104,7 +104,8 @@ ListenAddress parse_listen_address(const std::string& text) {
     if (!port.empty()) {
         const bool number = port.size() < 6 && port.find_first_not_of("0123456789") == std::string::npos;
         if (!number || std::stoul(port) > 65535) {
-            throw InputError{fmt::format("`{}` is no port; write socketcand:127.0.0.1:29536", port)};
+            throw InputError{
+                fmt::format("`{}` is no port; write a number from 0 to 65535, as in socketcand:127.0.0.1:29536", port)};
         }
         address.port = static_cast<std::uint16_t>(std::stoul(port));
     }

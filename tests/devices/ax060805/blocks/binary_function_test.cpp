@@ -231,7 +231,7 @@ TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
-TEST(CountValue, CountIsScaledOffsetAndRounded) {
+TEST(CountValue, CountIsScaledShiftedByTheOffsetAndRounded) {
     verifies<req::INC_FV_001>();
     EXPECT_EQ(count_value(44.4F, {1, 0.0F}), 44);
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
@@ -252,7 +252,7 @@ TEST(CountValue, CountSaturatesAtInteger16) {
     EXPECT_EQ(count_value(no_number, {1, 0.0F}), 0);
 }
 
-TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
+TEST(CountValue, ReceivedCountGetsTheOffsetBeforeTheScale) {
     verifies<req::INC_RPDO_001>();
     EXPECT_EQ(value_of_count(250, {1000, 0.0F}), 250.0F);  // one count per unit
     EXPECT_EQ(value_of_count(250, {100, -50.0F}), 20.0F);  // ten counts per unit
@@ -262,7 +262,7 @@ TEST(CountValue, ReceivedCountsAreOffsetThenScaled) {
     EXPECT_EQ(value_of_count(32767, {1000, 0.5F}), 32767.5F);
 }
 
-TEST(CountValue, MillisecondsAreIntegersAndClamped) {
+TEST(CountValue, MillisecondsAreRoundedAndClamped) {
     verifies<req::INC_LATENCY_001>();
     EXPECT_EQ(whole_milliseconds(31.83F), 32U);
     EXPECT_EQ(whole_milliseconds(31.4F), 31U);

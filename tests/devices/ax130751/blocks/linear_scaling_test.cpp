@@ -52,7 +52,7 @@ TEST(DecimalDigits, DigitsDivideTheInteger) {
     EXPECT_DOUBLE_EQ(physical_value(1234, 255), 0.1234);
 }
 
-TEST(DecimalDigits, EqualValuesWithOneAndTwoDigitsAreEqual) {
+TEST(DecimalDigits, EqualValuesAreEqualWithOneOrTwoDigits) {
     verifies<req::AOR_LOGIC_001>();
     for (int tenths = -3276; tenths <= 3276; ++tenths) {
         ASSERT_EQ(physical_value(tenths, 1), physical_value(tenths * 10, 2)) << tenths;

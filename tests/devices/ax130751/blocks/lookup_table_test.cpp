@@ -131,7 +131,7 @@ TEST(LookupTable, TimeIntervalsFollowEachOther) {
     EXPECT_EQ(profile_length(profile).us, 100'000U);
 }
 
-TEST(LookupTable, ProfileStartsAtPoint1DespiteItsX) {
+TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     verifies<req::AOR_LT_023>();
     auto profile = short_profile();
     profile.x[0] = 7e3;

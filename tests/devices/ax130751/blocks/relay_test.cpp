@@ -155,9 +155,13 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, DisabledInverseRelayIsOff) {
+TEST_F(RelayTest, DisabledRelayIsOffForEachPolarityOrKeepsItsState) {
     verifies<req::AOR_RELAY_009>();
-    EXPECT_EQ(run("..", inverse, "", OutputDrive::shut_off), "..");
+    for (const RelayPolarity& polarity :
+         {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
+        EXPECT_EQ(run("#", normal), "#");
+        EXPECT_EQ(run("..##", polarity, "", OutputDrive::shut_off), "....");
+    }
     EXPECT_EQ(run("..", inverse), "##");
     EXPECT_EQ(run("##", inverse, "", OutputDrive::keep), "##");
 }
@@ -199,11 +203,12 @@ TEST_F(RelayTest, CommandThatEndsDuringItsDelayIsDropped) {
     EXPECT_EQ(run("..#..####", normal), "#########");
 }
 
-TEST_F(RelayTest, DelaysApplyToEnableAsWell) {
+TEST_F(RelayTest, DelaysApplyToEnablingAndDisabling) {
     verifies<req::AOR_RELAY_012>();
     times = {milliseconds(2), milliseconds(2), milliseconds(2)};
     EXPECT_EQ(run("####", normal), "..##");
     EXPECT_EQ(run("####", normal, "", OutputDrive::shut_off), "##..");
+    EXPECT_EQ(run("####", normal), "..##");
 }
 
 TEST_F(RelayTest, OverrideAndFaultAreNotDelayed) {

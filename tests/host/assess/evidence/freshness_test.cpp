@@ -140,6 +140,7 @@ TEST(ArgumentFile, ValidArgumentIsReadAndInvalidOnesAreReportedWithTheirLine) {
 TEST(Techniques, TechniquesAreReadFromAFolderAndInvalidRowsAreReportedWithTheirLine) {
     const auto folder = std::filesystem::path{::testing::TempDir()} / "techniques";
     std::filesystem::create_directories(folder);
+    std::ofstream{folder / "README.md"} << "a file of another kind";
     const auto told = [&](const char* row) {
         std::ofstream{folder / "a.toml"} << "[[table]]\ntable = \"T\"\ntitle = \"t\"\nrows = [\"" << row << "\"]\n";
         try {

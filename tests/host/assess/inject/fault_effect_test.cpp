@@ -53,7 +53,10 @@ TEST(FaultEffect, SyncIsNoEmergencyMessage) {
     EXPECT_EQ(effect(frames + "(0.260000) can0 080#\n", outputs), FaultEffect::wrong_answer);
 }
 
-TEST(FaultEffect, MissingHeartbeatOrExtraBootUpIsANetworkEffect) {
+TEST(FaultEffect, ChangedMissingOrExtraErrorControlMessageIsANetworkEffect) {
+    std::string changed = frames;
+    changed.replace(changed.find("705#05"), 6, "705#7F");
+    EXPECT_EQ(effect(changed, outputs), FaultEffect::network);
     EXPECT_EQ(effect(without(frames, "(0.150000) can0 705#05\n"), outputs), FaultEffect::network);
     EXPECT_EQ(effect(frames + "(0.260000) can0 705#00\n", outputs), FaultEffect::network);
 }

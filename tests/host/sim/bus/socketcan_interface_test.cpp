@@ -77,7 +77,7 @@ TEST_F(SocketCan, PersistentBusOffIsRestartedOnlyWithPermission) {
     EXPECT_EQ(system.restarts, 1);
 }
 
-TEST_F(SocketCan, OverflowIsAnOverrunUntilTheNextFrame) {
+TEST_F(SocketCan, OverflowSetsOverrunUntilTheNextFrameWithoutLoss) {
     start();
     system.arrive_error(first, CAN_ERR_CRTL, 0x01);
     step(10);

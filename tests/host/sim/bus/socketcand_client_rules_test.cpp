@@ -297,15 +297,16 @@ TEST_F(ScriptedBus, UserRemoteFrameIsReportedAndNotSent) {
     EXPECT_THAT(a.heard, ElementsAre("1000000 703#R"));
 }
 
-TEST_F(ScriptedBus, BitRateThatANodeSetsAgainIsReported) {
+TEST_F(ScriptedBus, BitRateThatLssSetsIsReportedOnce) {
     a.rate = 125000;
     join();
     a.rate = 0;
     bus->advance(now);
     EXPECT_THAT(notices, IsEmpty());
-    a.rate = 125000;
+    a.rate = 250000;
     bus->advance(now);
-    EXPECT_THAT(notices, ElementsAre(HasSubstr("a: LSS sets 125000 bit/s")));
+    bus->advance(now);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("a: LSS sets 250000 bit/s")));
 }
 
 }  // namespace canproof::host::test
