@@ -55,7 +55,7 @@ TEST_F(Pdo, SynchronousRpdosWaitForTheSyncAndUseTheLastValues) {
     }
 }
 
-TEST_F(Pdo, OutsideOperationalNoRpdoIsAppliedOrWaits) {
+TEST_F(Pdo, PreOperationalAppliesNoRpdoAndDropsWaitingOnes) {
     verifies<req::CO_PDO_003, req::CO_PDO_036>();
     send("000#8003");
     send("303#0100000000000000");

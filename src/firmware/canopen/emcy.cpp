@@ -155,7 +155,8 @@ void Emcy::clear_list() noexcept {
 static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
 /// Queues the message of an error that begins or ends. A message that repeats the newest waiting one of its error is
 /// dropped. If two messages of the error wait, an opposite one cancels the newer of them. So at most two messages wait
-/// for each error, and the last one sent always shows its present state.
+/// for each error, and the last one sent shows its present state. An error of report() is over when its message is
+/// sent.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;

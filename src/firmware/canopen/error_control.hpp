@@ -27,11 +27,12 @@ class ErrorControl {
     }
     Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
 
-    /// Returns whether no guarding request came for guard time × life time factor.
+    /// Returns whether guarding had begun, and no request has come for guard time × life time factor or longer.
     bool life_guarding_failed() const noexcept { return life_failed_; }
 
-    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor: the timer that it
-    /// sets restarts. A new 100Eh identifier is used from the next message on.
+    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor: a new
+    /// heartbeat time restarts the heartbeat, and a new life time restarts a life guarding that runs. A new 100Eh
+    /// identifier is used from the next message on.
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 

@@ -43,14 +43,14 @@ class Application : public LssApplication {
     Application(Application&&) = delete;
     Application& operator=(Application&&) = delete;
 
-    /// Returns whether an entry of Service::program can be accessed in the present state of the device. The default
-    /// permits every access.
+    /// Returns why an entry of Service::program cannot be accessed in the present state of the device;
+    /// AbortCode::none when it can. The default permits every access.
     virtual AbortCode check_access(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
     }
-    /// Checks a write to an entry of Service::device or Service::program after all other checks. The default permits
-    /// every write.
+    /// Checks a write to an entry of Service::device or Service::program after all other checks. Returns why the write
+    /// is refused; AbortCode::none when it is permitted. The default permits every write.
     virtual AbortCode before_write(const EntryRef& entry, const ByteView value) {
         static_cast<void>(entry);
         static_cast<void>(value);
@@ -79,7 +79,7 @@ class Application : public LssApplication {
         return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
     }
     /// Returns the memory that collects the new value of a DOMAIN entry, or of an entry longer than the SDO server's
-    /// buffer. Empty when there is none. Its contents have no effect until they are written.
+    /// buffer. Empty when there is none. Its contents have no effect until the download is complete.
     virtual MutableBytes staging(const EntryRef& entry) {
         static_cast<void>(entry);
         return MutableBytes{};

@@ -32,7 +32,8 @@ class ParameterStore {
     /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved keeps
     /// its defaults. A value that was saved at a default that includes the node-ID follows the new node-ID.
     void load(ParameterGroup group, std::uint8_t node_id) noexcept;
-    /// Returns whether a saved set exists that open() or load() could not read: none of it is used, defaults apply.
+    /// Returns whether a saved set exists that open() or load() could not read. After a failed load() the node loads
+    /// the defaults again, so that it uses no value of this set.
     bool is_damaged() const noexcept { return damaged_; }
 
     /// Executes a write to 1010h (store) or 1011h (restore). `entry` selects the groups. Returns 08000020h when `value`

@@ -44,7 +44,8 @@ class Sync {
   private:
     bool produce(Instant now) noexcept;
     bool is_producer() const noexcept;
-    /// Reads the parameters; if the producer is switched on, it starts again, one period from now.
+    /// Reads the parameters and clears the counter. The producer, if it is permitted and switched on, sends its next
+    /// SYNC one period from now.
     void restart(Instant now) noexcept;
 
     ObjectDictionary& objects_;

@@ -10,8 +10,8 @@ namespace canproof {
 
 /// The event of transmission types 254 and 255; CiA 301 leaves it to the manufacturer and the profile.
 enum class TpdoTrigger : std::uint8_t {
-    /// A change of a mapped process value; the event timer sets the longest interval. Also sent once on entering
-    /// operational.
+    /// A change of a mapped process value; the event timer sets the longest interval. A TPDO of type 254 or 255 is also
+    /// sent once on entering operational.
     value_change,
     /// The event timer alone. Also sent on entering operational if the timer is not zero; with zero the TPDO is not
     /// sent (AX130751, AX188001, AX060805: "time-driven").
@@ -22,7 +22,7 @@ enum class TpdoTrigger : std::uint8_t {
 struct TransmitPdo {
     PdoParameters parameters{};
     PdoMapping mapping{};
-    std::uint64_t sample{0U};  ///< the values of the last SYNC
+    std::uint64_t sample{0U};  ///< the values at the last SYNC, if `sampled`
     bool usable{false};
     bool event_driven{false};   ///< usable and of type 254 or 255
     std::uint64_t watched{0U};  ///< watch_mark() of each value whose change is an event

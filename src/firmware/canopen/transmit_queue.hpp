@@ -12,8 +12,8 @@
 namespace canproof {
 
 static_assert(implements<req::CO_FRAME_002>);
-/// A queue sorted by identifier, lowest first. Frames of one identifier keep their order: a segment never overtakes the
-/// one before it.
+/// A queue sorted by identifier, lowest first; only a boot-up message goes before all other frames. Frames of one
+/// identifier keep their order: a segment never overtakes the one before it.
 class TransmitQueue {
   public:
     /// One event causes at most one SDO answer, EMCY, SYNC, error control message and four PDOs. The rest is room for a
