@@ -141,19 +141,20 @@ constexpr std::size_t object_slot(const std::uint16_t index, const std::uint32_t
     return ((index * factor) >> 16U) & (count - 1U);
 }
 
-/// A named value of the image, for the device code. `T` is an arithmetic type.
+/// The place of a named value in the value image (see EntryRow), for the device code. `T` is the arithmetic type of the
+/// value.
 template <typename T>
 struct Field {
     std::uint16_t offset;
 };
 
-/// A named string of the image: zero bytes pad it to its capacity.
+/// The place of a named string in the value image: zero bytes pad the string to its capacity, `size`.
 struct StringField {
     std::uint16_t offset;
     std::uint16_t size;
 };
 
-/// The elements of an ARRAY by sub-index 1…N.
+/// The places of the elements of an ARRAY in the value image, by sub-index 1…N.
 template <typename T, std::uint8_t N>
 struct ArrayField {
     std::uint16_t offset;

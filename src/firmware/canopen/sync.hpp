@@ -34,7 +34,7 @@ class Sync {
     }
     /// Produces a SYNC when it is due. Returns true if so: the node consumes its own SYNC as well.
     bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
-    /// Returns the counter of the last produced SYNC; zero while 1019h is zero.
+    /// Returns the counter of the last produced SYNC; zero while 1019h is zero and before the first SYNC.
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 
