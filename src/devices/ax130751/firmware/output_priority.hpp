@@ -22,7 +22,7 @@ struct OutputConditions {
     EnableAction enable{EnableAction::run};  ///< the action that a valid enable input demands
 };
 
-/// What drives the output.
+/// The signal or the rule that drives the output.
 enum class OutputDrive : std::uint8_t { control, shutdown, fault_value, override_value, shut_off, ramp_off, keep };
 
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;

@@ -35,8 +35,8 @@ class GainRanging {
 
     /// Returns the last voltage read while the filter was settled and the converter not overdriven.
     double microvolts() const noexcept { return microvolts_; }
-    /// Returns whether the last conversion overdrove the converter at the lowest gain. This counts as an open circuit,
-    /// because a thermocouple hardly ever gives such a voltage (TCS-D-093).
+    /// Returns whether the last settled conversion overdrove the converter at the lowest gain. This counts as an open
+    /// circuit, because a thermocouple hardly ever gives such a voltage (TCS-D-093).
     bool is_open() const noexcept { return open_; }
     std::uint8_t gain(const ConverterCircuit& circuit) const noexcept { return circuit.gains[step_].gain; }
 
