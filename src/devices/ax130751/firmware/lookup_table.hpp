@@ -56,6 +56,8 @@ struct LookupOutput {
 
 class LookupTable {
   public:
+    /// Evaluates the table at `now`; call it in every cycle. The output has the state of `input`. While `input` is in
+    /// error, a table over a value keeps its output value, and a table over time outputs 0.
     LookupOutput advance(const BlockSignal& input, const LookupConfig& config, Instant now) noexcept;
     /// Returns whether a profile runs, so that the output can change although its input does not.
     bool is_running() const noexcept { return running_; }
