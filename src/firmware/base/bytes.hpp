@@ -14,8 +14,8 @@ namespace canproof {
 // Numbers in memory have the byte order of the bus, so that one access reads or writes them.
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a processor that puts the least significant byte first");
 
-/// Reads N (1…8) bytes as a number, least significant byte first; store_le() writes the N low bytes of a number. The
-/// caller ensures that memory for N bytes begins at `bytes`.
+/// Reads the N (1…8) bytes at `bytes` as a number, least significant byte first; store_le() writes them. The caller
+/// ensures that N bytes exist there.
 template <std::size_t N>
 inline std::uint64_t load_le(const std::uint8_t* const bytes) noexcept {
     std::conditional_t<(N == sizeof(std::uint32_t)), std::uint32_t, std::uint64_t> value{0U};
@@ -27,8 +27,8 @@ inline void store_le(std::uint8_t* const bytes, const std::uint64_t value) noexc
     static_cast<void>(std::memcpy(bytes, &value, N));
 }
 
-/// Reads N (1…8) bytes of an array from position `at` on, least significant byte first; set_field_le() writes them. The
-/// compiler checks that they lie within the array.
+/// Reads N (1…8) bytes of an array from position `at` on as a number, least significant byte first; set_field_le()
+/// writes them. The compiler checks that the N bytes lie within the array.
 template <std::size_t at, std::size_t N, std::size_t size>
 inline std::uint64_t field_le(const std::array<std::uint8_t, size>& bytes) noexcept {
     static_assert((at + N) <= size, "the field ends behind the array");
@@ -40,8 +40,9 @@ inline void set_field_le(std::array<std::uint8_t, size>& bytes, const std::uint6
     store_le<N>(&std::get<at>(bytes), value);
 }
 
-/// Read-only view of bytes. Reading past its end gives zero, never memory beside it. The alignment lets a 32-bit
-/// processor pass it in a pair of registers instead of on the stack; MutableBytes does the same.
+/// Read-only view of bytes. Reading past its end by the index operator gives zero, never memory beside it. The
+/// alignment lets a 32-bit processor pass a view in a pair of registers instead of on the stack; MutableBytes has it
+/// for the same reason.
 class alignas(std::uint64_t) ByteView {
   public:
     constexpr ByteView() noexcept = default;
@@ -103,7 +104,7 @@ class alignas(std::uint64_t) MutableBytes {
             put_each(at, N, value);
         }
     }
-    /// Writes the low `count` (0…8) bytes; see put_le().
+    /// Writes the low `count` (0…8) bytes of `value` at `at`, as put_le() does.
     void set_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
         const bool fits = (at <= size_) && (count <= (size_ - at));
         switch (fits ? count : 0U) {
@@ -121,7 +122,8 @@ class alignas(std::uint64_t) MutableBytes {
                 break;
         }
     }
-    /// Writes the low `count` (0…8) bytes where they differ from those at `at`; see put_le(). Returns whether they did.
+    /// Writes `value` to the `count` (0…8) bytes at `at`, as put_le() does, if they contain another number. Returns
+    /// whether they did. `value` must be below 2^(8 * count), and all bytes must lie within the view.
     bool exchange_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
         const bool fits = (at <= size_) && (count <= (size_ - at));
         switch (fits ? count : 0U) {
@@ -158,7 +160,7 @@ class alignas(std::uint64_t) MutableBytes {
 };
 
 /// Returns `count` (0…8) bytes from `at` on as a number, least significant byte first; bytes beyond the view read as
-/// zero. Reads byte by byte, which works at any position.
+/// zero. Works for every `at`, because it reads byte by byte.
 std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
 
 /// Returns N (1…8) bytes from `at` on as a number, as join_each() does; in one access where all of them lie in the
@@ -168,7 +170,8 @@ inline std::uint64_t get_le(const ByteView bytes, const std::size_t at) noexcept
     const bool whole = (at <= bytes.size()) && (N <= (bytes.size() - at));
     return whole ? load_le<N>(bytes.data() + at) : join_each(bytes, at, N);
 }
-/// Returns the number that a view of at most eight bytes contains.
+/// Returns the number that a view of at most eight bytes contains, least significant byte first; zero for an empty
+/// view.
 inline std::uint64_t number_in(const ByteView bytes) noexcept {
     switch (bytes.size()) {
         case 1U:
@@ -194,7 +197,8 @@ inline std::uint32_t read_u32(const ByteView bytes, const std::size_t at) noexce
     return static_cast<std::uint32_t>(get_le<4U>(bytes, at));
 }
 
-/// Writes the low `count` (0…8) bytes of `value` at `at`, least significant first.
+/// Writes the low `count` (0…8) bytes of `value` at `at`, least significant byte first; bytes that do not fit are
+/// dropped.
 inline void write_le(MutableBytes bytes, const std::size_t at, const std::size_t count,
                      const std::uint64_t value) noexcept {
     bytes.set_le(at, count, value);

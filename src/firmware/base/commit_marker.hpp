@@ -17,12 +17,13 @@ constexpr std::uint8_t void_marker = 0x2DU;
 enum class BankState : std::uint8_t {
     unused,    ///< marked void, or blank (all bytes 00h or FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
-    sound,     ///< readable, and its CRC is right
-    damaged    ///< committed, but its contents have changed since then
+    sound,     ///< readable and of the present layout, and its CRC is right
+    damaged    ///< committed, but not sound: its contents have changed since then, for example
 };
 
-/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A doubtful or damaged bank is sound when
-/// it can be read and its CRC is right; the caller checks that.
+/// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A bank that this function calls doubtful
+/// or damaged is nevertheless sound when all of it can be read, has the present layout and has the right CRC; the
+/// caller checks that.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

@@ -23,7 +23,7 @@ constexpr Duration microseconds(const std::uint64_t count) noexcept {
 constexpr Duration milliseconds(const std::uint64_t count) noexcept {
     return Duration{count * 1000U};
 }
-/// CiA 301 counts inhibit times in multiples of 100 µs.
+/// Returns `count` times 100 µs, the unit of the inhibit times of CiA 301.
 constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept {
     return Duration{count * 100U};
 }

@@ -4,12 +4,12 @@
 
 namespace canproof {
 
-/// Returns the smaller of two numbers; the second when the first is NaN. One comparison; std::fmin would also handle a
-/// NaN in the second.
+/// Returns the smaller of two numbers; `b` when one of them is NaN. Needs one comparison; std::fmin needs more, because
+/// it never returns a NaN for one NaN.
 constexpr double lesser(const double a, const double b) noexcept {
     return (a < b) ? a : b;
 }
-/// Returns the greater of two numbers; the second when the first is NaN.
+/// Returns the greater of two numbers; `b` when one of them is NaN.
 constexpr double greater(const double a, const double b) noexcept {
     return (a > b) ? a : b;
 }

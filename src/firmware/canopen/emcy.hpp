@@ -37,17 +37,20 @@ class Emcy {
     /// wait for enable(), because the boot-up message empties the queue.
     void reset() noexcept;
     /// Restores 1001h after a reset of the communication area has set 1001h and 1014h to their defaults. A list of
-    /// active errors stays as it is; a history is cleared. Messages wait for enable() here as well.
+    /// active errors stays as it is; a history is cleared. Waiting messages are dropped if 1014h COB-ID EMCY is not
+    /// valid; otherwise they wait for enable().
     void refresh() noexcept;
-    /// Begins or ends a lasting error; a call without a change does nothing. `channel` is added to the detail of the
-    /// row when the error begins, for example the node-ID of a lost heartbeat.
+    /// Begins or ends a lasting error; a call without a change, or for an error that the device does not have, does
+    /// nothing. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for example
+    /// the node-ID of a lost heartbeat.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
-    /// Reports an error that is already over: it is listed and sent as its row demands, but never active.
+    /// Reports an error that is already over: lists it in 1003h and sends its message, as its row demands. The error
+    /// never becomes active.
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
-    /// Permits or stops sending. The node permits it only in pre-operational and operational, and while it may send on
-    /// CAN; a message about an error that occurs at another time waits.
+    /// Permits or stops sending. The node permits it in pre-operational and operational only. The message of an error
+    /// that begins or ends in another state waits until one of these two is entered.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {
@@ -61,7 +64,7 @@ class Emcy {
         const bool waits = enabled_ && (pending_count_ != 0U);
         return waits ? may_send_at_ : never;
     }
-    /// Returns whether 1001h has changed since the last call; a TPDO may carry it.
+    /// Returns whether 1001h error register has changed since the last call of this function; a TPDO may carry it.
     bool take_register_change() noexcept {
         const bool changed = register_changed_;
         register_changed_ = false;

@@ -17,8 +17,8 @@ class ErrorControl {
     void boot_up(std::uint8_t node_id, Instant now) noexcept;
     void set_state(const NmtState state) noexcept { state_ = state; }
 
-    /// Answers the master's guarding request and restarts the life time. Returns true when the remote frame was such a
-    /// request.
+    /// Answers a guarding request of the master (a remote frame with this node's guarding identifier) and restarts the
+    /// life time. Returns true when it answered, and false for another frame or while the heartbeat is on.
     bool answer(const Frame& request, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (next_deadline() <= now) {
@@ -27,12 +27,13 @@ class ErrorControl {
     }
     Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
 
-    /// Returns whether guarding had begun, and no request has come for guard time × life time factor or longer.
+    /// Returns whether life guarding has failed: after a first guarding request, no other one came for guard time ×
+    /// life time factor, and none has come since.
     bool life_guarding_failed() const noexcept { return life_failed_; }
 
-    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor: a new
-    /// heartbeat time restarts the heartbeat, and a new life time restarts a life guarding that runs. A new 100Eh
-    /// identifier is used from the next message on.
+    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor. The heartbeat
+    /// starts again with its new time; so does life guarding if it runs. A new 100Eh node guarding identifier is used
+    /// from the next message on.
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 

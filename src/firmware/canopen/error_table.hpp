@@ -30,7 +30,8 @@ enum class ErrorId : std::uint8_t {
     rpdo_value = 14U,
     first_of_device = 15U
 };
-constexpr std::size_t max_errors = 48U;  ///< at most 64: one 64-bit number holds a bit per active error
+constexpr std::size_t max_errors =
+    48U;  ///< rows of an error table; at most 64, because a 64-bit number has a bit for each
 
 /// Returns the error `offset` numbers after `first`, for example the same fault of another channel.
 constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noexcept {
@@ -50,7 +51,7 @@ using ErrorTable = std::array<ErrorRow, max_errors>;
 
 constexpr std::size_t heartbeat_producers = 4U;  ///< heartbeat producers with an ErrorId each
 
-/// Sets how one error is reported. The row of a lost heartbeat is copied to every producer.
+/// Sets how one error is reported. The row of ErrorId::heartbeat is copied to the errors of all four producers.
 constexpr void put_error(ErrorTable& table, const ErrorId error, const ErrorRow& row) noexcept {
     const std::size_t copies = (error == ErrorId::heartbeat) ? heartbeat_producers : 1U;
     for (std::size_t i = 0U; i < copies; ++i) {

@@ -36,9 +36,9 @@ class HeartbeatConsumer {
         }
     }
     Instant next_deadline() const noexcept { return next_; }
-    /// Returns the producers whose heartbeat has stopped and not resumed: bit n for 1016h:n + 1.
+    /// Returns the watched producers whose heartbeat has stopped and not resumed: bit n for 1016h:n + 1.
     std::uint32_t failed() const noexcept { return failed_; }
-    /// Returns the node-ID that this entry watches.
+    /// Returns the node-ID in 1016h:slot + 1 consumer heartbeat time, also when that entry watches no node.
     std::uint8_t producer(std::size_t slot) const noexcept;
 
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;

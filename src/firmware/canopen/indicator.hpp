@@ -24,8 +24,9 @@ struct IndicatorPhase {
     Instant next_change{never};
 };
 
-/// Returns whether the LED is lit at `now`, and when that changes. All LEDs count their periods from time 0 plus
-/// `shift`: LEDs of one pattern flash together, and those shifted by one `on` time flash in opposite phase.
+/// Returns whether the LED is lit at `now`, and when that changes next: at the end of the present flash, gap or pause,
+/// or never for a steady pattern. All LEDs count their periods from time 0 plus `shift`, so LEDs of the same pattern
+/// and shift flash together.
 IndicatorPhase indicator_phase(const IndicatorPattern& pattern, Instant now, Duration shift) noexcept;
 
 }  // namespace canproof

@@ -93,8 +93,7 @@ void Lss::power_on(const LssConfiguration& stored) noexcept {
     switching_ = Switching::none;
 }
 
-// The stored node-ID becomes pending, and the stored bit rate active: for LSS, reset node equals power-on
-// (CO-D-LSS-008).
+// Restores the stored node-ID and the stored bit rate: for LSS, reset node equals power-on (CO-D-LSS-008).
 static_assert(implements<req::CO_LSS_017>);
 void Lss::restore(const Instant now) noexcept {
     pending_ = stored_;

@@ -29,7 +29,7 @@ bool is_lss_node_id(std::uint8_t node_id) noexcept;
 struct LssConfiguration {
     std::uint8_t node_id{unconfigured_node_id};  ///< 1…127, or unconfigured_node_id
     std::uint32_t bit_rate{0U};                  ///< bit/s
-    /// The stored settings cannot be read: these are the values as shipped.
+    /// The stored settings cannot be read; node_id and bit_rate are then those as shipped.
     bool damaged{false};
 };
 
@@ -62,7 +62,8 @@ class LssProfile {
 
     constexpr bool is_offered() const noexcept { return offered_; }
     constexpr bool resets_when_left() const noexcept { return resets_when_left_; }
-    /// Returns the bit rate in bit/s for an index of the table; 0 for an unsupported index.
+    /// Returns the bit rate in bit/s for an index of the bit timing table; 0 for a reserved index and for one that is
+    /// not in the table.
     std::uint32_t bit_rate(std::uint8_t index) const noexcept;
 
   private:
@@ -141,8 +142,8 @@ class Lss {
     using Request = LssFastscan::Request;
 
     bool is_served(Served when, NmtState nmt) const noexcept;
-    /// Executes a request. Returns false when the device must not answer it. Returns true otherwise; if the command has
-    /// an answer, `said` then contains the bytes of the answer after the command specifier.
+    /// Executes a request. Returns false when the request must be ignored. Returns true otherwise; if its command has
+    /// an answer, `said` holds the content of the answer after the command specifier.
     bool execute(LssCommand command, const Request& request, Instant now, std::uint32_t& said) noexcept;
     void switch_globally(std::uint8_t mode) noexcept;
     bool select(std::uint32_t number, std::uint32_t wanted) noexcept;

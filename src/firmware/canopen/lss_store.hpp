@@ -20,7 +20,8 @@ class LssStore {
     explicit LssStore(NonVolatileMemory& memory) noexcept : memory_{memory} {}
 
     /// Returns the settings stored last. Returns `shipped` when nothing is stored, the stored settings are damaged, or
-    /// their node-ID is one that LSS cannot assign.
+    /// their node-ID is one that LSS cannot assign. `damaged` of the result is set when the stored settings are
+    /// damaged.
     LssConfiguration load(const LssConfiguration& shipped) const noexcept;
     /// Stores the settings. Returns LssError::storage_failed when the memory fails; the settings stored before then
     /// remain valid.

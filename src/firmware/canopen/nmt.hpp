@@ -16,7 +16,7 @@ using NmtService = generated::canopen::nmt_services::Service;
 /// The services that work in one state (table CO-T-SERVICES), looked up once when the state is entered.
 class AllowedServices {
   public:
-    /// No service works in this state.
+    /// Creates the set for a state in which no service works.
     constexpr AllowedServices() noexcept = default;
     explicit AllowedServices(NmtState state) noexcept;
 
@@ -28,8 +28,8 @@ class AllowedServices {
     std::uint32_t bits_{0U};
 };
 
-/// Returns the NMT command of `frame` for this node: identifier 0, exactly two bytes, a defined command, and node-ID 0
-/// (all nodes) or `node_id`. Returns nothing for every other frame.
+/// Returns the NMT command of `frame` for this node. Such a frame is a data frame with the 11-bit identifier 0 and
+/// exactly two bytes: a defined command, and node-ID 0 (all nodes) or `node_id`. Returns nothing for every other frame.
 std::optional<NmtCommand> nmt_command(const Frame& frame, std::uint8_t node_id) noexcept;
 
 }  // namespace canproof

@@ -25,7 +25,7 @@ struct NodeProfile {
     EmcyContent emcy_content{EmcyContent::listed_errors};
     /// Bit n: a remote frame on the identifier of RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2).
     std::uint8_t rpdos_answering_remote{0U};
-    /// A write to 1010h in another state gets 08000022h (CAN-CBX-AO412, 7.9.12).
+    /// A write to 1010h store parameters in another state than pre-operational gets 08000022h (CAN-CBX-AO412, 7.9.12).
     bool saves_in_pre_operational_only{false};
     bool block_sdo{false};  ///< the device supports SDO block transfer
     LssProfile lss{};       ///< bit rates and behaviour of the device's LSS; the default is no LSS
@@ -35,7 +35,8 @@ struct NodeProfile {
 /// State of the CAN controller (ISO 11898-1 fault confinement); warning: an error counter has reached 96.
 enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
 
-/// The functions of the device that the node calls. Defined in this header only, as LssApplication is.
+/// The functions of the device that the node calls. All its functions are defined in this header, for the reason given
+/// at LssApplication.
 class Application : public LssApplication {
   public:
     Application(const Application&) = delete;
@@ -43,14 +44,14 @@ class Application : public LssApplication {
     Application(Application&&) = delete;
     Application& operator=(Application&&) = delete;
 
-    /// Returns why an entry of Service::program cannot be accessed in the present state of the device;
-    /// AbortCode::none when it can. The default permits every access.
+    /// Returns AbortCode::none when an entry of Service::program can be accessed in the present state of the device,
+    /// otherwise the reason. The default permits every access.
     virtual AbortCode check_access(const EntryRef& entry) {
         static_cast<void>(entry);
         return AbortCode::none;
     }
-    /// Checks a write to an entry of Service::device or Service::program after all other checks. Returns why the write
-    /// is refused; AbortCode::none when it is permitted. The default permits every write.
+    /// Checks a write to an entry of Service::device or Service::program after all other checks. Returns
+    /// AbortCode::none to permit it. The default permits every write.
     virtual AbortCode before_write(const EntryRef& entry, const ByteView value) {
         static_cast<void>(entry);
         static_cast<void>(value);
@@ -92,8 +93,8 @@ class Application : public LssApplication {
         static_cast<void>(now);
         return AbortCode::unsupported_access;
     }
-    /// Notifies the device that a communication error of 1029h:1 (heartbeat, guarding, overdue RPDO, bus-off) began or
-    /// ended.
+    /// Notifies the device that the first communication error of 1029h:1 (heartbeat, guarding, overdue RPDO, bus-off)
+    /// began (`failed`) or the last one ended. An error that begins or ends while another is present is not notified.
     virtual void communication_failed(const bool failed, const Instant now) {
         static_cast<void>(failed);
         static_cast<void>(now);
@@ -111,8 +112,8 @@ class Node final : private ObjectAccess {
          const ErrorTable& errors, const NodeProfile& profile, const PdoMemory& pdos) noexcept;
 
     /// Starts the node at power-on. `stored` holds the settings that LSS stored, or the node-ID (1…127) of the
-    /// switches. `can_state` and `overrun` are as in set_controller(); while the controller is bus-off, reports of the
-    /// boot wait. Ends with boot-up in pre-operational. Without a node-ID the node stays in initialising until LSS
+    /// switches. `can_state` and `overrun` are as in set_controller(). While the controller is bus-off, the boot-up
+    /// message is lost and emergency messages wait. Without a node-ID the node stays in initialising until LSS
     /// assigns one.
     void power_on(const LssConfiguration& stored, const std::uint8_t can_state, const bool overrun,
                   const Instant now) noexcept {
@@ -149,11 +150,13 @@ class Node final : private ObjectAccess {
     }
     /// Changes the NMT state as 1029h:`subindex` (error behaviour) demands for an error of its class.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
-    /// Plans the self-start: the node enters operational at `at`, unless an NMT command or a communication error comes
-    /// first.
+    /// Plans the self-start: the node enters operational at `at`, unless an NMT command, a reset, or an error for which
+    /// 1029h error behaviour demands a state comes first. A present communication error with such a demand prevents the
+    /// self-start.
     void start_at(Instant at) noexcept;
 
-    /// Notifies the TPDOs of a new process value. The frame leaves with the next advance().
+    /// Notifies the TPDOs of a new process value. A TPDO that this triggers is sent by the next advance() that its
+    /// inhibit time allows.
     void process_value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         tpdos_.value_changed(index, subindex, now);
     }
@@ -166,7 +169,8 @@ class Node final : private ObjectAccess {
     /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }
-    /// Returns the receive PDOs that missed their event time and have not come since: bit n for RPDO n + 1.
+    /// Returns the receive PDOs that missed their event time and have not come with accepted values since: bit n for
+    /// RPDO n + 1.
     std::uint8_t overdue_rpdos() const noexcept { return rpdos_.overdue(); }
 
   private:

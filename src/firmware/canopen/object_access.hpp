@@ -31,11 +31,11 @@ class ObjectAccess {
     /// Returns the memory for the new value of an entry, or the reason why the entry cannot be written. Staged bytes
     /// have no effect until they are written.
     virtual Result<WritePlace, AbortCode> writable(std::uint16_t index, std::uint8_t subindex) = 0;
-    /// Returns whether the owner of an entry accepts a number received by PDO. Type and limits have been checked
-    /// before.
+    /// Returns AbortCode::none when the owner of an entry accepts a number received by PDO, otherwise the reason. Type
+    /// and limits have been checked before.
     virtual AbortCode before_received(const EntryRef& entry, std::uint64_t bits) = 0;
     /// Applies the effects of a new value that is already in the dictionary: in the service that owns it and in the
-    /// TPDOs that carry it. `changes`: it differs from the value before.
+    /// TPDOs that carry it. `changes`: the new value differs from the one before.
     virtual void after_put(const EntryRef& entry, bool changes, Instant now) = 0;
 
   protected:

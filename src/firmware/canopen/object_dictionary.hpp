@@ -49,7 +49,7 @@ class ObjectDictionary {
     /// Creates a view. `image` holds the values: at least tables.defaults.count bytes, owned by the device.
     ObjectDictionary(const DictionaryTables& tables, MutableBytes image, LimitAbort limit_abort) noexcept;
 
-    /// Returns the entry; its exists() is false when it is absent, and then it has only the index.
+    /// Returns the entry. For an absent entry it returns one that has only the index, and whose exists() is false.
     EntryRef lookup(std::uint16_t index, std::uint8_t subindex) const noexcept;
     /// Returns why lookup() found nothing: 06020000h when the object is absent, 06090011h when only the sub-index is.
     /// Every object has a sub-index 0.
@@ -67,7 +67,8 @@ class ObjectDictionary {
         const ByteView all = bytes(*entry.row);
         return (entry.row->type == DataType::visible_string) ? text_of(all) : all;
     }
-    /// Checks access, length, type and limits of a new value. Returns `none` when it may be written.
+    /// Checks access, length, type and limits of a new value. Returns AbortCode::none when it may be written, otherwise
+    /// the first fault as an abort code.
     AbortCode check_write(const EntryRef& entry, ByteView value) const noexcept;
     /// Checks only access and length: the first part of check_write().
     AbortCode check_length(const EntryRow& row, const std::size_t length) const noexcept {
@@ -79,7 +80,7 @@ class ObjectDictionary {
         }
         return ((length == row.size) || has_variable_length(row.type)) ? AbortCode::none : AbortCode::too_short;
     }
-    /// Checks only type and limits.
+    /// Checks only type and limits; every string and every DOMAIN is accepted.
     AbortCode check_value(const EntryRef& entry, ByteView value) const noexcept;
     /// Checks only type and limits of a number, for example one received by PDO.
     AbortCode check_bits(const EntryRow& row, const std::uint64_t bits) const noexcept {
@@ -89,7 +90,7 @@ class ObjectDictionary {
         return (row.limit == no_limit) ? AbortCode::none : check_limits(row, bits);
     }
     /// Puts bytes that the caller has checked into the image. A short string is padded with zeros. Returns true when
-    /// the value changes.
+    /// the value changes. Does nothing for an entry with rights::constant.
     bool put(const EntryRef& entry, ByteView value) noexcept;
     /// Does the same as put() for an entry of at most eight bytes, whose value is a number.
     bool put_bits(const EntryRow& row, std::uint64_t bits) noexcept;
@@ -97,7 +98,8 @@ class ObjectDictionary {
     /// Returns an entry of at most eight bytes as a number, least significant byte first: the fast access of the PDOs.
     std::uint64_t bits(const EntryRow& row) const noexcept { return read_le(pool(row), row.offset, row.size); }
 
-    /// Returns the default of an entry of at most eight bytes, without the node-ID that rights::node_id adds.
+    /// Returns the default of an entry of at most eight bytes without rights::constant. The node-ID that
+    /// rights::node_id adds is not included.
     std::uint64_t default_bits(const EntryRow& row) const noexcept {
         return read_le(ByteView{tables_.defaults.rows, tables_.defaults.count}, row.offset, row.size);
     }
@@ -108,7 +110,8 @@ class ObjectDictionary {
     /// Returns the value of an entry of at most 32 bits; zero when the entry is absent, so that a service without its
     /// object does nothing.
     std::uint32_t read(std::uint16_t index, std::uint8_t subindex) const noexcept;
-    /// Sets a value of at most 32 bits that the device itself maintains. Does nothing when the entry is absent.
+    /// Sets the value of an entry of at most 32 bits without any check, for values that the device itself maintains.
+    /// `bits` must fit into the entry. Does nothing when the entry is absent or constant.
     void write(std::uint16_t index, std::uint8_t subindex, std::uint32_t bits) noexcept;
 
     template <typename T>

@@ -141,14 +141,14 @@ constexpr std::size_t object_slot(const std::uint16_t index, const std::uint32_t
     return ((index * factor) >> 16U) & (count - 1U);
 }
 
-/// The place of a named value in the value image of the dictionary, for the device code. `T` is the arithmetic type of
-/// the value.
+/// The place of a named value in the value image (see EntryRow), for the device code. `T` is the arithmetic type of the
+/// value.
 template <typename T>
 struct Field {
     std::uint16_t offset;
 };
 
-/// The place of a named string in the value image: zero bytes pad it to its capacity `size`.
+/// The place of a named string in the value image: zero bytes pad the string to its capacity, `size`.
 struct StringField {
     std::uint16_t offset;
     std::uint16_t size;

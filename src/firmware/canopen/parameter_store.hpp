@@ -4,8 +4,7 @@
 //
 // Two banks alternate. A save marks the unused bank void and writes a whole new set into it, with the next sequence
 // number and a CRC. Then it commits the new bank by its marker and marks the other bank void. An interrupted save
-// leaves a void bank and has no effect. A bank that is not void and has a wrong CRC is damaged; then no stored set is
-// used.
+// leaves a void bank and has no effect. A committed bank with a wrong CRC is damaged; then no stored set is used.
 #pragma once
 
 #include "firmware/base/commit_marker.hpp"
@@ -32,12 +31,13 @@ class ParameterStore {
     /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved keeps
     /// its defaults. A value that was saved at a default that includes the node-ID follows the new node-ID.
     void load(ParameterGroup group, std::uint8_t node_id) noexcept;
-    /// Returns whether a saved set exists that open() or load() could not read. After a failed load() the node loads
-    /// the defaults again, so that it uses no value of this set.
+    /// Returns whether a saved set exists that the last open() or a load() after it could not read. None of its values
+    /// may then be used; the defaults apply.
     bool is_damaged() const noexcept { return damaged_; }
 
     /// Executes a write to 1010h (store) or 1011h (restore). `entry` selects the groups. Returns 08000020h when `value`
-    /// is not the signature, and 06060000h when the memory fails; the set that was stored before then remains valid.
+    /// 08000020h). Returns 06060000h when the memory fails or is too small; the set stored before then remains valid.
+    /// Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
     /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses

@@ -40,8 +40,8 @@ constexpr std::uint32_t mapping_right(const PdoDirection direction) noexcept {
     return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
 }
 
-/// Returns the number of the PDO of `direction` to which an object of the communication area belongs; max_pdos when it
-/// belongs to none.
+/// Returns the number (0…max_pdos - 1) of the PDO of `direction` whose communication parameters or mapping `index` is;
+/// max_pdos when `index` is neither.
 constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
     constexpr std::uint32_t number_bits = max_pdos - 1U;
     const bool belongs = (index & ~(mapping_offset | number_bits)) == communication_object(direction, 0U);
@@ -65,7 +65,8 @@ struct PdoParameters {
     Duration event{};    ///< longest time between two transmissions or receptions; zero: no limit
 };
 
-/// Returns the number of PDOs of a direction in a dictionary: the highest number present.
+/// Returns the highest PDO number of a direction in a dictionary, counted from 1; 0 when there is no PDO. PDOs with
+/// lower numbers count even where they are absent.
 constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirection direction) noexcept {
     const std::size_t first = communication_object(direction, 0U);
     std::size_t count{0U};
@@ -76,7 +77,8 @@ constexpr std::size_t pdo_count(const DictionaryTables& tables, const PdoDirecti
     }
     return count;
 }
-/// Returns the number of entries of the longest mapping object.
+/// Returns the greatest sub-index of all PDO objects, at most max_pdo_lines. It is an upper bound for the entries of a
+/// mapping; communication parameters with more sub-indices count as well.
 constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
     std::size_t most{0U};
     for (const ObjectRow& object : tables.objects) {

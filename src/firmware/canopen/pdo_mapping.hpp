@@ -9,14 +9,15 @@
 
 namespace canproof {
 
-/// Checks one mapping entry for a PDO of this direction (`right`: rights::rpdo or rights::tpdo). Returns 06020000h or
-/// 06090011h when its object is absent, 06040041h when it may not be mapped, has another length, or is a dummy of
-/// unknown type. Zero (nothing mapped) is allowed.
+/// Checks one mapping entry for a PDO of this direction (`right`: rights::rpdo or rights::tpdo). Returns 06020000h when
+/// its object is absent and 06090011h when only its sub-index is. Returns 06040041h when the object may not be mapped
+/// in this direction or has another length, and for a dummy (index 0000h to 0007h) of a TPDO, with a sub-index, or
+/// without the length of its type. Returns AbortCode::none for a correct entry and for zero (nothing mapped).
 AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t right, std::uint32_t entry) noexcept;
 
-/// Checks whether the first `count` entries of mapping object `index` are a valid mapping. Each entry must be valid and
-/// not empty. The object must have that many entries, and they must have at most 64 bits together (otherwise
-/// 06040042h).
+/// Checks whether the first `count` entries of mapping object `index` are a valid mapping. Returns the code of
+/// check_mapping_entry() for the first wrong entry, 06040041h for an entry that is zero, and 06040042h when the object
+/// has fewer entries or they have more than 64 bits together. Returns AbortCode::none otherwise.
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
                               std::uint32_t count) noexcept;
 
@@ -29,8 +30,8 @@ struct PdoLine {
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }
-    /// Returns whether the PDO may write every value without a check: the values have no limits and no owner, or are
-    /// gaps.
+    /// Returns whether a frame may write any value of this line without a check: the entry has no limits and no owner,
+    /// or the line is a gap.
     bool is_free() const noexcept {
         return (row == nullptr) || ((row->limit == no_limit) && (row->service == Service::none));
     }

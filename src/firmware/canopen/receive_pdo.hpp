@@ -34,10 +34,10 @@ class ReceivePdos {
           queue_{queue},
           answering_remote_{answering_remote} {}
 
-    /// Reads the parameters after they were loaded: no frame waits, no RPDO is late.
+    /// Reads the parameters after they were loaded: no frame waits, and no error of an RPDO remains.
     void reset() noexcept;
-    /// Leaves operational: no frame waits for a SYNC, no reception is expected. Errors remain until a correct reception
-    /// ends them.
+    /// Leaves operational: no frame waits for a SYNC, and no RPDO is expected. Errors of RPDOs remain until a correct
+    /// reception ends them.
     void stop() noexcept;
     /// Processes a data frame in operational; ignores one that is no RPDO of this node.
     void receive(const Frame& frame, Instant now) noexcept;
@@ -53,18 +53,19 @@ class ReceivePdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// Returns whether an RPDO was too short for its mapping and none of sufficient length has come since (error
-    /// 8210h).
+    /// Returns whether there is an RPDO whose last frame was too short for its mapping (error 8210h). A write to its
+    /// parameters or its mapping ends this error.
     bool has_short() const noexcept { return (failed_ & (all_pdos << came_short)) != 0U; }
-    /// Returns whether a value of an RPDO was refused and the RPDO has not come with accepted values since (error
-    /// 8200h).
+    /// Returns whether there is an RPDO with a refused value that has not come with accepted values since (error
+    /// 8200h). A write to its parameters or its mapping ends this error.
     bool has_refused() const noexcept { return (failed_ & (all_pdos << came_refused)) != 0U; }
-    /// Returns whether one of these three errors is present.
+    /// Returns whether an RPDO is too short, refused or overdue: see has_short(), has_refused() and overdue().
     bool has_failed() const noexcept { return failed_ != 0U; }
-    /// The RPDOs that did not come within their event time and have not come since: bit n stands for RPDO n + 1.
+    /// Returns the RPDOs that did not come within their event time and have not come with accepted values since: bit n
+    /// stands for RPDO n + 1.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
-    /// Reads the PDO again after a write to an entry of 14xxh or 16xxh.
+    /// Reads the RPDO again after a write to an entry of its 14xxh or 16xxh. Ignores other entries.
     void after_write(const EntryRef& entry) noexcept;
 
   private:

@@ -58,9 +58,9 @@ class SdoBlockDownload {
     /// Returns whether the segment that the client marked as the last has come in order.
     bool complete() const noexcept { return complete_; }
     /// Ends the transfer; `unused` (0…7) bytes of the last segment hold no data. Returns 06070012h when the data is
-    /// longer than the place, 05040004h when the CRC was agreed on and is wrong.
+    /// longer than the place, 05040004h when the CRC was agreed on and is wrong, otherwise AbortCode::none.
     AbortCode finish(std::uint8_t unused, std::uint16_t crc) noexcept;
-    /// Returns the bytes received; after finish() the length of the value.
+    /// Returns the number of bytes of all segments taken; after finish() the length of the value.
     std::size_t size() const noexcept { return size_; }
 
   private:
@@ -90,13 +90,13 @@ class SdoBlockUpload {
     /// Queues the next segments with identifier `id` until the sub-block ends or the room is used. Call only while
     /// can_send() is true.
     void send(TransmitQueue& queue, std::uint32_t id) noexcept;
-    /// Processes an acknowledgement: the client has received the segments up to `sequence` (0: none) and wants
-    /// `block_size` segments next. Returns 05040003h when that segment was not sent, 05040002h for a block size of 0 or
-    /// above 127.
+    /// Processes an acknowledgement: the client has received the segments of this sub-block up to `sequence` (0: none)
+    /// and wants `block_size` segments next. Returns 05040003h when the segment `sequence` was not sent, 05040002h for
+    /// a block size of 0 or above 127, otherwise AbortCode::none.
     AbortCode acknowledge(std::uint8_t sequence, std::uint8_t block_size) noexcept;
     /// Returns whether the whole value is acknowledged.
     bool complete() const noexcept { return complete_; }
-    /// Returns the bytes of the last segment without data, 0…7.
+    /// Returns how many bytes of the last segment hold no data, 0…7.
     std::uint8_t unused() const noexcept;
     /// Returns the CRC of all data sent.
     std::uint16_t crc() const noexcept { return crc_.value(); }

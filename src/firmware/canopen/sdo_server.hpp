@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SDO server: expedited, segmented and block transfer in both directions (CiA 301, 7.2.4). Each request gets at most
-// one answer; only a block upload sends further frames (its segments).
+// one answer. Beside the answers, the server sends only the segments of a block upload, and an abort frame when a
+// transfer times out.
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ class SdoServer {
         static_assert(implements<req::CO_SDO_015>);
         return (frame.id == request_id_) && !frame.extended && !frame.remote;
     }
-    /// Answers one request. Ignores frames without eight bytes.
+    /// Processes one request and answers it where the protocol demands an answer. Ignores frames without eight bytes.
     void receive(const Frame& frame, const Instant now) noexcept {
         static_assert(implements<req::CO_SDO_007>);
         if (frame.length != max_frame_length) {

@@ -23,7 +23,8 @@ class Sync {
         static_assert(implements<req::CO_SYNC_001>);
         return (frame.id == identifier_) && !frame.extended && !frame.remote;
     }
-    /// Returns whether a SYNC has the length that 1019h demands; any other length is error 8240h.
+    /// Returns whether a SYNC has the length that 1019h demands: one byte, or none while 1019h is zero. Any other
+    /// length is error 8240h.
     bool has_length(const Frame& sync) const noexcept {
         static_assert(implements<req::CO_SYNC_002> && implements<req::CO_SYNC_009>);
         return std::uint32_t{sync.length} == length_;
@@ -34,7 +35,7 @@ class Sync {
     }
     /// Produces a SYNC when it is due. Returns true if so: the node consumes its own SYNC as well.
     bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
-    /// Returns the counter of the last produced SYNC; zero while 1019h is zero.
+    /// Returns the counter of the last produced SYNC; zero while 1019h is zero and before the first SYNC.
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 

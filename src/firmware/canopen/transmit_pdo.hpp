@@ -44,7 +44,7 @@ class TransmitPdos {
 
     /// Reads the parameters after they were loaded; the node is not operational.
     void reset() noexcept;
-    /// Enters operational: frames sent on entering leave with the next advance().
+    /// Enters operational. TPDOs that are sent on entering it are sent by the next advance().
     void start(Instant now) noexcept;
     /// Leaves operational.
     void stop() noexcept;
@@ -68,7 +68,7 @@ class TransmitPdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// Applies a new value of an entry of 18xxh or 1Axxh.
+    /// Applies a new value of an entry of 18xxh or 1Axxh. Ignores other entries.
     void after_write(const EntryRef& entry, Instant now) noexcept;
 
   private:

@@ -16,8 +16,9 @@ static_assert(implements<req::CO_FRAME_002>);
 /// identifier keep their order: a segment never overtakes the one before it.
 class TransmitQueue {
   public:
-    /// One event causes at most one SDO answer, EMCY, SYNC, error control message and four PDOs. The rest is room for a
-    /// driver that sends late, and for the segments of a block upload.
+    /// One event usually causes at most one SDO answer, EMCY, SYNC, error control message and four PDOs. The rest is
+    /// room for several emergency messages at once, for a driver that sends late, and for the segments of a block
+    /// upload.
     static constexpr std::size_t capacity = 32U;
 
     /// Queues a frame. Returns false when the queue is full or closed: the frame is lost.
@@ -25,8 +26,8 @@ class TransmitQueue {
     /// Queues a data frame of `length` (0…8) bytes, first byte lowest in `data`. A frame that goes to the end of the
     /// queue, as most do, is written directly to its place.
     bool push(std::uint32_t id, std::uint8_t length, std::uint64_t data) noexcept;
-    /// Queues the boot-up message of a reset. Waiting frames are dropped; later frames stay behind it whatever their
-    /// priority.
+    /// Queues the boot-up message of a reset. Waiting frames are dropped; later frames stay behind the boot-up message
+    /// whatever their priority. While the queue is closed the message is lost.
     void push_boot_up(const Frame& frame) noexcept;
     bool empty() const noexcept { return first_ == end_; }
     std::size_t size() const noexcept { return end_ - first_; }
@@ -43,8 +44,9 @@ class TransmitQueue {
         return next;
     }
 
-    /// Takes back a popped frame that could not be sent; it goes before all frames with its identifier. Returns false
-    /// when the queue is full. While the queue is closed the frame is lost, as every other.
+    /// Takes back a popped frame that could not be sent. The frame goes before all others with its identifier, but
+    /// behind a waiting boot-up message. Returns false when the queue is full. While the queue is closed the frame is
+    /// lost, and the function returns true.
     bool put_back(const Frame& frame) noexcept;
     /// Returns whether the next frame to send is the boot-up message. The driver must send or drop a frame that it
     /// popped earlier before that message.

@@ -30,7 +30,8 @@ constexpr ErrorTable make_error_table() noexcept {
 }
 const ErrorTable error_table = make_error_table();
 
-/// Returns the value of 2000h CAN slew rate for a bit rate.
+/// Returns the value of 2000h CAN slew rate that suits a bit rate in bit/s: 1 (fast) from fast_slew_bit_rate on,
+/// otherwise 0.
 static_assert(implements<req::INC_SLEW_002> && implements<req::INC_K_FAST_SLEW>);
 constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;

@@ -158,7 +158,8 @@ bool Device::is_temperature_outside() const noexcept {
     return !inside;  // NaN counts as outside
 }
 
-// The TPDOs need no notice of changes: their type is fixed at 254, and only the event timer triggers it (4.2.15).
+// The TPDOs need no notice of changes: their transmission type is fixed at 254, and only their event timers trigger
+// them (4.2.15).
 void Device::publish() noexcept {
     publish_accelerations();
     publish_angles();
@@ -216,7 +217,8 @@ void Device::show_if_valid(const std::uint16_t index, const float value) noexcep
     }
 }
 
-/// Returns an acceleration in g, with its sign reversed if 2011h accelerometer data inversion is set.
+/// Returns the acceleration of an axis in g, with its sign reversed if 2011h accelerometer data inversion is set for
+/// this axis.
 static_assert(implements<req::INC_ANGLE_001> && implements<req::INC_FV_004>);
 float Device::given_acceleration(const std::uint8_t axis) const noexcept {
     const Vector3& sensed = inclination_.acceleration();
@@ -225,7 +227,8 @@ float Device::given_acceleration(const std::uint8_t axis) const noexcept {
 }
 
 static_assert(implements<req::INC_RANGE_003> && implements<req::INC_FV_008>);
-/// Returns an angle in degrees: filtered, in its range, with its sign reversed if 2031h angular data inversion is set.
+/// Returns an angle in degrees: filtered, in its range, with its sign reversed if 2031h angular data inversion is set
+/// for this angle.
 float Device::given_angle(const std::size_t angle) const noexcept {
     const float measured = filters_[angle].output();
     static_assert(implements<req::INC_RANGE_007>);

@@ -43,6 +43,8 @@ struct AnalogueOutputState {
 
 class AnalogueOutput {
   public:
+    /// Returns target and value at `now`; `drive` selects what drives the output. Ramps act for OutputDrive::control
+    /// and ramp_off only; OutputDrive::keep stops a ramp.
     AnalogueOutputState advance(OutputDrive drive, const AnalogueDemand& demand, const OutputRange& range,
                                 const RampTimes& times, Instant now) noexcept;
     /// Switches the output OFF at once.

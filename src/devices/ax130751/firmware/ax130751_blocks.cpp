@@ -32,8 +32,8 @@ PointResponse point_response(const std::uint8_t value) noexcept {
     }
 }
 
-/// Returns an interval in microseconds. A point that was set for data response may be below the shortest interval, but
-/// never above the longest; it then counts as the shortest.
+/// Returns an interval in microseconds. A point that was set for data response may be below the shortest interval, and
+/// then counts as the shortest. No point is above the longest interval.
 double interval_us(const std::int32_t milliseconds_set) noexcept {
     const double least = static_cast<double>(own::shortest_interval_ms);
     constexpr double us_per_ms = 1000.0;

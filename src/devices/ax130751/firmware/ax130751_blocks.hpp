@@ -35,9 +35,10 @@ class TableBlock {
 
 /// Returns whether table `number` has a time response (3yz5h:1).
 bool is_over_time(const ObjectDictionary& objects, std::uint8_t number) noexcept;
-/// Sets point 1 and the digits of X when time response is selected.
+/// Prepares table `number` (1…10) for the time response that was just selected: sets X and Y of point 1 and the digits
+/// of X to 0.
 void begin_time_response(ObjectDictionary& objects, std::uint8_t number) noexcept;
-/// Checks whether point `point` (1…11) of table `number` may have this `x`.
+/// Returns AbortCode::none when point `point` (1…11) of table `number` (1…10) may have this `x`, otherwise the reason.
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, std::uint8_t number, std::uint8_t point,
                       std::int32_t x) noexcept;
 

@@ -34,10 +34,12 @@ class UniversalOutput {
     /// Returns when the output changes by itself with constant inputs.
     Instant next_change() const noexcept { return digital_.next_change(); }
 
-    /// Writes the defaults of the type in 6310h output type, if 5550h enables automatic updates.
+    /// Writes the defaults of the type in 6310h output type to digits, scaling, override value and fault value. Does
+    /// nothing when 5550h does not enable automatic updates, or when the type is 0 (not used) or unknown.
     void take_type_defaults() noexcept;
     /// Checks a new value of 7321h or 7323h scaling, 2300h override or 7341h fault field value against the range of the
-    /// output type.
+    /// output type. Returns 06090031h above the range and 06090032h below it. Returns AbortCode::none within it, for 0
+    /// (OFF), and while the output has no type.
     AbortCode check_field_value(std::int16_t field_value) const noexcept;
 
   private:

@@ -30,7 +30,8 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
     }
 }
 
-/// Returns whether the unit has the relay. Polarity 0 means that it has none, so that nothing drives the relay.
+/// Returns whether the relay is implemented with `value` in 2242h relay polarity. It is not with 0 or an unknown value;
+/// nothing then drives the relay.
 bool is_implemented(const std::uint8_t value) noexcept {
     using Drive = own::relay_polarity::Drive;
     return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=

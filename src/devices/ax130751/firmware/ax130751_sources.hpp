@@ -29,8 +29,8 @@ struct SourceRef {
 /// Returns the quantity for a source and a number by Tables 4A and 4B; none for a pair that is not in them.
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
-/// The last chosen source and number and the quantity that they select, looked up when the choice changes. This cache
-/// depends on the source and the number.
+/// Holds the last chosen source and number, and the quantity that they select. The quantity is looked up when the
+/// choice changes: this cache depends on the source and the number.
 class SourceChoice {
   public:
     const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {

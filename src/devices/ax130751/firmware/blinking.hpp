@@ -12,7 +12,7 @@ constexpr bool blinks_on(const Instant since, const Duration half_period, const 
     return (half_period.us == 0U) || (((elapsed(since, now).us / half_period.us) % 2U) == 0U);
 }
 
-/// Returns the next change after `now`.
+/// Returns the time of the next change after `now`; never when `half_period` is 0.
 constexpr Instant next_blink(const Instant since, const Duration half_period, const Instant now) noexcept {
     return (half_period.us == 0U)
                ? never

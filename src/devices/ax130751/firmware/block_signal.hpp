@@ -63,7 +63,8 @@ class KeptPhysicalValue {
     std::uint8_t digits_{0U};
 };
 
-/// Returns the 16-bit integer for a value: rounded to nearest (halves away from zero) and saturated.
+/// Returns the INTEGER16 for a value with `digits` decimal digits: rounded to nearest (halves away from zero) and
+/// saturated. NaN gives -32768.
 inline std::int16_t process_value(const double value, const std::uint8_t digits) noexcept {
     constexpr double least = -32768.0;
     constexpr double most = 32767.0;

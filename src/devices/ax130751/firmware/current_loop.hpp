@@ -4,7 +4,8 @@
 
 namespace canproof::ax130751 {
 
-/// Returns the current in mA. `per_ampere` converts volts divided by ohms to that unit.
+/// Returns the current that flows when `commanded` is requested: `commanded` itself, but at most what `compliance_v`
+/// drives through the load. `per_ampere` gives the unit of both currents: 1000 for mA.
 constexpr double loop_current(const double commanded, const double load_ohm, const double compliance_v,
                               const double per_ampere) noexcept {
     const bool limited = (load_ohm * commanded) > (compliance_v * per_ampere);

@@ -22,6 +22,8 @@ struct DigitalOutputState {
 
 class DigitalOutput {
   public:
+    /// Returns the states at `now`; `drive` selects what drives the output. The polarity acts for OutputDrive::control
+    /// only. Call it in every cycle: it detects edges between two calls.
     DigitalOutputState advance(OutputDrive drive, const DigitalDemand& demand, const SwitchPolarity& polarity,
                                Duration blink, Instant now) noexcept;
     /// Switches OFF at once and clears all states.

@@ -26,7 +26,8 @@ struct LogicFunction {
     std::uint8_t logical{0U};  ///< operator of Table 18
 };
 
-/// Evaluates a condition by Table 17.
+/// Compares the two signals of a condition by its operator, and returns true, false, error or not applicable by Table
+/// 17.
 ConditionResult evaluate(const LogicCondition& condition) noexcept;
 
 /// Returns whether a function selects its table, by Tables 18 and 19 and the results of the three conditions.
@@ -47,7 +48,8 @@ std::size_t select_function(const FunctionAt& function_at) noexcept {
     return 0U;
 }
 
-/// Returns a value as a percentage of its limits, 0…100; 0 if they coincide.
+/// Returns where the value of `table` is between its lower limit (0) and its upper limit (100), clamped to 0…100; 0
+/// when the upper limit is not above the lower one.
 double percentage_of_limits(const BlockSignal& table) noexcept;
 
 }  // namespace canproof::ax130751

@@ -11,7 +11,7 @@ namespace canproof::ax130751 {
 
 constexpr std::size_t lookup_points = 11U;
 
-/// The response between a point and the one before it.
+/// The response between a point and the one before it. `ignore` ends the table at the point before it.
 enum class PointResponse : std::uint8_t { ignore, ramp, jump };
 
 /// The points of a table. `x` is in the unit of the source, or in microseconds since the point before; `response` of
@@ -22,7 +22,9 @@ struct LookupPoints {
     std::array<PointResponse, lookup_points> response{};
 };
 
-/// Returns y for x; the x of the points must not decrease. An interval between two points excludes its lower end.
+/// Returns y for x; the x of the points must not decrease. Up to the first point y is that of the first point, and
+/// beyond the last one that is not ignored it is that of this last point. An interval between two points excludes its
+/// lower end.
 double lookup(double x, const LookupPoints& points) noexcept;
 
 /// Returns y of a profile after `running`; the x of the profile are intervals. With `repeat` the profile starts again
@@ -32,7 +34,7 @@ double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat
 /// Returns the length of a profile: the sum of its intervals up to the first ignored point.
 Duration profile_length(const LookupPoints& profile) noexcept;
 
-/// The range of y over all points.
+/// The range of y over all points, ignored ones included.
 struct LookupLimits {
     double least{0.0};
     double greatest{0.0};
@@ -54,8 +56,10 @@ struct LookupOutput {
 
 class LookupTable {
   public:
+    /// Evaluates the table at `now`; call it in every cycle. The output has the state of `input`. While `input` is in
+    /// error, a table over a value keeps its output value, and a table over time outputs 0.
     LookupOutput advance(const BlockSignal& input, const LookupConfig& config, Instant now) noexcept;
-    /// Returns whether a profile runs: the output changes by itself.
+    /// Returns whether a profile runs, so that the output can change although its input does not.
     bool is_running() const noexcept { return running_; }
     void reset() noexcept { *this = LookupTable{}; }
 

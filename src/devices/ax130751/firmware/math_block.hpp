@@ -25,10 +25,12 @@ struct MathConfig {
     std::array<std::uint8_t, math_functions> operators{};  ///< operators of Table 21
 };
 
-/// Returns a signal as a fraction of its scaling, 0…1, in steps of a millionth, before the gain.
+/// Returns a signal as a fraction of its scaling, 0…1, in steps of a millionth, before the gain. Returns 0 when the
+/// signal is not valid or both scalings are equal.
 double math_fraction(const MathInput& input) noexcept;
 
-/// Applies an operator of Table 21 to two inputs; differences keep their sign.
+/// Applies an operator of Table 21 to two inputs. Comparisons and logic give 0 or 1, differences keep their sign, and a
+/// division by 0 gives 0. An unknown number counts as addition.
 double apply_operator(std::uint8_t number, double a, double b) noexcept;
 
 struct MathResult {
@@ -45,7 +47,7 @@ struct MathFunction {
 class MathBlock {
   public:
     /// Evaluates the block. Returns the result of the last function that had both inputs, as a fraction: 1 is full
-    /// scale, values outside 0…1 are possible.
+    /// scale, values outside 0…1 are possible. Each result is clamped to ±1e9.
     MathResult advance(const MathConfig& config) noexcept;
     void reset() noexcept { *this = MathBlock{}; }
     /// Returns whether the last cycle gave the same results as the previous one; with the same inputs the next cycle

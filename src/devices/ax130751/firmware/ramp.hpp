@@ -22,7 +22,7 @@ class Ramp {
     void set(double value) noexcept;
     /// Moves towards `target`; returns the value at `now`.
     double follow(double target, const RampTimes& times, Instant now) noexcept;
-    /// Stops at the value of `now` and returns it.
+    /// Ends the ramp at the value that it has at `now`, and returns this value.
     double hold(Instant now) noexcept;
 
     double value_at(Instant now) const noexcept;

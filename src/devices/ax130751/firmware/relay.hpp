@@ -33,7 +33,8 @@ struct RelayDemand {
 
 class Relay {
   public:
-    /// Returns the state at `now`. Call it in every cycle: it detects edges between two calls.
+    /// Returns the state at `now`; `drive` selects what drives the relay. Call it in every cycle: it detects edges
+    /// between two calls.
     bool advance(OutputDrive drive, const RelayDemand& demand, const RelayPolarity& polarity, const RelayTimes& times,
                  Instant now) noexcept;
     /// Switches OFF at once and clears all states.

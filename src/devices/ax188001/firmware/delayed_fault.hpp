@@ -9,12 +9,13 @@ namespace canproof::ax188001 {
 /// The result of a measurement. Between the two thresholds a value neither begins nor ends a fault.
 struct FaultCondition {
     bool begins{false};  ///< beyond the threshold that sets the fault
-    bool ends{true};     ///< beyond the threshold that clears it
+    bool ends{true};     ///< at the threshold that clears it, or past it
 };
 
 class DelayedFault {
   public:
-    /// Evaluates a new measurement. `delay` is the time that the fault must last before it is reported.
+    /// Evaluates a new measurement. `delay` is the time that the fault must last before it is reported; the end of a
+    /// fault has no delay.
     void judge(const FaultCondition& condition, const Duration delay, const Instant now) noexcept {
         if (told_) {
             told_ = !condition.ends;
@@ -25,7 +26,7 @@ class DelayedFault {
             advance(delay, now);
         }
     }
-    /// Reports a fault whose delay has passed.
+    /// Makes a waiting fault a reported one when its delay has passed.
     void advance(const Duration delay, const Instant now) noexcept {
         if (due(delay) <= now) {
             told_ = true;

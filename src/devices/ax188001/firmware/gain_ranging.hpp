@@ -19,7 +19,7 @@ struct ConverterCircuit {
     static constexpr std::size_t gain_count = 3U;
     std::array<ConverterGain, gain_count> gains{};  ///< highest gain first
     double codes{1.0};                              ///< steps on each side of 0 V
-    /// Fraction of a full scale: at or below it, the converter returns to that gain.
+    /// Fraction of a gain's full scale; when the voltage is at or below it, the converter returns to that gain.
     double raise_fraction{1.0};
     std::uint8_t settling_conversions{0U};
 };
@@ -35,7 +35,8 @@ class GainRanging {
 
     /// Returns the last voltage read while the filter was settled and the converter not overdriven.
     double microvolts() const noexcept { return microvolts_; }
-    /// Returns whether the converter is overdriven at the lowest gain: no thermocouple gives such a voltage.
+    /// Returns whether the last settled conversion overdrove the converter at the lowest gain. This counts as an open
+    /// circuit, because a thermocouple hardly ever gives such a voltage (TCS-D-093).
     bool is_open() const noexcept { return open_; }
     std::uint8_t gain(const ConverterCircuit& circuit) const noexcept { return circuit.gains[step_].gain; }
 

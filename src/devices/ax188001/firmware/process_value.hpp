@@ -14,7 +14,7 @@ struct Scaling {
     double offset{0.0};
 };
 
-/// Returns the process value: rounded to nearest, halves away from zero, and saturated to 16 bits.
+/// Returns the process value: rounded to nearest, halves away from zero, and saturated to INTEGER16. NaN gives -32768.
 std::int16_t process_value(double field_value, const Scaling& scaling) noexcept;
 
 /// Values with a meaning other than a measurement.
@@ -23,7 +23,8 @@ struct ReservedValues {
     std::int16_t open{0};
 };
 
-/// Returns the process value of a measurement; one that equals a reserved value is increased by one.
+/// Returns the process value of a measurement; one that equals a reserved value is increased by one. The value after a
+/// reserved one must not be reserved.
 std::int16_t measured_process_value(double field_value, const Scaling& scaling,
                                     const ReservedValues& reserved) noexcept;
 
