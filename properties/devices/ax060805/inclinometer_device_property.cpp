@@ -14,6 +14,7 @@
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
 #include "generated/ax060805/requirements.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/memory.hpp"
 #include "tests/support/verifies.hpp"
@@ -195,6 +196,7 @@ RC_GTEST_PROP(InclinometerLaw, MeasuredValuesStayWithinTheirLimits, ()) {
 }
 
 RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
+    verifies<req::CO_SDO_044>("property");
     Run run;
     for (const Event& event : any_events()) {
         if (event.kind < 6) {  // the identifiers stay as shipped

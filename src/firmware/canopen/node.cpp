@@ -138,6 +138,7 @@ void Node::admit_services(const Instant now) noexcept {
     sdo_.listen(allowed_.has(NmtService::sdo) && may_send());
 }
 
+static_assert(implements<req::CO_LSS_074>);
 void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (can_state_ == CanState::bus_off) {
         return;
@@ -146,7 +147,6 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (sdo_.is_request(frame)) {
         serve_sdo(frame, now);
     } else if (lss_.is_silent()) {
-        static_assert(implements<req::CO_LSS_074>);
         // the node changes its bit rate
     } else if (lss_.is_request(frame)) {
         configure(frame, now);
