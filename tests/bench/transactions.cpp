@@ -212,9 +212,9 @@ const std::vector<Transaction>& transactions() {
     static const Frame download = frame_of("605#2B025F0134120000");
     const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
-        {"expedited upload u32", 228, 235, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
-        {"expedited download u16", 260, 270, nothing, [](Server& server) { exchange(server, download, 0x60); }},
-        {"segmented upload, 64 bytes", 1745, 1910, nothing, segmented_upload},
+        {"expedited upload u32", 236, 243, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
+        {"expedited download u16", 268, 276, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"segmented upload, 64 bytes", 1765, 1940, nothing, segmented_upload},
         {"block download, 64 KiB", 1.25e6, 1.4e6, nothing, block_download},
         {"block upload, 64 KiB", 1.18e6, 1.22e6, nothing, block_upload},
         {"RPDO, 4 x 16 bit, values as before", 150, 165, prepare_to_receive, receive_same_words},
