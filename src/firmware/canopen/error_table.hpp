@@ -30,8 +30,8 @@ enum class ErrorId : std::uint8_t {
     rpdo_value = 14U,
     first_of_device = 15U
 };
-constexpr std::size_t max_errors =
-    48U;  ///< rows of an error table; at most 64, because a 64-bit number has a bit for each
+/// Rows of an error table; at most 64, because a 64-bit number has a bit for each.
+constexpr std::size_t max_errors = 48U;
 
 /// Returns the error `offset` numbers after `first`, for example the same fault of another channel.
 constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noexcept {

@@ -17,8 +17,8 @@ struct InclinationSettings {
     PitchRoll calibration{};   ///< angles of the sensor in the unit, degrees
     PitchRoll installation{};  ///< angles of the unit on the machine, degrees
     bool euler{false};         ///< pitch and roll as Euler angles; otherwise as tilt angles
-    float gimbal_lock_cone{
-        0.0F};                  ///< degrees between the X axis and the vertical; below it the Euler roll is unreliable
+    /// Degrees between the X axis and the vertical; below it the Euler roll is unreliable.
+    float gimbal_lock_cone{0.0F};
     float least_gravity{0.0F};  ///< g; a smaller acceleration has no measurable direction
 };
 
