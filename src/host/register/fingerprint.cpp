@@ -140,6 +140,44 @@ std::string fingerprint(const Decision& decision) {
     return print.add_answer(decision.answer).text();
 }
 
+std::string fingerprint(const Hazard& hazard) {
+    Print print;
+    print.add(hazard.text).add(hazard.safe_state);
+    for (const auto* ids : {&hazard.at, &hazard.decisions}) {
+        print.add(static_cast<std::int64_t>(ids->size()));
+        for (const auto& id : *ids) {
+            print.add(id);
+        }
+    }
+    for (const auto& failure : hazard.failures) {
+        print.add(failure.text).add(failure.reason).add(static_cast<std::int64_t>(failure.prevented_by.size()));
+        for (const auto& id : failure.prevented_by) {
+            print.add(id);
+        }
+    }
+    return print.text();
+}
+
+std::string fingerprint(const Section& section) {
+    Print print;
+    print.add(std::int64_t{section.normative ? 1 : 0}).add(section.reason);
+    for (const auto* texts : {&section.objects, &section.conditions}) {
+        print.add(static_cast<std::int64_t>(texts->size()));
+        for (const auto& text : *texts) {
+            print.add(text);
+        }
+    }
+    return print.text();
+}
+
+std::map<std::string, std::string> fingerprints(const Manual& manual) {
+    std::map<std::string, std::string> prints;
+    for (const auto& section : manual.sections) {
+        prints[section.id(manual.key)] = fingerprint(section);
+    }
+    return prints;
+}
+
 std::map<std::string, std::string> fingerprints(const Part& part) {
     std::map<std::string, std::string> prints;
     const auto add_all = [&](const auto& items) {
@@ -154,6 +192,7 @@ std::map<std::string, std::string> fingerprints(const Part& part) {
     add_all(part.constants);
     add_all(part.signals);
     add_all(part.decisions);
+    add_all(part.hazards);
     return prints;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingerprints of items. When the fingerprint of an item changes, its tests are suspect until a new review.
+// Fingerprints of items and of manual sections. When a fingerprint changes, the item or section is suspect until a new
+// review.
 #pragma once
 
 #include <map>
@@ -18,8 +19,15 @@ std::string fingerprint(const Enumeration& enumeration);
 std::string fingerprint(const Constant& constant);
 std::string fingerprint(const Signal& signal);
 std::string fingerprint(const Decision& decision);
+std::string fingerprint(const Hazard& hazard);
+/// Returns eight hexadecimal digits that depend on the disposition of a manual section: whether it is normative, the
+/// reason, the objects that it describes, and the conditions of use. Its title and its statements have no influence.
+std::string fingerprint(const Section& section);
 
-/// Returns the fingerprint of each item and decision of the part by id, as reviews.toml contains it.
+/// Returns the fingerprint of each item, decision and hazard of the part by id, as reviews.toml contains it.
 std::map<std::string, std::string> fingerprints(const Part& part);
+/// Returns the fingerprint of each section of the manual by id: the manual's key, a colon and the section, as in
+/// `AX188001:3.2.8`.
+std::map<std::string, std::string> fingerprints(const Manual& manual);
 
 }  // namespace canproof::host

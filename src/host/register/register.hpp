@@ -43,6 +43,8 @@ struct Section {
     Place place;
 
     bool is_condition_of_use() const { return !normative && reason.empty(); }
+    /// Returns the id of the section, such as `AX188001:3.2.8`. `key` is the key of the manual.
+    std::string id(const std::string& key) const { return key + ":" + ref; }
 };
 
 struct Manual {
@@ -236,7 +238,7 @@ struct Hazard : Item {
     Place decisions_place;
 };
 
-/// The review of an item with its code and tests.
+/// The review of an item with its code and tests, or of the disposition of a section.
 struct Review {
     std::string fingerprint;  ///< fingerprint of the item when it was reviewed
     std::string code;         ///< mark of the functions that implemented the item; empty: there were none
@@ -300,7 +302,7 @@ struct Part {
     std::vector<Decision> decisions;
     std::vector<Hazard> hazards;
     std::vector<StandardObject> standard_objects;  ///< in the order of spec/
-    std::map<std::string, Review> reviews;         ///< reviews by the id of the item
+    std::map<std::string, Review> reviews;         ///< reviews by the id of the item or section
     std::vector<std::string> files;
     bool inherited{false};  ///< whether these are shared rules of an installed canproof, which that project proves
 

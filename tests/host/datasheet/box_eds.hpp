@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/register/register.hpp"
+#include "tests/support/replaced.hpp"
 
 namespace canproof::host::test {
 
@@ -148,12 +149,6 @@ inline std::string texts(const Faults& faults) {
         all += fault.text() + "\n";
     }
     return all;
-}
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
 }
 
 /// Returns the first line with `text`.

@@ -6,6 +6,7 @@
 #include "host/register/fingerprint.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
+#include "tests/support/replaced.hpp"
 
 namespace canproof::host::test {
 
@@ -18,10 +19,6 @@ source = ["M1:1"]
 kind = "functional"
 verify = ["test"]
 )";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
 
 std::string table(const std::string& columns_and_rows) {
     return "[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:Table 3\"]\n" + columns_and_rows;
@@ -199,7 +196,10 @@ const std::vector<Broken> other_cases{
     {"FolderWithoutDevice", "spec/devices/lid/items.toml", "", 1, "the device has no device.toml", "write it"},
     {"ReviewOfStranger", "spec/devices/box/reviews.toml",
      "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n", 5,
-     "the reviewed item AO4-R-1 does not exist", "remove the line"},
+     "the reviewed item or section AO4-R-1 does not exist", "remove the line"},
+    {"ReviewOfUnknownSection", "spec/devices/box/reviews.toml",
+     "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\n\"M1:99\" = \"00000000\"\n", 5,
+     "the reviewed item or section M1:99 does not exist", "remove the line"},
 };
 
 const std::string heartbeat_topic = "topic = \"heartbeat.range\"\n";

@@ -116,9 +116,10 @@ class SpecCommands : Command {
             "text version of the manual: check that it has all passages, and list text without a statement");
         statements->add_option("--spec", statements_.spec, "folder of the register")->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
-        auto* review = spec->add_subcommand("review", "record that items were read with their code and tests");
-        review->add_option("ID", review_.subjects, "ids or devices");
-        review->add_flag("--all", review_.all, "every item that has changed since its review");
+        auto* review = spec->add_subcommand(
+            "review", "record that items were read with their code and tests, or sections with their dispositions");
+        review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
+        review->add_flag("--all", review_.all, "every item and section that has changed since its review");
         review->add_option("--by", review_.by, "name of the reader");
         review->add_flag(
             "--mark", review_.mark,

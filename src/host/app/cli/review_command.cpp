@@ -50,15 +50,15 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Returns the items of the part that the user named, and removes each found name from `names`.
-std::set<std::string> chosen_of(const Part& part, const WorkByItem& work, const ReviewOptions& options,
-                                std::set<std::string>& names) {
-    const std::set<std::string> waiting = unreviewed(part, work);
+/// Returns the items and sections of the part that the user named, and removes each found name from `names`.
+std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
+                                const ReviewOptions& options, std::set<std::string>& names) {
+    const std::set<std::string> waiting = unreviewed(content, part, work);
     if (options.all || names.erase(part.name) != 0) {
         return waiting;
     }
     std::set<std::string> chosen;
-    for (const auto& id : reviewable(part)) {
+    for (const auto& id : reviewable(content, part)) {
         if (names.erase(id) != 0) {
             chosen.insert(id);
         }
@@ -75,7 +75,7 @@ int mark_reviews(const ReviewOptions& options, const Register& content, const Wo
     const std::string date = date_of(options);
     for (const auto& part : content.parts) {
         if (!part.inherited && !part.reviews.empty()) {
-            write_file(reviews_file(options, part), write_marked_reviews(part, date, work));
+            write_file(reviews_file(options, part), write_marked_reviews(content, part, date, work));
         }
     }
     fmt::print("code and tests of reviewed items marked, without a claim that someone has read them\n");
@@ -98,21 +98,23 @@ int review_spec(const ReviewOptions& options) {
     std::vector<std::pair<std::filesystem::path, std::string>> files;
     std::size_t count = 0;
     for (const auto& part : content.parts) {
-        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(part, work, options, names);
+        const auto chosen = part.inherited ? std::set<std::string>{} : chosen_of(content, part, work, options, names);
         if (chosen.empty()) {
             continue;
         }
         count += chosen.size();
-        files.emplace_back(reviews_file(options, part), write_reviews(part, chosen, session, work));
+        files.emplace_back(reviews_file(options, part), write_reviews(content, part, chosen, session, work));
     }
     if (!names.empty()) {
         throw InputError{fmt::format(
-            "`{}` is neither a device nor an id in force; `canproof devices` lists the devices", *names.begin())};
+            "`{}` is neither a device nor the id of an item in force or of a section, such as AX188001:3.2.8; "
+            "`canproof devices` lists the devices",
+            *names.begin())};
     }
     for (const auto& [file, text] : files) {
         write_file(file, text);
     }
-    fmt::print("{} item(s) reviewed by {}, {}\n", count, options.by,
+    fmt::print("{} item(s) and section(s) reviewed by {}, {}\n", count, options.by,
                options.role == "author" ? "author of the change" : "not the author of the change");
     return 0;
 }

@@ -57,6 +57,7 @@ Exhibit audit_exhibit(const PackInput& input) {
 Exhibit suspects_exhibit(const PackInput& input) {
     std::size_t suspects = 0;
     ReviewCounts read;
+    ReviewCounts dispositions;
     for (const auto& audit : input.audits) {
         suspects += audit.suspects.size();
         const ReviewCounts here = count_reviews(*audit.part, input.evidence.work);
@@ -64,12 +65,16 @@ Exhibit suspects_exhibit(const PackInput& input) {
         read.independent += here.independent;
         read.unsaid += here.unsaid;
         read.marked += here.marked;
+        const ReviewCounts of_manual = count_section_reviews(*input.content, *audit.part);
+        dispositions.author += of_manual.author;
+        dispositions.independent += of_manual.independent;
     }
     return exhibit(
         "suspects", "Suspects", suspects == 0,
-        fmt::format("{} items have changed, in text, code or tests, since someone read them. Readers of the "
-                    "other items and decisions: the author of the change {}, someone else {}{}{}",
-                    suspects, read.author, read.independent,
+        fmt::format("{} items or dispositions of manual sections have changed since someone read them (items with "
+                    "their code and tests). Readers of the dispositions: the author {}, someone else {}. Readers of "
+                    "the other items, decisions and hazards: the author of the change {}, someone else {}{}{}",
+                    suspects, dispositions.author, dispositions.independent, read.author, read.independent,
                     read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
                     read.marked == 0 ? "" : fmt::format("; of {} of them code and tests were not read", read.marked)),
         suspects == 0 ? "" : "audit.html#suspects");

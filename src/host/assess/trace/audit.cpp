@@ -69,6 +69,9 @@ class PartAuditor {
     PartAudit run(const SectionIndex& sections) {
         audit_.part = &part_;
         content_.for_each_item(part_, [&](const Item& item, const char* word) { audit_item(item, word); });
+        for (const auto& hazard : part_.hazards) {
+            add_suspect(hazard.id, hazard.id + ": ");
+        }
         if (const Manual* manual = content_.manual(part_.info.manual)) {
             audit_sections(*manual, sections);
         }
@@ -129,8 +132,17 @@ class PartAuditor {
         }
     }
 
+    /// Adds `words` and the reason as a suspect when the item or section `id` has no current review.
+    void add_suspect(const std::string& id, const std::string& words) {
+        if (const std::string reason = reviews_.suspicion(id, {}); !reason.empty()) {
+            audit_.suspects.push_back(words + reason);
+        }
+    }
+
     void audit_sections(const Manual& manual, const SectionIndex& index) {
         for (const auto& section : manual.sections) {
+            const std::string id = section.id(manual.key);
+            add_suspect(id, fmt::format("{} ({}): its disposition: ", id, section.title));
             if (!section.normative) {
                 continue;
             }

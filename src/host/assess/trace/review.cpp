@@ -13,14 +13,29 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fingerprints of the part's items and decisions that are in force, by id.
-std::map<std::string, std::string> prints_in_force(const Part& part) {
+using Prints = std::map<std::string, std::string>;
+
+/// Returns the fingerprints of the part's items, decisions and hazards that are in force, by id.
+Prints prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {
         if (!requirement.retired.empty()) {
             prints.erase(requirement.id);
         }
     }
+    return prints;
+}
+
+/// Returns the fingerprints of the sections of the part's manual, by id. Returns nothing for a part without a manual.
+Prints section_prints(const Register& content, const Part& part) {
+    const Manual* manual = content.manual(part.info.manual);
+    return manual == nullptr ? Prints{} : fingerprints(*manual);
+}
+
+/// Returns the fingerprints of everything that belongs to the part and needs a review, by id.
+Prints all_prints(const Register& content, const Part& part) {
+    Prints prints = prints_in_force(part);
+    prints.merge(section_prints(content, part));
     return prints;
 }
 
@@ -42,13 +57,18 @@ bool is_of_today(const Review& review, const std::string& print, const ItemWork&
     return review.fingerprint == print && review.code == now.code && review.tests == now.tests;
 }
 
+/// Returns the id as a key of TOML. Ids of sections contain a colon, and some contain blanks.
+std::string toml_key(const std::string& id) {
+    return id.find(':') == std::string::npos ? id : toml_string(id);
+}
+
 /// Returns the text of reviews.toml with one block for each review session.
 std::string text_of(const std::map<std::string, Review>& reviews) {
     using Head = std::tuple<std::string, std::string, std::string, std::string>;
     std::map<Head, std::string> blocks;
     for (const auto& [id, one] : reviews) {
         blocks[{one.date, one.by, one.role, one.marked}] +=
-            fmt::format("{} = \"{}\"\n", id, marks_of(one.fingerprint, one.code, one.tests));
+            fmt::format("{} = \"{}\"\n", toml_key(id), marks_of(one.fingerprint, one.code, one.tests));
     }
     std::string text =
         "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
@@ -67,7 +87,7 @@ std::string text_of(const std::map<std::string, Review>& reviews) {
 
 ReviewState::ReviewState(const Register& content, const WorkByItem& work) : work_{work} {
     for (const auto& part : content.parts) {
-        now_.merge(prints_in_force(part));
+        now_.merge(all_prints(content, part));
         reviewed_.insert(part.reviews.begin(), part.reviews.end());
     }
 }
@@ -114,10 +134,10 @@ std::string ReviewState::suspicion(const std::string& id, const std::vector<std:
     return "";
 }
 
-std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
-                          const WorkByItem& work) {
+std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
+                          const ReviewSession& session, const WorkByItem& work) {
     std::map<std::string, Review> reviews;
-    for (const auto& [id, print] : prints_in_force(part)) {
+    for (const auto& [id, print] : all_prints(content, part)) {
         if (ids.count(id) != 0) {
             const ItemWork now = work_of(id, work);
             reviews[id] = {
@@ -130,9 +150,10 @@ std::string write_reviews(const Part& part, const std::set<std::string>& ids, co
     return text_of(reviews);
 }
 
-std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work) {
+std::string write_marked_reviews(const Register& content, const Part& part, const std::string& date,
+                                 const WorkByItem& work) {
     std::map<std::string, Review> reviews;
-    for (const auto& [id, print] : prints_in_force(part)) {
+    for (const auto& [id, print] : all_prints(content, part)) {
         const auto old = part.reviews.find(id);
         if (old == part.reviews.end()) {
             continue;
@@ -147,17 +168,17 @@ std::string write_marked_reviews(const Part& part, const std::string& date, cons
     return text_of(reviews);
 }
 
-std::set<std::string> reviewable(const Part& part) {
+std::set<std::string> reviewable(const Register& content, const Part& part) {
     std::set<std::string> ids;
-    for (const auto& [id, print] : prints_in_force(part)) {
+    for (const auto& [id, print] : all_prints(content, part)) {
         ids.insert(id);
     }
     return ids;
 }
 
-std::set<std::string> unreviewed(const Part& part, const WorkByItem& work) {
+std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work) {
     std::set<std::string> ids;
-    for (const auto& [id, print] : prints_in_force(part)) {
+    for (const auto& [id, print] : all_prints(content, part)) {
         const auto found = part.reviews.find(id);
         if (found == part.reviews.end() || !is_of_today(found->second, print, work_of(id, work))) {
             ids.insert(id);
@@ -166,9 +187,11 @@ std::set<std::string> unreviewed(const Part& part, const WorkByItem& work) {
     return ids;
 }
 
-ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
+namespace {
+
+ReviewCounts count_current(const Prints& prints, const Part& part, const WorkByItem& work) {
     ReviewCounts counts;
-    for (const auto& [id, print] : prints_in_force(part)) {
+    for (const auto& [id, print] : prints) {
         const auto found = part.reviews.find(id);
         if (found == part.reviews.end() || !is_of_today(found->second, print, work_of(id, work))) {
             continue;
@@ -180,18 +203,32 @@ ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
     return counts;
 }
 
+}  // namespace
+
+ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
+    return count_current(prints_in_force(part), part, work);
+}
+
+ReviewCounts count_section_reviews(const Register& content, const Part& part) {
+    return count_current(section_prints(content, part), part, {});
+}
+
+std::string reader_words(const Review& review) {
+    return fmt::format("{} by {}{}", review.date, review.by,
+                       review.role == "author"        ? ", author of the change"
+                       : review.role == "independent" ? ", not the author of the change"
+                                                      : ", role not stated");
+}
+
 std::string review_words(const Review& review) {
-    const std::string role = review.role == "author"        ? ", author of the change"
-                             : review.role == "independent" ? ", not the author of the change"
-                                                            : ", role not stated";
     if (!review.marked.empty()) {
-        return fmt::format("{} by {}{}; read: item; code and tests marked on {} and not read", review.date, review.by,
-                           role, review.marked);
+        return fmt::format("{}; read: item; code and tests marked on {} and not read", reader_words(review),
+                           review.marked);
     }
     std::string read = "item";
     read += review.code.empty() ? "" : ", code";
     read += review.tests.empty() ? "" : ", tests";
-    return fmt::format("{} by {}{}; read: {}", review.date, review.by, role, read);
+    return fmt::format("{}; read: {}", reader_words(review), read);
 }
 
 }  // namespace canproof::host

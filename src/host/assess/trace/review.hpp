@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reviews: whether an item, its code and its tests still have the form in which someone reviewed them.
+// Reviews: whether an item with its code and tests, or the disposition of a manual section, still has the form in which
+// someone reviewed it.
 #pragma once
 
 #include <map>
@@ -34,37 +35,44 @@ class ReviewState {
     std::string change_of(const std::string& id) const;
     std::string change_of_work(const std::string& id) const;
 
-    std::map<std::string, std::string> now_;  ///< present fingerprint of each item and decision by id
+    std::map<std::string, std::string> now_;  ///< present fingerprint of each item, decision, hazard and section by id
     std::map<std::string, Review> reviewed_;
     const WorkByItem& work_;
 };
 
-/// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items `ids`, and
-/// the earlier reviews of the part's other items. It leaves out reviews of retired or removed items.
-std::string write_reviews(const Part& part, const std::set<std::string>& ids, const ReviewSession& session,
-                          const WorkByItem& work);
+/// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items and
+/// sections `ids`, and the earlier reviews of the part's other items and sections. It leaves out reviews of retired or
+/// removed items and of removed sections. `part` must belong to `content`, also in the following functions.
+std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
+                          const ReviewSession& session, const WorkByItem& work);
 
 /// Returns the text of reviews.toml with new marks of code and tests for each review of an item whose text and
 /// decisions are unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A new mark does
 /// not mean that someone has read the code.
-std::string write_marked_reviews(const Part& part, const std::string& date, const WorkByItem& work);
+std::string write_marked_reviews(const Register& content, const Part& part, const std::string& date,
+                                 const WorkByItem& work);
 
 /// Returns date, reader, role and what was read: `2026-11-21 by NAME, author of the change; read: item, code, tests`.
 std::string review_words(const Review& review);
+/// Returns date, reader and role: `2026-11-21 by NAME, author of the change`.
+std::string reader_words(const Review& review);
 
-/// Returns the ids of the part's items and decisions that are in force.
-std::set<std::string> reviewable(const Part& part);
-/// Returns the ids among reviewable() without a review of the present item, code and tests.
-std::set<std::string> unreviewed(const Part& part, const WorkByItem& work);
+/// Returns the ids of the part's items, decisions and hazards that are in force, and of the sections of its manual.
+std::set<std::string> reviewable(const Register& content, const Part& part);
+/// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
+/// disposition.
+std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work);
 
-/// Numbers of items and decisions in force with a current review, by reviewer: authors of the change, others, and
-/// reviewers without a recorded role.
+/// Numbers of current reviews by reviewer: authors of the change, others, and reviewers without a recorded role.
 struct ReviewCounts {
     std::size_t author{0};
     std::size_t independent{0};
     std::size_t unsaid{0};
     std::size_t marked{0};  ///< number among these whose code and tests got new marks without being read
 };
+/// Counts the current reviews of the part's items, decisions and hazards in force.
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
+/// Counts the current reviews of the dispositions of the manual of `part`.
+ReviewCounts count_section_reviews(const Register& content, const Part& part);
 
 }  // namespace canproof::host

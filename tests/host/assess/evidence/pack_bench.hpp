@@ -50,8 +50,10 @@ class Pack : public ::testing::Test {
         input_.evidence.implemented["D-A-002"] = {"src/firmware/base/two.cpp:4"};
         input_.argument.claims = {{"C", "", "All is well.", {}, ""},
                                   {"C1", "C", "Tests pass.", {"tests", "audit"}, "Not on silicon."}};
-        for (const auto& [id, print] : fingerprints(content_.parts[0])) {
-            content_.parts[0].reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+        for (const auto& prints : {fingerprints(content_.parts[0]), fingerprints(content_.manuals[0])}) {
+            for (const auto& [id, print] : prints) {
+                content_.parts[0].reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+            }
         }
         input_.provenance.commit = "abc";
         input_.provenance.packages = {{"libx", "1.2-3"}};

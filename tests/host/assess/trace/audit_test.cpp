@@ -31,11 +31,13 @@ Requirement requirement(const std::string& id, const std::string& source, std::v
     return one;
 }
 
-/// Reviews all items, as `canproof spec review` records it.
-void review(Part& part) {
+/// Reviews all items of the part and all sections of the manual, as `canproof spec review` records it.
+void review(Part& part, const Manual& manual) {
     part.reviews.clear();
-    for (const auto& [id, print] : fingerprints(part)) {
-        part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+    for (const auto& prints : {fingerprints(part), fingerprints(manual)}) {
+        for (const auto& [id, print] : prints) {
+            part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+        }
     }
 }
 
@@ -58,7 +60,7 @@ class AuditOfASmallRegister : public testing::Test {
         decision.chosen = "the first";
         decision.affects = {"D-A-002"};
         part.decisions = {decision};
-        review(part);
+        review(part, content.manuals[0]);
         content.parts = {part};
         evidence.verdicts["D-A-001"] = {{"S.One", "test", true}, {"S.Law", "property", true}};
         evidence.verdicts["D-A-002"] = {{"S.Two", "test", true, 0.0, "tests/devices/two_test.cpp"}};
@@ -123,7 +125,7 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutCodeIsAGap) {
 
 TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayImplementADeviceRequirement) {
     part().requirements[1].by = "CO-A-001";
-    review(part());
+    review(part(), content.manuals[0]);
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements CO-A-001"));
     evidence.implemented["CO-A-001"] = {"src/firmware/canopen/a.cpp:3"};
     evidence.implemented.erase("D-A-002");
@@ -160,7 +162,7 @@ TEST_F(AuditOfASmallRegister, EditedRequirementIsSuspectUntilItIsReviewedAgain) 
     part().requirements[0].text = "It does something else.";
     EXPECT_THAT(audit().suspects, ElementsAre("D-A-001: changed since its review of 2026-01-02"));
     EXPECT_EQ(audit().items[0].status(), "suspect");
-    review(part());
+    review(part(), content.manuals[0]);
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
 
@@ -173,6 +175,25 @@ TEST_F(AuditOfASmallRegister, ItemsAffectedByAnEditedDecisionAreSuspect) {
 TEST_F(AuditOfASmallRegister, UnreviewedItemIsSuspect) {
     part().reviews.erase("D-A-001");
     EXPECT_THAT(audit().suspects, ElementsAre("D-A-001: never reviewed"));
+}
+
+TEST_F(AuditOfASmallRegister, UnreviewedOrChangedHazardIsSuspect) {
+    Hazard hazard;
+    hazard.id = "D-H-001";
+    hazard.safe_state = "off";
+    part().hazards = {hazard};
+    EXPECT_THAT(audit().suspects, ElementsAre("D-H-001: never reviewed"));
+    review(part(), content.manuals[0]);
+    EXPECT_THAT(audit().suspects, IsEmpty());
+    part().hazards[0].safe_state = "on";
+    EXPECT_THAT(audit().suspects, ElementsAre("D-H-001: changed since its review of 2026-01-02"));
+}
+
+TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionIsSuspect) {
+    part().reviews.erase("M:1");
+    content.manuals[0].sections[2].reason = "a drawing of the cables";
+    EXPECT_THAT(audit().suspects, ElementsAre("M:1 (rules): its disposition: never reviewed",
+                                              "M:3 (cables): its disposition: changed since its review of 2026-01-02"));
 }
 
 TEST_F(AuditOfASmallRegister, FirmwareTestWithoutARequirementIsAnOrphan) {
@@ -279,7 +300,7 @@ double cost_of(std::size_t count) {
         evidence.verdicts[id] = {{"S.T" + id, "test", true}};
         evidence.implemented[id] = {"src/firmware/a.cpp:1"};
     }
-    review(part);
+    review(part, manual);
     content.manuals = {manual};
     content.parts = {part};
     double least = 1.0e9;

@@ -8,6 +8,7 @@
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
+#include "tests/support/replaced.hpp"
 
 namespace canproof::host::test {
 
@@ -39,19 +40,44 @@ Register read(const std::string& first, const std::string& second, const std::st
 }
 
 std::string reviewed(const Register& content, const std::set<std::string>& ids, const char* date, const char* by) {
-    return write_reviews(*content.part("box"), ids, {date, by, "author", false}, {});
+    return write_reviews(content, *content.part("box"), ids, {date, by, "author", false}, {});
+}
+
+std::set<std::string> waiting(const Register& content) {
+    return unreviewed(content, *content.part("box"), {});
+}
+
+/// Returns the unreviewed items without the unreviewed sections of the manual.
+std::set<std::string> waiting_items(const Register& content, const WorkByItem& work = {}) {
+    std::set<std::string> ids;
+    for (const auto& id : unreviewed(content, *content.part("box"), work)) {
+        if (id.rfind("AO4", 0) == 0) {
+            ids.insert(id);
+        }
+    }
+    return ids;
+}
+
+/// Returns the small register with a text of its manual file replaced, and with these reviews.
+Register with_manual(const std::string& old_text, const std::string& new_text, const std::string& reviews) {
+    SpecFiles files = with(items_file, items("a", "b"));
+    files[manual_file] = replaced(files.at(manual_file), old_text, new_text);
+    files[reviews_file] = reviews;
+    const LoadResult loaded = load_register(files);
+    EXPECT_EQ(all_faults(loaded).find("reviews.toml"), std::string::npos) << all_faults(loaded);
+    return loaded.content;
 }
 
 }  // namespace
 
 TEST(Review, AllItemsAreUnreviewedAtFirst) {
-    EXPECT_THAT(unreviewed(*read("a", "b", "").part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
+    EXPECT_THAT(waiting(read("a", "b", "")), ElementsAre("AO4-R-1", "AO4-R-2", "M1:1", "M1:2.1", "M1:Table 3"));
 }
 
 TEST(Review, ReviewIsReadBackAsWritten) {
     const std::string text = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "A \"B\"");
     const Register content = read("a", "b", text);
-    EXPECT_THAT(unreviewed(*content.part("box"), {}), IsEmpty());
+    EXPECT_THAT(waiting_items(content), IsEmpty());
     EXPECT_EQ(content.part("box")->reviews.at("AO4-R-1").by, "A \"B\"");
     EXPECT_EQ((ReviewState{content, no_work}.suspicion("AO4-R-1", {})), "");
 }
@@ -60,22 +86,24 @@ TEST(Review, ReviewOfTheWordingRecordsCodeAndTestMarksAsUnread) {
     const WorkByItem work{{"AO4-R-1", {"c0de", "7e57"}}};
     const Register content = read("a", "b", "");
     const Register renewed =
-        read("a", "b", write_reviews(*content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", true}, work));
+        read("a", "b",
+             write_reviews(content, *content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", true}, work));
     const Review& review = renewed.part("box")->reviews.at("AO4-R-1");
     EXPECT_EQ(review.marked, "2026-01-02");
     EXPECT_EQ(review.code, "c0de");
     EXPECT_EQ((ReviewState{renewed, work}.suspicion("AO4-R-1", {})), "");
     const Register both =
-        read("a", "b", write_reviews(*content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", false}, work));
+        read("a", "b",
+             write_reviews(content, *content.part("box"), {"AO4-R-1"}, {"2026-01-02", "one", "author", false}, work));
     EXPECT_EQ(both.part("box")->reviews.at("AO4-R-1").marked, "");
 }
 
 TEST(Review, RenewalChangesNamedItemsOnly) {
     const std::string first = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "one");
     const Register edited = read("a, but other", "b, but other", first);
-    EXPECT_THAT(unreviewed(*edited.part("box"), {}), ElementsAre("AO4-R-1", "AO4-R-2"));
+    EXPECT_THAT(waiting_items(edited), ElementsAre("AO4-R-1", "AO4-R-2"));
     const Register again = read("a, but other", "b, but other", reviewed(edited, {"AO4-R-2"}, "2026-03-04", "two"));
-    EXPECT_THAT(unreviewed(*again.part("box"), {}), ElementsAre("AO4-R-1"));
+    EXPECT_THAT(waiting_items(again), ElementsAre("AO4-R-1"));
     EXPECT_EQ(again.part("box")->reviews.at("AO4-R-1").date, "2026-01-02");
     EXPECT_EQ(again.part("box")->reviews.at("AO4-R-2").date, "2026-03-04");
     EXPECT_EQ((ReviewState{again, no_work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
@@ -93,10 +121,10 @@ TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
     const Register fresh = read("a", "b", "");
     const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
     const std::string text =
-        write_reviews(*fresh.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, then);
+        write_reviews(fresh, *fresh.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, then);
     EXPECT_THAT(text, HasSubstr(" 11111111 22222222\"\n"));
     const Register content = read("a", "b", text);
-    EXPECT_THAT(unreviewed(*content.part("box"), then), IsEmpty());
+    EXPECT_THAT(waiting_items(content, then), IsEmpty());
     const std::vector<std::pair<ItemWork, std::string>> cases{
         {{"11111111", "22222222"}, ""},
         {{"99999999", "22222222"}, "its code has changed since its review of 2026-01-02"},
@@ -105,7 +133,7 @@ TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
     for (const auto& [work, sentence] : cases) {
         const WorkByItem now{{"AO4-R-1", work}};
         EXPECT_EQ((ReviewState{content, now}.suspicion("AO4-R-1", {})), sentence);
-        EXPECT_EQ(unreviewed(*content.part("box"), now).count("AO4-R-1"), sentence.empty() ? 0U : 1U);
+        EXPECT_EQ(waiting_items(content, now).count("AO4-R-1"), sentence.empty() ? 0U : 1U);
     }
     const WorkByItem later{{"AO4-R-1", then.at("AO4-R-1")}, {"AO4-R-2", {"", "33333333"}}};
     EXPECT_THAT((ReviewState{content, later}.suspicion("AO4-R-2", {})), HasSubstr("its tests have changed"));
@@ -114,10 +142,11 @@ TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
 TEST(Review, MarksOfReviewsThatAreNotRenewedAreKept) {
     const WorkByItem work{{"AO4-R-1", {"11111111", ""}}};
     const Register first = read("a", "b", "");
-    const std::string old = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, work);
+    const std::string old =
+        write_reviews(first, *first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, work);
     const Register second = read("a", "b", old);
     const Register third =
-        read("a", "b", write_reviews(*second.part("box"), {"AO4-R-2"}, {"2026-03-04", "y", "author"}, {}));
+        read("a", "b", write_reviews(second, *second.part("box"), {"AO4-R-2"}, {"2026-03-04", "y", "author"}, {}));
     const Review& kept = third.part("box")->reviews.at("AO4-R-1");
     EXPECT_EQ(kept.code, "11111111");
     EXPECT_EQ(kept.tests, "");
@@ -127,10 +156,11 @@ TEST(Review, MarksOfReviewsThatAreNotRenewedAreKept) {
 TEST(Review, MarksOfCodeAndTestsDoNotCountAsReading) {
     const Register first = read("a", "b", "");
     const std::string old =
-        write_reviews(*first.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, {});
+        write_reviews(first, *first.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, {});
     const WorkByItem work{{"AO4-R-1", {"11111111", "22222222"}}, {"AO4-R-2", {"33333333", ""}}};
     const Register edited = read("a, but other", "b", old);
-    const Register marked = read("a, but other", "b", write_marked_reviews(*edited.part("box"), "2026-03-04", work));
+    const Register marked =
+        read("a, but other", "b", write_marked_reviews(edited, *edited.part("box"), "2026-03-04", work));
     const Review& kept = marked.part("box")->reviews.at("AO4-R-2");
     EXPECT_EQ(kept.date + kept.by + kept.role, "2026-01-02xauthor");
     EXPECT_EQ(kept.marked, "2026-03-04");
@@ -141,9 +171,10 @@ TEST(Review, MarksOfCodeAndTestsDoNotCountAsReading) {
 
 TEST(Review, CurrentReviewsAreCountedByRole) {
     const Register first = read("a", "b", "");
-    const std::string one = write_reviews(*first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
+    const std::string one =
+        write_reviews(first, *first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
     const Register second = read("a", "b", one);
-    const std::string both = write_reviews(*second.part("box"), {"AO4-R-2"}, {"2026-01-02", "y", "author"}, {});
+    const std::string both = write_reviews(second, *second.part("box"), {"AO4-R-2"}, {"2026-01-02", "y", "author"}, {});
     const ReviewCounts counts = count_reviews(*read("a", "b", both).part("box"), {});
     EXPECT_EQ(counts.independent, 1U);
     EXPECT_EQ(counts.author, 1U);
@@ -157,6 +188,29 @@ TEST(Review, UnknownReviewRoleIsRefused) {
         "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"0\"\n";
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("role is `friend`; write `author` (of the change) or `independent`"));
+}
+
+TEST(Review, ReviewOfADispositionEndsWithAChangeOfTheDisposition) {
+    const Register first = read("a", "b", "");
+    const std::string reviews = reviewed(first, {"M1:1", "M1:2.1", "M1:Table 3"}, "2026-01-02", "x");
+    EXPECT_THAT(waiting(read("a", "b", reviews)), ElementsAre("AO4-R-1", "AO4-R-2"));
+    const Register reworded = with_manual("reason = \"a drawing\"", "reason = \"a photograph\"", reviews);
+    EXPECT_THAT(waiting(reworded), ElementsAre("AO4-R-1", "AO4-R-2", "M1:2.1"));
+    EXPECT_EQ((ReviewState{reworded, no_work}.suspicion("M1:2.1", {})), "changed since its review of 2026-01-02");
+    EXPECT_EQ((ReviewState{reworded, no_work}.suspicion("M1:1", {})), "");
+    const Register demanded =
+        with_manual("disposition = \"informative\"\nreason = \"a drawing\"", "disposition = \"normative\"", reviews);
+    EXPECT_THAT(waiting(demanded), ElementsAre("AO4-R-1", "AO4-R-2", "M1:2.1"));
+}
+
+TEST(Review, ReviewsOfDispositionsAreCountedApartFromThoseOfItems) {
+    const Register first = read("a", "b", "");
+    const std::string one =
+        write_reviews(first, *first.part("box"), {"M1:1", "AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
+    const Register content = read("a", "b", one);
+    EXPECT_EQ(count_section_reviews(content, *content.part("box")).independent, 1U);
+    EXPECT_EQ(count_reviews(*content.part("box"), {}).independent, 1U);
+    EXPECT_EQ(reader_words(content.part("box")->reviews.at("M1:1")), "2026-01-02 by x, not the author of the change");
 }
 
 }  // namespace canproof::host::test

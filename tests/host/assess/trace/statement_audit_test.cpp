@@ -65,8 +65,10 @@ class AuditOfStatements : public testing::Test {
         decision.chosen = "the first";
         decision.affects = {"D-A-002"};
         part.decisions = {decision};
-        for (const auto& [id, print] : fingerprints(part)) {
-            part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+        for (const auto& prints : {fingerprints(part), fingerprints(manual)}) {
+            for (const auto& [id, print] : prints) {
+                part.reviews[id] = {print, "", "", "2026-01-02", "someone", "author", "", {}};
+            }
         }
         content.parts = {part};
         for (const char* id : {"D-A-001", "D-A-002"}) {
