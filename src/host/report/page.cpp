@@ -23,7 +23,7 @@ h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem;overflow-wrap:anywhere
 p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
 th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
-caption{text-align:left;font-weight:600;padding:.4rem 0}li,td{overflow-wrap:anywhere}td a{display:inline-block;min-width:1.5rem;padding:.2rem 0}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
+caption{text-align:left;font-weight:600;padding:.4rem 0}h2+div caption,h3+div caption,summary+div caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}li,td{overflow-wrap:anywhere}td a{display:inline-block;min-width:1.5rem;padding:.2rem 0}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .tile{display:inline-block;border-left:.3rem solid;padding:0 .4rem;font-weight:600;white-space:nowrap}.tiles{display:flex;flex-wrap:wrap;gap:.3rem;margin:1rem 0}.tiles a{text-decoration:none;font-size:.8rem}td ul{margin:0;padding-left:1.1rem}td p{margin:.2rem 0}
 .proven{color:var(--good);background:#1c6b3a22}.unproven{color:var(--part);background:#7a5a0022}.uncovered{color:var(--bad);background:#a3201622}.aside{color:var(--quiet);background:#8882}
@@ -130,13 +130,13 @@ std::string html_page(const std::string& title, const std::string& own_page, con
     return text + "</body></html>\n";
 }
 
-std::string html_table(const std::vector<HtmlColumn>& head, const std::vector<std::vector<std::string>>& rows,
-                       const Search search, const std::string& caption) {
+std::string html_table(const std::string& caption, const std::vector<HtmlColumn>& head,
+                       const std::vector<std::vector<std::string>>& rows, const Search search) {
     std::string text = head.size() > many_columns ? "<div class=wide>" : "<div>";
     if (search == Search::yes) {
         text += search_field;
     }
-    text += caption.empty() ? "<table>" : fmt::format("<table><caption>{}</caption>", escaped(caption));
+    text += fmt::format("<table><caption>{}</caption>", escaped(caption));
     text += "<thead><tr>";
     std::vector<bool> numbers;
     for (const auto& column : head) {

@@ -48,7 +48,8 @@ std::string cell_html(const std::string& text, const ItemLinks& links) {
     return text == missing ? fmt::format("<span class=open>{}</span>", missing) : linked(text, links);
 }
 
-std::string table_html(const DocumentTable& table, const ItemLinks& links) {
+/// A table without a caption gets the title of its chapter.
+std::string table_html(const DocumentTable& table, const std::string& chapter, const ItemLinks& links) {
     std::vector<HtmlColumn> head;
     for (const auto& title : table.head) {
         head.push_back({escaped(title)});
@@ -60,7 +61,8 @@ std::string table_html(const DocumentTable& table, const ItemLinks& links) {
             cells.push_back(cell_html(cell, links));
         }
     }
-    return html_table(head, rows, rows.size() > searched ? Search::yes : Search::no, table.caption);
+    return html_table(table.caption.empty() ? chapter : table.caption, head, rows,
+                      rows.size() > searched ? Search::yes : Search::no);
 }
 
 /// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
@@ -90,7 +92,7 @@ std::string document_html(const Document& document, const ItemLinks& links) {
             text += fmt::format("<p>{}</p>\n", linked(paragraph, links));
         }
         for (const auto& table : chapter.tables) {
-            text += table_html(table, links);
+            text += table_html(table, chapter.title, links);
         }
     }
     return text;

@@ -119,6 +119,7 @@ std::string argument_page(const PackInput& input, const Exhibits& exhibits) {
            "fault, a T3 "
            "tool makes what runs and could put one in. No tool is qualified.</p>\n" +
            html_table(
+               "Tools and their classes",
                {{"Tool", 12}, {"Class", 6}, {"Version", 12}, {"Could hide", 22}, {"Noticed by", 26}, {"Known defects"}},
                tools);
 }

@@ -173,7 +173,8 @@ std::string service_markup(const PartAudit& audit, const std::string& service,
     }
     return fmt::format("<details><summary><h2 id=\"service-{}\">{}</h2>{}</summary>\n{}</details>\n", escaped(service),
                        escaped(service_title(service)), counts,
-                       html_table({{"Item", 12}, {"Text", 53}, {"Code, tests, review", 35}}, rows));
+                       html_table("Items: " + service_title(service),
+                                  {{"Item", 12}, {"Text", 53}, {"Code, tests, review", 35}}, rows));
 }
 
 }  // namespace
@@ -229,10 +230,12 @@ std::string audit_page(const PackInput& input) {
     return "<p>Every item of the register has its place on the page of its device: its text, its place in the manual, "
            "the decisions that affect it, the code that names it, and the tests that claim it with their results in "
            "this build. Code and tests are links to their sources.</p>\n" +
-           html_table({{"Part", 40}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}}, parts) +
+           html_table("Items by device", {{"Part", 40}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}},
+                      parts) +
            sentence_list("gaps", "Gaps", gaps) + sentence_list("suspects", "Suspects", suspects) +
            "<h2>Services</h2>\n" +
-           html_table({{"Part", 18}, {"Service", 22}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}},
+           html_table("Items by device and service",
+                      {{"Part", 18}, {"Service", 22}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}},
                       services, Search::yes);
 }
 

@@ -42,9 +42,10 @@ std::string coverage_page(const MeasuredCoverage& coverage) {
     return "<p>Lines, branches (each way counts) and conditions shown to decide alone (MC/DC), from unit and "
            "conformance "
            "tests, properties and the corpora of the fuzz targets.</p>\n" +
-           html_table({{"File"}, {"Lines"}, {"Branches"}, {"MC/DC"}}, files, Search::yes) +
+           html_table("Coverage by file", {{"File"}, {"Lines"}, {"Branches"}, {"MC/DC"}}, files, Search::yes) +
            "<h2>Places that no test reaches</h2><p>Each place has a reason or is open.</p>\n" +
-           html_table({{"Place", 24}, {"Kind", 8}, {"Code", 28}, {"Reason"}}, gaps, Search::yes);
+           html_table("Places that no test reaches", {{"Place", 24}, {"Kind", 8}, {"Code", 28}, {"Reason"}}, gaps,
+                      Search::yes);
 }
 
 }  // namespace canproof::host

@@ -53,7 +53,8 @@ class DocumentWriter {
                  std::to_string(count_missing(document)),
                  fmt::format("<a href=\"{0}.md\">Markdown</a> <a href=\"{0}.json\">JSON</a>", escaped(file))});
         }
-        list_ += html_table({{"Document", 28}, {"About"}, {"Cells missing", 10}, {"As a file", 14}}, rows);
+        list_ += html_table("Documents: " + part,
+                            {{"Document", 28}, {"About"}, {"Cells missing", 10}, {"As a file", 14}}, rows);
     }
 
     const PackInput& input_;

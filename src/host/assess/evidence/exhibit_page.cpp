@@ -32,7 +32,7 @@ std::vector<std::string> fields_of(const std::string& line) {
     return fields;
 }
 
-std::string csv_table(const std::string& text) {
+std::string csv_table(const std::string& caption, const std::string& text) {
     std::istringstream lines{text};
     std::string line;
     std::getline(lines, line);
@@ -45,7 +45,7 @@ std::string csv_table(const std::string& text) {
         rows.push_back(fields_of(line));
         rows.back().resize(head.size());
     }
-    return html_table(head, rows, rows.size() > 20 ? Search::yes : Search::no);
+    return html_table(caption, head, rows, rows.size() > 20 ? Search::yes : Search::no);
 }
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -61,7 +61,7 @@ std::string exhibit_page(const Exhibit& exhibit) {
         for (const auto& [name, value] : exhibit.figures) {
             rows.push_back({escaped(name), escaped(value)});
         }
-        text += html_table({{"Figure", 50}, {"Value"}}, rows);
+        text += html_table("Figures: " + exhibit.title, {{"Figure", 50}, {"Value"}}, rows);
     }
     if (!exhibit.open.empty()) {
         text += "<h2>Open</h2>\n<ul>";
@@ -74,7 +74,7 @@ std::string exhibit_page(const Exhibit& exhibit) {
         text += fmt::format("<h2><a href=\"{0}\">{1}</a></h2>\n", escaped(path),
                             escaped(std::filesystem::path{path}.filename().string()));
         if (ends_with(path, ".csv")) {
-            text += csv_table(bytes);
+            text += csv_table(std::filesystem::path{path}.filename().string(), bytes);
         } else if (ends_with(path, ".svg")) {
             text += fmt::format("<figure><img src=\"{}\" alt=\"Plot of the figures of {}\"></figure>\n", escaped(path),
                                 escaped(exhibit.title));

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "host/assess/evidence/item_links.hpp"
+#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/page.hpp"
@@ -35,11 +36,13 @@ bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     });
 }
 
+/// `review` is the note on the review of the hazard, as markup; it stands in the row of the first failure.
 std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status,
-                                     const ItemLinks& links) {
+                                     const ItemLinks& links, const std::string& review) {
     const bool none = failure.prevented_by.empty();
-    const std::string anchor = &failure == &hazard.failures.front() ? fmt::format(" id=\"{}\"", hazard.id) : "";
-    return {fmt::format("<code{}>{}</code><br>{}", anchor, hazard.id, escaped(hazard.text)),
+    const bool first = &failure == &hazard.failures.front();
+    const std::string anchor = first ? fmt::format(" id=\"{}\"", hazard.id) : "";
+    return {fmt::format("<code{}>{}</code><br>{}{}", anchor, hazard.id, escaped(hazard.text), first ? review : ""),
             escaped(hazard.safe_state),
             escaped(failure.text),
             none ? escaped(failure.reason) : link_to_each(links, failure.prevented_by),
@@ -67,6 +70,7 @@ FailureCounts count_failures(const PackInput& input) {
 
 std::string hazards_page(const PackInput& input) {
     const StatusById status = status_of_items(input);
+    const ReviewNotes notes{input};
     const ItemLinks links = links_of(input);
     std::string text =
         "<p>Each hazard of an output or a message with its safe state, the failures that can violate it, and the "
@@ -76,12 +80,13 @@ std::string hazards_page(const PackInput& input) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& hazard : audit.part->hazards) {
             for (const auto& failure : hazard.failures) {
-                rows.push_back(failure_row(hazard, failure, status, links));
+                rows.push_back(failure_row(hazard, failure, status, links, notes.of(*audit.part, hazard.id)));
             }
         }
         if (!rows.empty()) {
             text += fmt::format("<h2>{}</h2>\n", escaped(audit.part->info.title)) +
-                    html_table({{"Hazard", 22},
+                    html_table("Hazards: " + audit.part->info.title,
+                               {{"Hazard", 22},
                                 {"Safe state", 16},
                                 {"Failure", 22},
                                 {"Prevented by, or why not", 22},

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "host/assess/evidence/item_links.hpp"
+#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/section_index.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
@@ -50,6 +51,7 @@ class ManualPage {
           manual_{manual},
           sections_{by_section(manual, audit.statements)},
           index_{*input.content},
+          notes_{input},
           links_{links_of(input)} {
         for (const auto& one : input.audits) {
             for (const auto& item : one.items) {
@@ -71,7 +73,8 @@ class ManualPage {
             rows.push_back(row_of(section, look));
         }
         return head() + legend(count) + "<div class=tiles>\n" + tiles + "</div>\n" +
-               html_table({{"Section", 9}, {"Title", 21}, {"State", 12}, {"Demand, and the items that cover it"}}, rows,
+               html_table("Sections of the manual",
+                          {{"Section", 9}, {"Title", 21}, {"State", 12}, {"Demand, and the items that cover it"}}, rows,
                           Search::yes);
     }
 
@@ -118,7 +121,7 @@ class ManualPage {
             rows.push_back({fmt::format("<span class=\"tile {}\">{} {}</span>", look.style, look.symbol, look.word),
                             std::to_string(count[look.word]), look.meaning});
         }
-        return html_table({{"State", 18}, {"Sections", 10}, {"Meaning"}}, rows);
+        return html_table("States of sections", {{"State", 18}, {"Sections", 10}, {"Meaning"}}, rows);
     }
 
     std::vector<std::string> row_of(const Section& section, const StateLook& look) const {
@@ -139,6 +142,7 @@ class ManualPage {
         if (!section.normative && !section.reason.empty()) {
             text += fmt::format("<small>{}</small>", escaped(section.reason));
         }
+        text += notes_.of(*audit_.part, section.id(manual_.key));
         return {fmt::format("<span id=\"{}\">{}</span>", anchor(section.ref), escaped(section.ref)),
                 escaped(section.title),
                 fmt::format("<span class=\"tile {}\">{} {}</span>", look.style, look.symbol, look.word), text};
@@ -161,6 +165,7 @@ class ManualPage {
     const Manual& manual_;
     std::map<std::string, std::vector<std::size_t>> sections_;
     SectionIndex index_;
+    ReviewNotes notes_;
     std::map<std::string, std::string> states_;
     ItemLinks links_;
 };

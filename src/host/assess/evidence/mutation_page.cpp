@@ -39,10 +39,11 @@ std::string mutation_page(const PackInput& input) {
     }
     return "<p>Each cell that was generated from the register (defaults, limits, rights, mappings, rows of tables, "
            "constants) is altered by itself; a test that claims its item has to fail.</p>\n" +
-           html_table({{"Item"}, {"Altered"}, {"Noticed"}, {"Survive with a reason"}, {"State"}}, rows, Search::yes) +
+           html_table("Altered cells by item",
+                      {{"Item"}, {"Altered"}, {"Noticed"}, {"Survive with a reason"}, {"State"}}, rows, Search::yes) +
            "<h2>What survives</h2>\n" +
-           html_table({{"Item", 16}, {"Cell", 28}, {"Change", 22}, {"Reason"}}, survivors_in(mutation.json, links),
-                      Search::yes);
+           html_table("Alterations that survive", {{"Item", 16}, {"Cell", 28}, {"Change", 22}, {"Reason"}},
+                      survivors_in(mutation.json, links), Search::yes);
 }
 
 }  // namespace canproof::host

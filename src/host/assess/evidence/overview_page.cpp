@@ -102,7 +102,7 @@ std::string build_table(const Provenance& provenance) {
     for (const auto& [name, version] : provenance.tools) {
         build.push_back({escaped(name), escaped(version)});
     }
-    return html_table({{"What", 22}, {"Which"}}, build);
+    return html_table("Origin of this build", {{"What", 22}, {"Which"}}, build);
 }
 
 }  // namespace
@@ -121,7 +121,9 @@ std::string overview_page(const PackInput& input, const Exhibits& exhibits) {
     return "<p>Four CANopen devices, written down as requirements first and as C++ second. This page shows the claims, "
            "the evidence and the open points.</p>\n" +
            verdict_line(input.argument, exhibits) + "<h2>Claims</h2>\n" + claims_markup(input.argument, exhibits) +
-           "<h2>Evidence</h2>\n" + html_table({{"Evidence", 22}, {"State", 13}, {"Claim", 8}, {"Result"}}, shown) +
+           "<h2>Evidence</h2>\n" +
+           html_table("Evidence and the claims that need it",
+                      {{"Evidence", 22}, {"State", 13}, {"Claim", 8}, {"Result"}}, shown) +
            "<h2>Open points</h2>\n" + open_markup(input, exhibits) + "<h2>This build</h2>\n" +
            build_table(input.provenance);
 }

@@ -8,6 +8,7 @@
 #include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
@@ -26,9 +27,10 @@ std::string conditions_table(const Manual& manual) {
             rows.push_back({escaped(section.ref), escaped(section.title), escaped(condition)});
         }
     }
-    return rows.empty() ? ""
-                        : "<h3>Conditions of use</h3>\n" +
-                              html_table({{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
+    return rows.empty()
+               ? ""
+               : "<h3>Conditions of use</h3>\n" +
+                     html_table("Conditions of use", {{"Section", 10}, {"Title", 30}, {"Condition"}}, rows, Search::no);
 }
 
 /// Returns a table with one row for each manual and its coverage.
@@ -48,7 +50,8 @@ std::string manuals_table(const PackInput& input) {
                         std::to_string(count["explained"]),
                         std::to_string(count["open"] + count["suspect"] + count["failed"])});
     }
-    return html_table({{"Manual", 22},
+    return html_table("Coverage of the manuals",
+                      {{"Manual", 22},
                        {"Normative sections"},
                        {"Not covered"},
                        {"Statements"},
@@ -67,7 +70,7 @@ std::string sections_table(const PartAudit& audit, const ItemLinks& links) {
         rows.push_back({escaped(section.section->ref), escaped(section.section->title),
                         covered.empty() ? html_state("open") : covered});
     }
-    return html_table({{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
+    return html_table("Normative sections", {{"Section", 10}, {"Title", 30}, {"Covered by"}}, rows, Search::yes);
 }
 
 /// Returns the sections without requirements, each with its reason.
@@ -80,7 +83,8 @@ std::string informative_table(const Manual& manual) {
     }
     return rows.empty() ? ""
                         : "<h3>Sections without requirements</h3>\n" +
-                              html_table({{"Section", 10}, {"Title", 30}, {"Why"}}, rows, Search::no);
+                              html_table("Sections without requirements", {{"Section", 10}, {"Title", 30}, {"Why"}},
+                                         rows, Search::no);
 }
 
 }  // namespace
@@ -107,6 +111,7 @@ std::string sections_page(const PackInput& input) {
 
 std::string decisions_page(const PackInput& input) {
     const ItemLinks links = links_of(input);
+    const ReviewNotes notes{input};
     std::vector<std::vector<std::string>> rows;
     for (const auto& audit : input.audits) {
         for (const auto& decision : audit.part->decisions) {
@@ -116,7 +121,8 @@ std::string decisions_page(const PackInput& input) {
             }
             const std::string affects = link_to_each(links, decision.affects);
             rows.push_back({fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", decision.id,
-                                        escaped(decision.severity)),
+                                        escaped(decision.severity)) +
+                                notes.of(*audit.part, decision.id),
                             escaped(decision.text), readings,
                             fmt::format("<b>{}</b><br>{}", escaped(decision.chosen), escaped(decision.because)),
                             affects.empty() ? escaped(decision.none) : affects});
@@ -128,7 +134,8 @@ std::string decisions_page(const PackInput& input) {
                "failure. A decision is of severity high when it changes the wire or an output, medium when it changes "
                "the configuration or a range, low when it is editorial.</p>\n",
                rows.size()) +
-           html_table({{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
+           html_table("Decisions",
+                      {{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
                       rows, Search::yes);
 }
 
@@ -147,14 +154,14 @@ std::string tests_page(const PackInput& input) {
     }
     std::string text = fmt::format("<p>{} test cases, {} failed.</p>\n", input.evidence.tests, input.evidence.failed);
     if (!failed.empty()) {
-        text += "<h2 class=open>Failed</h2>" + html_table({{"Case"}, {"Message"}}, failed);
+        text += "<h2 class=open>Failed</h2>" + html_table("Failed test cases", {{"Case"}, {"Message"}}, failed);
     }
     std::vector<std::vector<std::string>> rows;
     for (const auto& [suite, counts] : suites) {
         rows.push_back(
             {escaped(suite), std::to_string(counts.first), html_state(counts.second == 0 ? "holds" : "open")});
     }
-    return text + html_table({{"Suite"}, {"Cases"}, {"State"}}, rows, Search::yes);
+    return text + html_table("Test suites", {{"Suite"}, {"Cases"}, {"State"}}, rows, Search::yes);
 }
 
 std::string plots_page(const PackInput& input) {

@@ -41,7 +41,7 @@ std::string standards_page(const PackInput& input) {
                 {escaped(one.number), escaped(one.name), escaped(one.level), html_state(one.state), escaped(one.how)});
         });
         text += fmt::format("<h2>{}: {}</h2>\n", escaped(first->table), escaped(first->title)) +
-                html_table({{"Row", 6}, {"Technique", 30}, {"Level", 8}, {"State", 14}, {"Here"}}, rows);
+                html_table(first->title, {{"Row", 6}, {"Technique", 30}, {"Level", 8}, {"State", 14}, {"Here"}}, rows);
         first = last;
     }
     return text;

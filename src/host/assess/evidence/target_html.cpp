@@ -66,6 +66,7 @@ std::string work_table(const json& work) {
         }
     }
     std::string text = html_table(
+        "Work with the most instructions, by device",
         {{"Device", 12}, {"Work", 11}, {"Times", 10}, {"Instructions at most", 12}, {"Frame", 18}, {"Where"}}, rows);
     text += fmt::format(
         "<p>A bus at {} bit/s full of the frame with the most instructions for its bits, {} cycles an instruction "

@@ -76,7 +76,8 @@ std::string findings(const CampaignState& state) {
                         fmt::format("<code>{}</code>", escaped(one.folder)),
                         fmt::format("<code>{}</code>", escaped(one.regression))});
     }
-    return "<h2>Findings</h2>" + html_table({{"Target"},
+    return "<h2>Findings</h2>" + html_table("Findings of all campaigns",
+                                            {{"Target"},
                                              {"What", 30},
                                              {"Bytes"},
                                              {"Times"},
@@ -97,7 +98,8 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
                         std::to_string(one.inputs_kept), std::to_string(one.inputs_second_pass),
                         one.plateaued() ? "plateaued" : ""});
     }
-    std::string text = "<h2>Targets</h2>" + html_table({{"Target", 16},
+    std::string text = "<h2>Targets</h2>" + html_table("Targets of this campaign",
+                                                       {{"Target", 16},
                                                         {"Seconds"},
                                                         {"Executions"},
                                                         {"Executions per second"},
@@ -156,7 +158,8 @@ std::string coverage(const CampaignState& state, const std::optional<Night>& las
                         fmt::format("{:.1f} %", percent(file.hit, file.lines)), file.unreached, names});
     }
     return text + "<h2>Code that no target reaches</h2>" +
-           html_table({{"File", 26}, {"Reached", 8}, {"Lines not reached", 22}, {"Functions not called"}}, rows);
+           html_table("Files with code that no target reaches",
+                      {{"File", 26}, {"Reached", 8}, {"Lines not reached", 22}, {"Functions not called"}}, rows);
 }
 
 }  // namespace

@@ -119,7 +119,8 @@ std::string times_table(const std::map<std::string, Measured>& times) {
                         draw_times(measured)});
     }
     return rows.empty() ? ""
-                        : html_table({{"Measured, ms"},
+                        : html_table("Measured times in ms",
+                                     {{"Measured"},
                                       {"Count"},
                                       {"Min"},
                                       {"Median"},

@@ -74,7 +74,8 @@ std::string summary_page(const ConformReport& report) {
                         fmt::format("{}", counts[Verdict::unstable]), fmt::format("{}", counts[Verdict::skipped]),
                         fmt::format("{}", counts[Verdict::broken] + counts[Verdict::not_run])});
     }
-    std::string body = html_table({{"Service"}, {"Passed"}, {"Failed"}, {"Unstable"}, {"Skipped"}, {"Not run"}}, rows);
+    std::string body = html_table("Verdicts by service",
+                                  {{"Service"}, {"Passed"}, {"Failed"}, {"Unstable"}, {"Skipped"}, {"Not run"}}, rows);
     std::vector<std::vector<std::string>> failed;
     for (const CaseResult& one : report.results) {
         if (has_page(one)) {
@@ -83,14 +84,15 @@ std::string summary_page(const ConformReport& report) {
         }
     }
     body += "<h2>What did not pass</h2>\n";
-    body += failed.empty() ? "<p>Nothing.</p>\n" : html_table({{"Case"}, {"Verdict"}, {"Why"}}, failed);
+    body += failed.empty() ? "<p>Nothing.</p>\n"
+                           : html_table("Cases that did not pass", {{"Case"}, {"Verdict"}, {"Why"}}, failed);
     for (const std::string& one : report.troubles) {
         body += "<p>Before the first case: " + escaped(one) + "</p>\n";
     }
     for (const std::string& one : report.left) {
         body += "<p>Not put back: " + escaped(one) + "</p>\n";
     }
-    body += "<h2>The run</h2>\n" + html_table({{"What"}, {"Value"}}, facts);
+    body += "<h2>The run</h2>\n" + html_table("Facts of the run", {{"What"}, {"Value"}}, facts);
     const std::string times = times_table(times_of_all(report));
     body += times.empty() ? "" : "<h2>Measured times of all cases</h2>\n" + times;
     return html_page("Conformance test", "index.html", {navigation(report), ""}, body);
@@ -110,7 +112,8 @@ std::string service_page(const ConformReport& report, const std::string& group) 
         }
     }
     const std::string body =
-        html_table({{"Case"}, {"Verdict"}, {"Public"}, {"Shows"}, {"Section"}, {"Why"}}, rows, Search::yes) +
+        html_table("Cases of the service", {{"Case"}, {"Verdict"}, {"Public"}, {"Shows"}, {"Section"}, {"Why"}}, rows,
+                   Search::yes) +
         (times.empty() ? "" : "<h2>Measured times</h2>\n" + times);
     return html_page("Conformance: " + group, group + ".html", {navigation(report), ""}, body);
 }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/register/fingerprint.hpp"
+
 namespace canproof::host::test {
 
 namespace {
@@ -34,14 +36,27 @@ class HazardsPage : public testing::Test {
         audit.part = &part_;
         audit.items = {item};
         input_.audits = {audit};
+        content_.parts = {part_};
+        input_.content = &content_;
     }
 
     Requirement requirement_;
     Part part_;
+    Register content_;
     PackInput input_;
 };
 
 }  // namespace
+
+TEST_F(HazardsPage, HazardShowsItsReviewOnce) {
+    EXPECT_THAT(hazards_page(input_), HasSubstr("<small>never reviewed</small>"));
+    part_.reviews["D-H-1"] = {fingerprint(part_.hazards[0]), "", "", "2026-01-02", "a reader", "independent", "", {}};
+    content_.parts = {part_};
+    const std::string page = hazards_page(input_);
+    const std::string note = "<small>reviewed 2026-01-02 by a reader, not the author of the change</small>";
+    EXPECT_THAT(page, HasSubstr(note));
+    EXPECT_EQ(page.find(note), page.rfind(note)) << "the hazard has two failures, so two rows";
+}
 
 TEST_F(HazardsPage, PageNamesTheRequirementThatPreventsEachFailure) {
     const std::string page = hazards_page(input_);

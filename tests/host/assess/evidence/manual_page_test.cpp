@@ -8,6 +8,7 @@
 #include "host/assess/evidence/csv.hpp"
 #include "host/assess/evidence/own_exhibits.hpp"
 #include "host/assess/trace/statement_audit.hpp"
+#include "host/register/fingerprint.hpp"
 
 namespace canproof::host::test {
 
@@ -101,6 +102,16 @@ TEST_F(ManualPage, EachSectionIsShownWithItsState) {
     EXPECT_THAT(tile("3"), HasSubstr("title=\"cables: informative\">·"));
     EXPECT_THAT(tile("4"), HasSubstr("title=\"place: condition of use\">§"));
     EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: proven\">✓"));
+}
+
+TEST_F(ManualPage, SectionShowsTheReviewOfItsDisposition) {
+    EXPECT_THAT(page(), HasSubstr("<small>never reviewed</small>"));
+    const std::string id = manual().sections[0].id(manual().key);
+    content_.parts[0].reviews[id] = {
+        fingerprint(manual().sections[0]), "", "", "2026-01-02", "a reader", "independent", "", {}};
+    EXPECT_THAT(page(), HasSubstr("<small>reviewed 2026-01-02 by a reader, not the author of the change</small>"));
+    manual().sections[0].objects = {"1000h"};
+    EXPECT_THAT(page(), HasSubstr("<small>changed since its review of 2026-01-02</small>"));
 }
 
 TEST_F(ManualPage, SectionWithAnUnshownItemIsMarked) {

@@ -91,6 +91,29 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
+TEST_F(Pack, EachTableOfEachPageHasACaption) {
+    input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal methods", "HR", "shown", "Tables."}};
+    std::size_t tables = 0;
+    for (const auto& [name, text] : make()) {
+        if (name.size() > 5 && name.substr(name.size() - 5) == ".html") {
+            for (auto at = text.find("<table>"); at != std::string::npos; at = text.find("<table>", at + 1)) {
+                ++tables;
+                EXPECT_EQ(text.compare(at, 16, "<table><caption>"), 0) << name << ": " << text.substr(at, 80);
+                EXPECT_NE(text.compare(at, 26, "<table><caption></caption>"), 0) << name << ": " << text.substr(at, 80);
+            }
+        }
+    }
+    EXPECT_GT(tables, 20U);
+}
+
+TEST_F(Pack, DecisionShowsItsReviewOrWhyThereIsNone) {
+    EXPECT_THAT(make().at("decisions.html"), HasSubstr("<small>reviewed 2026-01-02 by "));
+    content_.parts[0].decisions[0].chosen = "the other";
+    EXPECT_THAT(make().at("decisions.html"), HasSubstr("<small>changed since its review of 2026-01-02</small>"));
+    content_.parts[0].reviews.erase(content_.parts[0].decisions[0].id);
+    EXPECT_THAT(make().at("decisions.html"), HasSubstr("<small>never reviewed</small>"));
+}
+
 TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     input_.argument.techniques = {{"IEC A.1", "Requirements", "1a", "Semi-formal <methods>", "HR", "shown", "Tables."},
                                   {"IEC A.1", "Requirements", "1b", "Formal methods", "R", "missing", "None."},
@@ -124,8 +147,8 @@ TEST_F(Pack, ItemChangedSinceItsReviewIsShownAsSuspect) {
     content_.parts[0].requirements[1].text = "edited";
     const PackFiles files = make();
     EXPECT_THAT(files.at("index.html"),
-                HasSubstr("1 items have changed, in text, code or tests, since someone read them. Readers of the "
-                          "other items and decisions: the author of the change 2, someone else 0"));
+                HasSubstr("Readers of the dispositions: the author 2, someone else 0. Readers of the other items, "
+                          "decisions and hazards: the author of the change 2, someone else 0"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
     EXPECT_THAT(files.at("audit-device.html"), HasSubstr("◐ suspect"));
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Notes on pages: who reviewed a decision, a hazard or the disposition of a section.
+#pragma once
+
+#include <string>
+
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/trace/review.hpp"
+
+namespace canproof::host {
+
+class ReviewNotes {
+  public:
+    /// Keeps a reference to the evidence in `input`, which must outlive the object.
+    explicit ReviewNotes(const PackInput& input);
+
+    /// Returns a paragraph of markup that shows on screens only: reader, date and role of the review of `id` in `part`,
+    /// or the reason why there is no current review.
+    std::string of(const Part& part, const std::string& id) const;
+
+  private:
+    ReviewState state_;
+};
+
+}  // namespace canproof::host
