@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Transmit PDOs of types 0 to 240, 252 and 253 (CiA 301, 7.2.2, 7.5.2.37): SYNC and remote frames.
+#include <fmt/format.h>
+
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -89,6 +91,28 @@ TEST_F(Tpdo, SyncStartValueSelectsTheFirstSync) {
                     {"080#04", {}},
                     {"080#05", {"185#0000"}},
                 });
+}
+
+TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
+    verifies<req::CO_PDO_019, req::CO_PDO_014>();
+    silence_tpdo2();
+    talk(*this, {
+                    {"605#2F191000F0000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 240
+                    {"605#2300180185010080", {"585#6000180100000000"}},
+                    {"605#2F001802F0000000", {"585#6000180200000000"}},  // 1800h:2: every 240th SYNC
+                    {"605#2F00180601000000", {"585#6000180600000000"}},  // 1800h:6: SYNC start value 1
+                    {"605#2300180185010000", {"585#6000180100000000"}},
+                    {"000#0105", {}},
+                });
+    for (int counter = 2; counter <= 240; ++counter) {  // the count has not begun
+        EXPECT_TRUE(send(fmt::format("080#{:02X}", counter)).empty()) << counter;
+    }
+    for (int round = 0; round < 2; ++round) {
+        for (int counter = 1; counter <= 239; ++counter) {
+            EXPECT_TRUE(send(fmt::format("080#{:02X}", counter)).empty()) << counter;
+        }
+        EXPECT_EQ(send("080#F0"), (Frames{"185#0000"})) << "the 240th SYNC from the start value on";
+    }
 }
 
 TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
