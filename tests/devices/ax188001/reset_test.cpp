@@ -9,8 +9,6 @@ namespace canproof::test {
 
 namespace {
 
-constexpr std::uint32_t save = 0x65766173;
-
 class Ax188001Resets : public TcsTest {
   protected:
     int gain(int channel) const { return device->outputs().tc_gain[static_cast<std::size_t>(channel - 1)]; }

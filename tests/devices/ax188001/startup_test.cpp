@@ -10,8 +10,6 @@ namespace canproof::test {
 
 namespace {
 
-constexpr std::uint32_t save = 0x65766173;
-
 class Ax188001Startup : public TcsTest {
   protected:
     void start_with(std::uint32_t option) {

@@ -10,7 +10,6 @@ namespace canproof::test {
 
 namespace {
 
-constexpr std::uint32_t save = 0x65766173;
 constexpr std::uint32_t load = 0x64616F6C;
 
 using Storage = TcsTest;

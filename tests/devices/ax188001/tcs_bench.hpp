@@ -15,6 +15,7 @@ constexpr std::uint32_t read_only = 0x06010002;
 constexpr std::uint32_t no_object = 0x06020000;
 constexpr std::uint32_t no_subindex = 0x06090011;
 constexpr std::uint32_t not_a_number = 0xFFC00000;
+constexpr std::uint32_t save = 0x65766173;  // the signature that object 1010h takes
 
 /// Node 127, cold junction at 25 degC, no voltage at the terminals: both channels read 25 degC.
 class TcsBench : public DeviceBench<ax188001::Device, ax188001::Inputs, ax188001::FactoryData> {

@@ -66,7 +66,7 @@ bool has_any(const std::string& text, const std::vector<std::string>& words) {
                        [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
-void run_on(std::unique_ptr<SimulatedDevice> device, const ConformSheet& sheet, std::set<std::string>& applied) {
+void run_cases_on(std::unique_ptr<SimulatedDevice> device, const ConformSheet& sheet, std::set<std::string>& applied) {
     VirtualTarget target{std::move(device), sheet.node_id};
     const ConformReport report = run_cases(built_in_cases(), sheet, target, {});
     for (const CaseResult& one : report.results) {
@@ -199,10 +199,10 @@ TEST(ConformCases, CasesDeclareTheirRisksForTheEquipment) {
 TEST(ConformCases, CasesPassOnEachSlaveAndEachCaseAppliesToOne) {
     std::set<std::string> applied;
     for (const std::string& name : canproof::test::every_device()) {
-        run_on(make_device(name), sheet_of(built_in_register(), device_named(name)), applied);
+        run_cases_on(make_device(name), sheet_of(built_in_register(), device_named(name)), applied);
     }
     for (const Part& part : {canproof::test::slave_part(), slave_with_more_objects(), slave_with_heartbeat()}) {
-        run_on(std::make_unique<GenericSimulation>(part), sheet_of(part), applied);
+        run_cases_on(std::make_unique<GenericSimulation>(part), sheet_of(part), applied);
     }
     const std::set<std::string> unseen{"dictionary-structure"};  // none of our slaves answers sub-index FFh
     for (const Case& one : cases()) {

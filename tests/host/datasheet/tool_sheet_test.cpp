@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string objects = R"([[object]]
+const std::string tool_objects = R"([[object]]
 index = 0x1003
 name = "Errors"
 type = "UNSIGNED32"
@@ -60,7 +60,7 @@ source = ["M1:2000h"]
 
 class ToolSheet : public testing::Test {
   protected:
-    ToolSheet() : loaded_{load_register(with(items_file, objects))} {}
+    ToolSheet() : loaded_{load_register(with(items_file, tool_objects))} {}
     void SetUp() override {
         for (const auto& fault : loaded_.faults) {
             ADD_FAILURE() << fault.text();

@@ -8,7 +8,7 @@ namespace canproof::host::test {
 
 namespace {
 
-PanelRequest post() {
+PanelRequest post_request() {
     PanelRequest request;
     request.method = "POST";
     request.path = "/api/stimulus";
@@ -27,22 +27,22 @@ int status(const PanelRequest& request) {
 }  // namespace
 
 TEST(RequestGuard, RequestOfTheOwnPageMayChangeTheState) {
-    EXPECT_EQ(status(post()), 0);
-    PanelRequest request = post();
+    EXPECT_EQ(status(post_request()), 0);
+    PanelRequest request = post_request();
     request.fetch_site = "same-origin";
     request.content_type = "application/json; charset=utf-8";
     EXPECT_EQ(status(request), 0);
 }
 
 TEST(RequestGuard, ProgramWithoutOriginMayChangeTheState) {
-    PanelRequest request = post();
+    PanelRequest request = post_request();
     request.origin = "";
     EXPECT_EQ(status(request), 0);
 }
 
 TEST(RequestGuard, EveryHostNameOfThisMachineIsAccepted) {
     for (const std::string host : {"127.0.0.1:8404", "localhost:8404", "[::1]:8404", "localhost", "[::1]"}) {
-        PanelRequest request = post();
+        PanelRequest request = post_request();
         request.host = host;
         request.origin = "http://" + host;
         EXPECT_EQ(status(request), 0) << host;
@@ -55,7 +55,7 @@ TEST(RequestGuard, OtherHostNameIsRefused_EvenForReading) {
         PanelRequest request;
         request.host = host;
         EXPECT_EQ(status(request), 403) << host;
-        request = post();
+        request = post_request();
         request.host = host;
         request.origin = "http://" + host;
         EXPECT_EQ(status(request), 403) << host;
@@ -65,7 +65,7 @@ TEST(RequestGuard, OtherHostNameIsRefused_EvenForReading) {
 TEST(RequestGuard, OtherOriginIsRefused) {
     for (const std::string origin : {"http://evil.example", "null", "https://127.0.0.1:8404", "http://127.0.0.1:3000",
                                      "http://localhost:8404", "http://127.0.0.1:8404.evil.example"}) {
-        PanelRequest request = post();
+        PanelRequest request = post_request();
         request.origin = origin;
         EXPECT_EQ(status(request), 403) << origin;
     }
@@ -73,7 +73,7 @@ TEST(RequestGuard, OtherOriginIsRefused) {
 
 TEST(RequestGuard, CrossSiteFetchWithoutOriginIsRefused) {
     for (const std::string site : {"cross-site", "same-site"}) {
-        PanelRequest request = post();
+        PanelRequest request = post_request();
         request.origin = "";
         request.fetch_site = site;
         EXPECT_EQ(status(request), 403) << site;
@@ -83,14 +83,14 @@ TEST(RequestGuard, CrossSiteFetchWithoutOriginIsRefused) {
 TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
     for (const std::string type : {"", "text/plain", "application/x-www-form-urlencoded", "multipart/form-data",
                                    "text/plain; application/json"}) {
-        PanelRequest request = post();
+        PanelRequest request = post_request();
         request.content_type = type;
         EXPECT_EQ(status(request), 415) << type;
     }
 }
 
 TEST(RequestGuard, LongestBodyPasses_OneByteMoreDoesNot) {
-    PanelRequest request = post();
+    PanelRequest request = post_request();
     request.body = std::string(4096, ' ');
     EXPECT_EQ(status(request), 0);
     request.body += ' ';
@@ -99,7 +99,7 @@ TEST(RequestGuard, LongestBodyPasses_OneByteMoreDoesNot) {
 
 TEST(RequestGuard, OtherMethodsAreRefused) {
     for (const std::string method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE"}) {
-        PanelRequest request = post();
+        PanelRequest request = post_request();
         request.method = method;
         EXPECT_EQ(status(request), 405) << method;
     }

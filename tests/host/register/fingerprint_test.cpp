@@ -10,7 +10,7 @@ namespace canproof::host::test {
 
 namespace {
 
-Requirement requirement(const std::string& text) {
+Requirement printed_requirement(const std::string& text) {
     Requirement one;
     one.id = "AO4-R-1";
     one.text = text;
@@ -38,15 +38,16 @@ TEST(Fingerprint, FingerprintIsFnv1a) {
 }
 
 TEST(Fingerprint, FingerprintIgnoresSpacingPlaceAndSource) {
-    Requirement moved = requirement("Opens  within\n  10 ms. ");
+    Requirement moved = printed_requirement("Opens  within\n  10 ms. ");
     moved.place = {"spec/x.toml", 9};
     moved.sources = {"M1:1"};
-    EXPECT_EQ(fingerprint(moved), fingerprint(requirement("Opens within 10 ms.")));
+    EXPECT_EQ(fingerprint(moved), fingerprint(printed_requirement("Opens within 10 ms.")));
     EXPECT_EQ(fingerprint(moved).size(), 8U);
 }
 
 TEST(Fingerprint, FingerprintChangesWithText) {
-    EXPECT_NE(fingerprint(requirement("Opens within 10 ms.")), fingerprint(requirement("Opens within 11 ms.")));
+    EXPECT_NE(fingerprint(printed_requirement("Opens within 10 ms.")),
+              fingerprint(printed_requirement("Opens within 11 ms.")));
 }
 
 TEST(Fingerprint, FingerprintChangesWithATableCell) {
@@ -82,12 +83,12 @@ TEST(Fingerprint, FingerprintChangesWithDefaultLimitAndAccessOfAnObject) {
 
 TEST(Fingerprint, RequirementsAndTablesOfAPartHaveFingerprints) {
     Part part;
-    part.requirements.push_back(requirement("Opens."));
+    part.requirements.push_back(printed_requirement("Opens."));
     part.tables.push_back(table(1));
     part.tables.front().id = "AO4-T1";
     const auto prints = fingerprints(part);
     ASSERT_EQ(prints.size(), 2U);
-    EXPECT_EQ(prints.at("AO4-R-1"), fingerprint(requirement("Opens.")));
+    EXPECT_EQ(prints.at("AO4-R-1"), fingerprint(printed_requirement("Opens.")));
     EXPECT_EQ(prints.at("AO4-T1"), fingerprint(table(1)));
 }
 

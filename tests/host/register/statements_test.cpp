@@ -20,7 +20,7 @@ using testing::SizeIs;
 const std::string first_file = "spec/manuals/m/1-objects.toml";
 const std::string second_file = "spec/manuals/m/2-rates.toml";
 
-const std::string items = R"([[requirement]]
+const std::string statement_items = R"([[requirement]]
 id = "AO4-R-1"
 text = "When the bus is lost, the box shall put its output to 0 V."
 source = ["M1:1"]
@@ -58,16 +58,16 @@ reason = "hardware"
 )";
 
 SpecFiles with_statements(const std::string& text) {
-    SpecFiles files = with(items_file, items);
+    SpecFiles files = with(items_file, statement_items);
     files[first_file] = text;
     return files;
 }
 
-std::string edited(const std::string& from, const std::string& to, std::string text = covered) {
+std::string edited_statement(const std::string& from, const std::string& to, std::string text = covered) {
     return text.replace(text.find(from), from.size(), to);
 }
 
-std::string faults_of(const std::string& text) {
+std::string statement_faults(const std::string& text) {
     return all_faults(load_register(with_statements(text)));
 }
 
@@ -91,8 +91,8 @@ TEST(ManualStatements, StatementsAreReadAsWritten) {
 }
 
 TEST(ManualStatements, StatementsAreNumberedBySectionInFileAndLineOrder) {
-    SpecFiles files = with_statements(covered + explained + edited("20:", "21:"));
-    files[second_file] = edited("20:", "22:") + edited("\"1\"", "\"Table 3\"", edited("20:", "23:"));
+    SpecFiles files = with_statements(covered + explained + edited_statement("20:", "21:"));
+    files[second_file] = edited_statement("20:", "22:") + edited_statement("\"1\"", "\"Table 3\"", edited_statement("20:", "23:"));
     const LoadResult loaded = load_register(files);
     EXPECT_EQ(all_faults(loaded), "");
     std::vector<std::string> ids;
@@ -103,30 +103,30 @@ TEST(ManualStatements, StatementsAreNumberedBySectionInFileAndLineOrder) {
 }
 
 TEST(ManualStatements, StatementsMayBeAbsent) {
-    const LoadResult loaded = load_register(with(items_file, items));
+    const LoadResult loaded = load_register(with(items_file, statement_items));
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_THAT(loaded.content.manual("M1")->statements, IsEmpty());
 }
 
 TEST(ManualStatements, UncoveredStatementsAreNoFault) {
-    EXPECT_EQ(faults_of(edited("covered = [\"AO4-R-1\", \"AO4-D-1\"]\n", "")), "");
-    const LoadResult loaded = load_register(with_statements(edited("\"AO4-R-1\", \"AO4-D-1\"", "")));
+    EXPECT_EQ(statement_faults(edited_statement("covered = [\"AO4-R-1\", \"AO4-D-1\"]\n", "")), "");
+    const LoadResult loaded = load_register(with_statements(edited_statement("\"AO4-R-1\", \"AO4-D-1\"", "")));
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_TRUE(loaded.content.manual("M1")->statements.at(0).is_open());
 }
 
 TEST(ManualStatements, StatementOfAnUnknownSectionIsRefused) {
-    EXPECT_THAT(faults_of(edited("\"1\"", "\"4.2\"")),
+    EXPECT_THAT(statement_faults(edited_statement("\"1\"", "\"4.2\"")),
                 HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct it, or add 4.2 to "
                           "spec/manuals/m.toml"));
 }
 
 TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
-    EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-9")),
+    EXPECT_THAT(statement_faults(edited_statement("AO4-R-1", "AO4-R-9")),
                 HasSubstr("1-objects.toml:5: M1:1/1 is covered by AO4-R-9, which does not exist; correct the id"));
-    EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-2")),
+    EXPECT_THAT(statement_faults(edited_statement("AO4-R-1", "AO4-R-2")),
                 HasSubstr("is covered by AO4-R-2, which is retired; name an item in force"));
-    EXPECT_THAT(faults_of(edited("AO4-D-1", "AO4-R-1")),
+    EXPECT_THAT(statement_faults(edited_statement("AO4-D-1", "AO4-R-1")),
                 HasSubstr("is covered by AO4-R-1, which it names twice; name it once"));
     SpecFiles files = with_statements(covered);
     files["spec/manuals/other.toml"] =
@@ -139,7 +139,7 @@ TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
 }
 
 TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
-    SpecFiles files = with_statements(edited("AO4-D-1", "CO-R-1"));
+    SpecFiles files = with_statements(edited_statement("AO4-D-1", "CO-R-1"));
     files[shared_file] =
         "[[requirement]]\nid = \"CO-R-1\"\ntext = \"It shall answer.\"\nsource = [\"CiA301:7\"]\n"
         "kind = \"protocol\"\nverify = [\"test\"]\n";
@@ -147,29 +147,29 @@ TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
 }
 
 TEST(ManualStatements, StatementWithItemsAndAReasonIsAFault) {
-    EXPECT_THAT(faults_of(covered + "reason = \"hardware\"\n"),
+    EXPECT_THAT(statement_faults(covered + "reason = \"hardware\"\n"),
                 HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
 }
 
 TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
-    EXPECT_THAT(faults_of(edited("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
-    EXPECT_THAT(faults_of(edited("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
-    EXPECT_THAT(faults_of(edited("20:3f9a0c1b2d4e", "20:3f9a")),
+    EXPECT_THAT(statement_faults(edited_statement("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
+    EXPECT_THAT(statement_faults(edited_statement("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
+    EXPECT_THAT(statement_faults(edited_statement("20:3f9a0c1b2d4e", "20:3f9a")),
                 HasSubstr("1-objects.toml:4: mark 20:3f9a is malformed; write LENGTH:HASH"));
-    EXPECT_THAT(faults_of(covered + covered),
+    EXPECT_THAT(statement_faults(covered + covered),
                 HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e is already at M1:1/1; mark another passage"));
 }
 
 TEST(ManualStatements, StatementsInAFolderWithoutAManualAreRefused) {
-    SpecFiles files = with(items_file, items);
+    SpecFiles files = with(items_file, statement_items);
     files["spec/manuals/n/1.toml"] = covered;
     EXPECT_THAT(all_faults(load_register(files)),
                 HasSubstr("spec/manuals/n/1.toml:1: the folder belongs to no manual"));
 }
 
 TEST(ManualStatements, UnknownKeyInAFileOfStatementsIsRefused) {
-    EXPECT_THAT(faults_of("[[section]]\nref = \"9\"\n" + covered), HasSubstr("the key `section` is unknown"));
-    EXPECT_THAT(faults_of(covered + "author = \"me\"\n"), HasSubstr("the key `author` is unknown"));
+    EXPECT_THAT(statement_faults("[[section]]\nref = \"9\"\n" + covered), HasSubstr("the key `section` is unknown"));
+    EXPECT_THAT(statement_faults(covered + "author = \"me\"\n"), HasSubstr("the key `author` is unknown"));
 }
 
 }  // namespace canproof::host::test

@@ -4,6 +4,7 @@
 
 #include "devices/ax130751/firmware/current_loop.hpp"
 #include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/blocks/at.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -11,10 +12,6 @@ namespace canproof::test {
 namespace {
 
 using namespace ax130751;
-
-Instant at(std::uint64_t ms) {
-    return Instant{} + milliseconds(ms);
-}
 
 constexpr OutputRange volts{-10.0, 10.0};
 constexpr OutputRange hertz{50.0, 30000.0};

@@ -3,6 +3,7 @@
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
 #include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/blocks/at.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -42,10 +43,6 @@ double after(std::uint64_t ms, const LookupPoints& profile, bool repeat = false)
 
 const BlockSignal input_on{1.0, 0.0, 1.0, SignalState::valid};
 const BlockSignal input_off{0.0, 0.0, 1.0, SignalState::valid};
-
-Instant at(std::uint64_t ms) {
-    return Instant{} + milliseconds(ms);
-}
 
 }  // namespace
 

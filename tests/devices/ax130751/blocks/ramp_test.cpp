@@ -3,6 +3,7 @@
 #include "devices/ax130751/firmware/ramp.hpp"
 
 #include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/blocks/at.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -10,10 +11,6 @@ namespace canproof::test {
 namespace {
 
 using namespace ax130751;
-
-Instant at(std::uint64_t ms) {
-    return Instant{} + milliseconds(ms);
-}
 
 // 10 units in 1 s up, in 500 ms down
 const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};

@@ -21,9 +21,9 @@ using testing::StartsWith;
 nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
     nlohmann::json found = nlohmann::json::array();
     const nlohmann::json state = bench.get("/api/state");
-    for (const auto& frame : state.at("frames")) {
-        if (frame.at("service") == service) {
-            found.push_back(frame);
+    for (const auto& one : state.at("frames")) {
+        if (one.at("service") == service) {
+            found.push_back(one);
         }
     }
     return found;

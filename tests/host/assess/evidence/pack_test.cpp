@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-pugi::xml_document parsed(const std::string& text) {
+pugi::xml_document parsed_file(const std::string& text) {
     pugi::xml_document document;
     EXPECT_TRUE(document.load_string(text.c_str())) << text.substr(0, 200);
     return document;
@@ -63,7 +63,7 @@ TEST_F(Pack, FailedTestIsShownWithItsMessage) {
     const PackFiles files = make();
     EXPECT_THAT(files.at("tests.html"), HasSubstr("S.Three<td data-h=\"Message\"><code>1 is not 2</code>"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("D-A-002: a failed test claims it"));
-    const auto junit = parsed(files.at("data/junit.xml"));
+    const auto junit = parsed_file(files.at("data/junit.xml"));
     EXPECT_STREQ(junit.child("testsuites").attribute("tests").value(), "3");
     EXPECT_STREQ(junit.select_node("//testsuite[@name='S']").node().attribute("failures").value(), "1");
     EXPECT_STREQ(junit.select_node("//testcase[@name='Three']/failure").node().attribute("message").value(),

@@ -44,8 +44,8 @@ mapping = "tpdo"
 source = ["M1:1"]
 )";
 
-std::string alterations_of(const std::string& items) {
-    const LoadResult loaded = load_register(with(items_file, items));
+std::string alterations_of(const std::string& text) {
+    const LoadResult loaded = load_register(with(items_file, text));
     return write_alterations(loaded.content);
 }
 

@@ -22,7 +22,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string source = R"(// Tests.
+const std::string source_text = R"(// Tests.
 TEST_F(Relay, Closes) {
     verifies<req::A>();
     EXPECT_EQ(state(), "{");  // on
@@ -39,7 +39,7 @@ class Kills : public testing::Test {
   protected:
     Kills() : root_{std::filesystem::temp_directory_path() / ("canproof-kills-" + std::to_string(getpid()))} {
         std::filesystem::create_directories(root_ / "tests");
-        write(source);
+        write(source_text);
         for (const char* test : {"Relay.Closes", "All/Relay.OpensAtEach/0", "RelayLaw.Holds"}) {
             evidence_.runs.push_back({test, "tests/relay_test.cpp", true, true});
             record_[test] = {hash(test), {}, {}};
@@ -59,7 +59,7 @@ class Kills : public testing::Test {
     }
     KillAudit audit() const { return audit_kills({"A", "B", "C"}, evidence_, record_, root_); }
     static std::string edited(const std::string& from, const std::string& to) {
-        std::string text = source;
+        std::string text = source_text;
         return text.replace(text.find(from), from.size(), to);
     }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The instants of the tests of blocks.
+#pragma once
+
+#include "firmware/base/time.hpp"
+
+namespace canproof::test {
+
+/// Returns the instant `ms` milliseconds after the start.
+inline Instant at(std::uint64_t ms) {
+    return Instant{} + milliseconds(ms);
+}
+
+}  // namespace canproof::test
