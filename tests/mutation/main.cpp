@@ -4,7 +4,8 @@
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
 //   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell
 //             and runs the tests of the filter. The answer is `number TAB killed TAB Suite.Test` or
-//             `number TAB survived`. A copy that takes more processor time than `seconds` counts as killed.
+//             `number TAB survived`. A copy that takes more processor time than `seconds`, or waits much longer than
+//             that, counts as killed.
 // With CANPROOF_ALTER=number in the environment, the cell is altered before anything is computed from it.
 #include <gtest/gtest.h>
 #include <sys/time.h>
@@ -28,10 +29,16 @@ using host::generated_alterations;
 // All tests together take a third of this time.
 constexpr time_t most_seconds_started = 60;
 
-/// Ends this process after this much processor time, because an alteration may lead to an endless loop.
+// Longest wait in seconds without processor time, also for a process that shares its core with many others.
+constexpr unsigned most_seconds_waited = 30;
+constexpr unsigned most_processes_a_core = 20;
+
+/// Ends this process after this much processor time, because an alteration may lead to an endless loop. Ends it also
+/// after a much longer real time, because an alteration may make it wait for ever.
 void limit_to(const time_t seconds) {
     const itimerval limit{{0, 0}, {seconds, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
+    alarm(most_seconds_waited + most_processes_a_core * static_cast<unsigned>(seconds));
 }
 
 void alter(std::size_t number) {
