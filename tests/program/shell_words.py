@@ -55,9 +55,17 @@ def main():
                 checked += 1
             if path and f'.SS "canproof {" ".join(path)} ' not in page:
                 sys.exit(f"the manual page does not have canproof {' '.join(path)}")
+            own_page = said(PROGRAM, "manual", *path).replace("\\-", "-")
+            if f'.TH {"-".join(["canproof", *path]).upper()} 1 ' not in own_page:
+                sys.exit(f"canproof manual {' '.join(path)} has another title")
             for option in options_of(path) if path else []:
-                if f".B {option}" not in page:
-                    sys.exit(f"the manual page does not have {option}")
+                if f".B {option}" not in page or f".B {option}" not in own_page:
+                    sys.exit(f"a manual page does not have {option} of canproof {' '.join(path)}")
+        unknown = subprocess.run([PROGRAM, "manual", "nosuch"], capture_output=True, text=True, check=False)
+        if unknown.returncode != 2 or "there is no command `nosuch`" not in unknown.stderr:
+            sys.exit(f"canproof manual nosuch ends with {unknown.returncode}: {unknown.stderr}")
+        if "canproof run " in said(PROGRAM, "manual", "eds"):
+            sys.exit("the page of canproof eds has another command")
         if completed(script, ["eds", "ch"]) != ["check"] or completed(script, ["run", "--bus-f"]) != ["--bus-faults"]:
             sys.exit("bash does not complete a word that is begun")
         if "nosuch" in completed(script, ["nosuch"]):

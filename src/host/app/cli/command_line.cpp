@@ -297,9 +297,11 @@ class WordsCommands : Command {
                 return 0;
             };
         });
-        app.add_subcommand("manual", "print the manual page: `canproof manual | man -l -`")->callback([&app, &chosen] {
-            chosen = [&app] {
-                std::cout << manual_page(command_tree(app), generated::canproof_version);
+        auto* manual = app.add_subcommand("manual", "print a manual page: `canproof manual eds | man -l -`");
+        manual->add_option("COMMAND", manual_of_, "words of a command; default: the page of the whole program");
+        manual->callback([this, &app, &chosen] {
+            chosen = [this, &app] {
+                std::cout << manual_page(command_tree(app), manual_of_, generated::canproof_version);
                 return 0;
             };
         });
@@ -307,6 +309,7 @@ class WordsCommands : Command {
 
   private:
     std::string shell_;
+    std::vector<std::string> manual_of_;
 };
 
 /// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because it is

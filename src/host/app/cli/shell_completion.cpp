@@ -5,6 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+
+#include "host/base/input_error.hpp"
 
 namespace canproof::host {
 
@@ -144,6 +147,12 @@ std::string roff(const std::string& text) {
     return !out.empty() && (out.front() == '.' || out.front() == '\'') ? "\\&" + out : out;
 }
 
+std::string upper(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](const unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return text;
+}
+
 std::string synopsis_of(const CommandWords& command) {
     std::string text = "canproof";
     for (const auto& word : command.path) {
@@ -165,26 +174,41 @@ std::string shell_completion(const std::vector<CommandWords>& commands, const st
                              : bash_completion(commands);
 }
 
-std::string manual_page(const std::vector<CommandWords>& commands, const std::string& version) {
+std::string manual_page(const std::vector<CommandWords>& commands, const std::vector<std::string>& path,
+                        const std::string& version) {
+    const auto is_below = [&](const CommandWords& one) {
+        return one.path.size() >= path.size() && std::equal(path.begin(), path.end(), one.path.begin());
+    };
+    const auto first = std::find_if(commands.begin(), commands.end(), is_below);
+    if (first == commands.end()) {
+        throw InputError{
+            fmt::format("there is no command `{}`; `canproof --help` lists the commands", fmt::join(path, " "))};
+    }
+    std::string name = "canproof";
+    for (const auto& word : path) {
+        name += "-" + word;
+    }
     std::string text = fmt::format(
-        ".TH CANPROOF 1 \"\" \"canproof {}\" \"User commands\"\n.SH NAME\ncanproof \\- four CANopen devices, generated "
-        "from "
-        "their requirements\n.SH SYNOPSIS\n.B canproof\n.I COMMAND\n[OPTION…]\n.SH COMMANDS\n",
-        roff(version));
+        ".TH {} 1 \"\" \"canproof {}\" \"User commands\"\n.SH NAME\n{} \\- {}\n", roff(upper(name)), roff(version),
+        roff(name),
+        roff(path.empty() ? "four CANopen devices, generated from their requirements" : first->description));
+    text += path.empty() ? ".SH SYNOPSIS\n.B canproof\n.I COMMAND\n[OPTION…]\n.SH COMMANDS\n" : ".SH COMMANDS\n";
     for (const auto& command : commands) {
-        if (!command.path.empty()) {
-            text += fmt::format(".SS \"{}\"\n{}.\n", roff(synopsis_of(command)), roff(command.description));
+        if (command.path.empty() || !is_below(command)) {
+            continue;
         }
+        text += fmt::format(".SS \"{}\"\n{}.\n", roff(synopsis_of(command)), roff(command.description));
         for (const auto& option : command.options) {
-            if (!command.path.empty() && !option.description.empty()) {
+            if (!option.description.empty()) {
                 text += fmt::format(".TP\n.B {}{}\n{}.\n", roff(option.name),
                                     option.takes_value && !option.positional ? " VALUE" : "", roff(option.description));
             }
         }
     }
-    return text +
-           ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or a missing "
-           "input.\n";
+    text +=
+        ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or a missing "
+        "input.\n";
+    return path.empty() ? text : text + ".SH SEE ALSO\n.BR canproof (1)\n";
 }
 
 }  // namespace canproof::host

@@ -12,7 +12,9 @@ namespace canproof::host {
 /// Returns the script that a shell (bash, zsh or fish) sources. It offers commands, options and files.
 std::string shell_completion(const std::vector<CommandWords>& commands, const std::string& shell);
 
-/// Returns the manual page canproof(1) in roff.
-std::string manual_page(const std::vector<CommandWords>& commands, const std::string& version);
+/// Returns a manual page in roff: canproof(1) for an empty `path`; otherwise the page of that command and its
+/// subcommands, for example canproof-eds(1). Throws InputError when there is no such command.
+std::string manual_page(const std::vector<CommandWords>& commands, const std::vector<std::string>& path,
+                        const std::string& version);
 
 }  // namespace canproof::host
