@@ -89,7 +89,7 @@ void reap_process(pid_t process) noexcept {
 std::array<int, 2> make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw InputError{"no pipe can be opened; close other programs"};
+        throw InputError{"cannot open a pipe: too many files are open; close other programs"};
     }
     return ends;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of `canproof prove`. Both canproof, for its shell completion, and canproof-prove, which it starts, use
-// this list.
+// The options of `canproof prove`. canproof-prove parses them. canproof, which starts canproof-prove, uses the list for
+// its shell completion.
 #pragma once
 
 #include <array>
