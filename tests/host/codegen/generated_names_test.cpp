@@ -122,7 +122,7 @@ TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"3 ways\"\n", rows)))),
                 HasSubstr("AO4-T1 name 3_ways is no C++ name"));
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"Field\"\n", rows)))),
-                HasSubstr("AO4-T1 name field is taken by the compiler"));
+                HasSubstr("AO4-T1 name field is taken by the generated code"));
 }
 
 TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
@@ -142,7 +142,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
     EXPECT_THAT(altered, HasSubstr("static_cast<std::uint64_t>(canproof::ErrorId::can_overrun)"));
     EXPECT_THAT(all_faults(load_register(with(
                     items_file, table("id = \"AO4-T1\"\nerrors = \"fault\"\ntitle = \"Codes\"\n", "[\"hot\", 1]")))),
-                HasSubstr("AO4-T1 errors fault is no input of words"));
+                HasSubstr("AO4-T1 errors fault is no input column of words"));
 }
 
 TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectAndAFamilyHasOneName) {

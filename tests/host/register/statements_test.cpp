@@ -117,7 +117,7 @@ TEST(ManualStatements, UncoveredStatementsAreNoFault) {
 
 TEST(ManualStatements, StatementOfAnUnknownSectionIsRefused) {
     EXPECT_THAT(faults_of(edited("\"1\"", "\"4.2\"")),
-                HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct it, or add 4.2 to "
+                HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct the section, or add 4.2 to "
                           "spec/manuals/m.toml"));
 }
 
@@ -127,7 +127,7 @@ TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
     EXPECT_THAT(faults_of(edited("AO4-R-1", "AO4-R-2")),
                 HasSubstr("is covered by AO4-R-2, which is retired; name an item in force"));
     EXPECT_THAT(faults_of(edited("AO4-D-1", "AO4-R-1")),
-                HasSubstr("is covered by AO4-R-1, which it names twice; name it once"));
+                HasSubstr("is covered by AO4-R-1, which `covered` names twice; name the item once"));
     SpecFiles files = with_statements(covered);
     files["spec/manuals/other.toml"] =
         "key = \"M2\"\ntitle = \"t\"\npublisher = \"p\"\nrevision = \"1\"\ndate = \"d\"\n"
@@ -148,7 +148,7 @@ TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
 
 TEST(ManualStatements, StatementWithItemsAndAReasonIsAFault) {
     EXPECT_THAT(faults_of(covered + "reason = \"hardware\"\n"),
-                HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
+                HasSubstr("1-objects.toml:1: a statement has both `covered` and `reason`"));
 }
 
 TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
