@@ -39,7 +39,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Returns the number of a name in a query: 12 for `name=12`. Returns 0 when the name is missing or has no number.
+/// Returns the number of a name in a query: 12 for `name=12`. Returns 0 when the name is missing or no digits follow
+/// it.
 std::uint64_t number_in(const std::string& query, const std::string& name) {
     std::uint64_t number = 0;
     for (std::size_t begin = 0; begin < query.size();) {

@@ -152,7 +152,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     return now;
 }
 
-/// Completes a connection. It is established when the socket becomes writable without an error.
+/// Completes a connection. The connection is established when the socket becomes writable without an error.
 void SocketcandClientBus::finish_connecting() {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;

@@ -125,8 +125,9 @@ void ImageDevice::follow_inputs(const std::vector<double>& before, Instant now) 
 void ImageDevice::compare(Instant now) const {
     const std::string found = difference();
     if (!found.empty()) {
-        throw ImageFailed{fmt::format("{} and this program's firmware differ at {} s: {}", calls_->name(),
-                                      format_seconds(now), found)};
+        throw ImageFailed{
+            fmt::format("{} and this program's firmware differ at {} s: {}; build both from the same sources",
+                        calls_->name(), format_seconds(now), found)};
     }
 }
 
