@@ -25,7 +25,7 @@ struct Ending {
 };
 
 /// Returns the bytes to write: the given bytes, or a number in `width` bytes. If `width` is 0, the data sheet
-/// determines the width. Throws BrokenCase when it does not.
+/// determines the width. Throws BrokenCase when the data sheet does not contain the width.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context);
 
 }  // namespace canproof::host::conform

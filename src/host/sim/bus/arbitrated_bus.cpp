@@ -51,8 +51,7 @@ void ArbitratedBus::add_port(BusNode& node, bool gateway) {
 void ArbitratedBus::attach(BusNode& node) {
     const auto nodes = std::count_if(ports_.begin(), ports_.end(), [](const auto& one) { return !one.second.gateway; });
     if (static_cast<std::size_t>(nodes) == most_nodes) {
-        throw InputError{
-            fmt::format("{} is one node too many; a CANopen bus has at most {} nodes", node.name(), most_nodes)};
+        throw InputError{fmt::format("{} is one too many: a CANopen bus has up to {} nodes", node.name(), most_nodes)};
     }
     add_port(node, false);
 }
@@ -113,9 +112,8 @@ void ArbitratedBus::tell_bit_rates() {
         const std::uint32_t before = port.rate;
         port.rate = port.gateway ? 0 : port.node->bit_rate();
         if (before != 0 && port.rate != before) {
-            const char* const outcome = port.rate == bit_rate_
-                                            ? "the bus has this bit rate"
-                                            : "the bus has another bit rate, so the node neither sends nor receives";
+            const char* const outcome =
+                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another bit rate; no frame passes";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }
@@ -177,8 +175,7 @@ ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
     return nullptr;
 }
 
-/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when no frame can
-/// start.
+/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when none starts.
 bool ArbitratedBus::start(Nanoseconds now) {
     if (running_) {
         return false;
