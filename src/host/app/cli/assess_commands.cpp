@@ -185,14 +185,15 @@ class EvidenceCommand : Command {
 class MutateCommand : Command {
   public:
     MutateCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("mutate", "alter each generated cell and check whether a test notices");
+        auto* command =
+            app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices");
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
                           "the firmware's code instead of generated cells: conditions, statements, variables …");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
-            "record for each new or changed test the items of which it notices a mutant (reports/kills.csv)");
+            "record for each new or changed test the items whose mutants it notices (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
         command->add_option("--sample", options_.sample, "number of cells, drawn at random with --seed");
@@ -230,7 +231,7 @@ class InjectCommand : Command {
         command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
         auto* log = command->add_option("LOG", options_.log,
                                         "candump log of frames to the device; default: tests/devices/DEVICE/workload");
-        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of its inputs")
+        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of the device's inputs")
             ->needs(log);
         command->add_option("--node", options_.node, "node-ID, or position of the coding switches");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();

@@ -225,7 +225,8 @@ class ConformCommand : Command {
     ConformCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
             app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
-        command->add_option("DEVICE", options_.device, "of the catalogue; it runs in virtual time without --bus");
+        command->add_option("DEVICE", options_.device,
+                            "device of the catalogue; it runs in virtual time without --bus");
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
         command->add_option(
             "--arm", options_.arm,
@@ -233,7 +234,7 @@ class ConformCommand : Command {
         command->add_option("--node", options_.node, "node-ID of the slave");
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
-        command->add_flag("--list", options_.list, "all cases");
+        command->add_flag("--list", options_.list, "list all cases");
         command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',')->allow_extra_args(false);
         command->add_option("--skip", options_.skip, "cases or services to leave out")
             ->delimiter(',')
@@ -308,8 +309,8 @@ class WordsCommands : Command {
     std::string shell_;
 };
 
-/// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because it is
-/// the cause.
+/// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that
+/// failure is the cause.
 std::string why(const std::exception& error) {
     try {
         finish_standard_output();

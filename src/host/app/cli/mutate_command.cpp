@@ -53,8 +53,8 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     };
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
-        throw InputError{
-            fmt::format("`{}` is no device and no item with generated cells; name another or leave it out", subject)};
+        throw InputError{fmt::format(
+            "`{}` is no device and no item with generated cells; name a device, an item, or no subject", subject)};
     }
     return cells;
 }
@@ -63,8 +63,8 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format(
-            "no file with mutants has `{}` in its path; name another part of a path or leave it out", file)};
+        throw InputError{
+            fmt::format("no file with mutants has `{}` in its path; name another part of a path, or no subject", file)};
     }
     return mutants;
 }
@@ -122,7 +122,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     if (options.json) {
         fmt::print("{}\n", nlohmann::ordered_json{{"tests", record.size()}, {"notice_nothing", idle}}.dump(2));
     } else {
-        fmt::print("{} test(s) judged, {} of them notice no mutant of their claimed items\n", record.size(), idle);
+        fmt::print("{} test(s) judged; {} notice no mutant of the items that they claim\n", record.size(), idle);
     }
     return 0;
 }
@@ -164,7 +164,7 @@ std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& r
                                      const std::filesystem::path& file, const char* what) {
     std::vector<std::string> lines;
     for (const SurvivorRecord* record : records) {
-        lines.push_back(fmt::format("{}:{}: {}; remove it", file.string(), record->line, what));
+        lines.push_back(fmt::format("{}:{}: {}; remove the record", file.string(), record->line, what));
     }
     return lines;
 }

@@ -46,7 +46,7 @@ void check(const ReviewOptions& options) {
         throw InputError{"the reader is not named; write --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
-        throw InputError{"no item is named; name the ids or devices that were read, or give --all"};
+        throw InputError{"name either the ids or devices that were read, or --all"};
     }
 }
 
