@@ -220,7 +220,7 @@ struct Decision : Item {
     Answer answer;
 };
 
-/// A way in which outputs or messages of a device can cause harm, and its prevention.
+/// Harm that outputs or messages of a device can cause, and its prevention.
 struct Hazard : Item {
     struct Failure {
         std::string text;

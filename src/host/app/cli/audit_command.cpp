@@ -149,8 +149,8 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Returns which items are shown by tests that notice a mutant, and how many lines of the record no longer apply.
-/// Returns nothing for a project without a record.
+/// Compares the tests with the record of the mutants that each test notices (reports/kills.csv). Returns nothing for a
+/// project without such a record.
 std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
                                   const Evidence& evidence) {
     const KillRecord record = read_kill_record(root / "reports" / "kills.csv");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
-// cell, or each operator and condition of the firmware and of the host's buses and replay. It prints, by item, the
-// survivors that have no recorded reason.
+// cell (a value in a generated table), or each operator and condition of the firmware and of the host's buses and
+// replay. It prints, by item, the survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -127,7 +127,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Judges `count` alterations with the test programs.
+/// Judges `cells` with the test programs. `count` is the number of all alterations that the programs contain.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
@@ -140,7 +140,7 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` and writes its outcomes for `--merge`.
+/// Judges one shard of `cells` and writes its outcomes for `--merge`. `count` has the same meaning as in judge().
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto share = share_of(cells, *options.shard);

@@ -20,7 +20,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the date that the options give, otherwise that of today.
+/// Returns the date that the options give, otherwise the date of SOURCE_DATE_EPOCH or, without that, of today (UTC).
 std::string date_of(const ReviewOptions& options) {
     if (!options.date.empty()) {
         return options.date;
@@ -50,7 +50,8 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Returns the items of the part that the user named, and removes each found name from `names`.
+/// Returns the items of the part to record: all items that need a review if the user named the part or gave --all,
+/// otherwise the named items. Removes each found name from `names`.
 std::set<std::string> chosen_of(const Part& part, const WorkByItem& work, const ReviewOptions& options,
                                 std::set<std::string>& names) {
     const std::set<std::string> waiting = unreviewed(part, work);

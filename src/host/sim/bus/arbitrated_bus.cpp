@@ -357,7 +357,7 @@ void ArbitratedBus::recover(Nanoseconds now) {
     }
 }
 
-/// Returns the earliest time at which the port can send; `never` without a frame or when it takes no part in the bus.
+/// Returns the earliest time at which the port can send; `never` if it has no frame or takes no part in the bus.
 Instant ArbitratedBus::may_start(const Port& port) const {
     const bool sends = port.reported_state != CanState::bus_off && port.next() != nullptr && takes_part(port);
     return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;

@@ -53,8 +53,8 @@ TextFault read_data(Frame& frame, std::string_view data) {
     return sound ? TextFault{} : fmt::format("data `{}` is not up to eight bytes in hexadecimal", data);
 }
 
-/// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN they also mean eight
-/// bytes.
+/// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN, each of these codes
+/// means eight bytes.
 TextFault cut_length_code(std::string_view& data, bool& coded) {
     const auto at = data.find('_');
     coded = at != std::string_view::npos;

@@ -25,8 +25,8 @@ struct GenericDescription {
 
 /// Returns the description of a part. If the part has LSS, the LSS profile is standard_lss().
 GenericDescription describe(const Part& part);
-/// Returns an LSS profile with the bit rates of CiA 305. With it, leaving the LSS configuration state does not reset
-/// the communication; only the NMT master resets the node.
+/// Returns an LSS profile with the bit rates of CiA 305. With this profile, leaving the LSS configuration state does
+/// not reset the communication; only the NMT master resets the node.
 LssProfile standard_lss();
 
 class GenericDevice final : private Application {

@@ -18,8 +18,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest time for which a sent frame waits until the log contains it. After that it is written with the time at which
-/// the device sent it.
+/// Longest time for which a sent frame waits until the log contains it. After this time, the frame is written with the
+/// time at which the device sent it.
 constexpr Duration longest_hold = milliseconds(1000);
 
 FrameSource source_of(const ReplayInput& input) {
