@@ -64,7 +64,7 @@ class NameCheck {
         for (const StandardObject& object : part_.standard_objects) {
             if (part_.is_device()) {
                 fault(object.place, fmt::format("standard object {:04X}h is in the files of a device", object.index),
-                      "put it into spec/canopen, or write [[object]]");
+                      "move the object to spec/canopen, or write [[object]]");
             } else if (!is_cpp_name(snake_case(object.name))) {
                 fault(object.place, fmt::format("standard object name \"{}\" makes no C++ name", object.name),
                       "begin the name with a letter");

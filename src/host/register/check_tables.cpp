@@ -40,7 +40,7 @@ class TableCheck {
         }
         if (table_.inputs.size() > most_inputs) {
             fault(table_.place, fmt::format("{} has {} inputs", table_.id, table_.inputs.size()),
-                  fmt::format("divide it into tables of at most {} inputs", most_inputs));
+                  fmt::format("divide the table into tables of at most {} inputs", most_inputs));
         }
         check_cells();
         if (faults_.size() == before && table_.complete) {
@@ -55,7 +55,7 @@ class TableCheck {
             cover(0, rows, at);
             if (steps_ > most_steps) {
                 fault(table_.place, fmt::format("{} has too many rows and combinations to be checked", table_.id),
-                      "divide it into several tables");
+                      "divide the table into several tables");
             }
         }
     }

@@ -161,7 +161,7 @@ class TopicCheck {
                           "give the same answer, or give the reason in `overrides = …`");
                 } else if (same_maker(stand, other) && !explained(stand, other, stands)) {
                     fault(stand, fmt::format("{} {} for the same manufacturer", own, choice_of(other)),
-                          "give the same answer, or give the reason in `differs = …` of one of the two");
+                          "give the same answer, or give the reason in `differs = …` of one of the two items");
                 }
             }
         }

@@ -284,7 +284,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
         read_manual_file(item, content.manuals);
     } else if (part.empty()) {
         faults.push_back(
-            {{path, 1}, "the file is in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+            {{path, 1}, "the file is in no known folder", "move the file to manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {

@@ -59,8 +59,9 @@ TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_THAT(write_indices(*loaded.content.part("canopen")),
                 HasSubstr("inline constexpr std::uint32_t error_list = 0x1003U;\n"));
-    EXPECT_THAT(all_faults(load_register(with(items_file, listed))),
-                HasSubstr("items.toml:1: standard object 1003h is in the files of a device; put it into spec/canopen"));
+    EXPECT_THAT(
+        all_faults(load_register(with(items_file, listed))),
+        HasSubstr("items.toml:1: standard object 1003h is in the files of a device; move the object to spec/canopen"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, listed + listed))),
                 HasSubstr("shared.toml:4: standard object 1003h or its name is listed twice"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, "[[standard_object]]\nindex = 0x1003\nname = \"1\"\n"))),

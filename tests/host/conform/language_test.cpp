@@ -162,7 +162,7 @@ TEST_P(ConformBadLine, InvalidLineIsReportedWithItsFix) {
 INSTANTIATE_TEST_SUITE_P(
     Steps, ConformBadLine,
     testing::Values(BadLine{"send 600+N", "write a colon and its bytes"}, BadLine{"send 600+N: 4", "is no byte"},
-                    BadLine{"send 600+N: $x", "say how wide it is"}, BadLine{"read 1017", "is no object"},
+                    BadLine{"send 600+N: $x", "give the width"}, BadLine{"read 1017", "is no object"},
                     BadLine{"write 1017:00 100", "write 1017:00 = 100"},
                     BadLine{"read 1000:01 fails 0609", "eight hexadecimal digits"},
                     BadLine{"silence 580+N", "write silence 580+N for 500 ms"},

@@ -46,7 +46,7 @@ std::string signal(const std::string& rest) {
 const std::string no_columns = "inputs = [\"a\"]\noutputs = [\"b\"]\n";
 
 const std::vector<Broken> requirement_cases{
-    {"UnknownKey", items_file, requirement + "author = \"me\"\n", 7, "the key `author` is unknown", "remove it"},
+    {"UnknownKey", items_file, requirement + "author = \"me\"\n", 7, "the key `author` is unknown", "remove the key"},
     {"ByWhatIsNotThere", items_file, requirement + "by = \"CO-NONE-1\"\n", 7,
      "AO4-R-1 is implemented by CO-NONE-1, which is no shared requirement in force",
      "name a requirement of spec/canopen"},
@@ -71,7 +71,7 @@ const std::vector<Broken> requirement_cases{
     {"DeviceWithCiaOnly", items_file, replaced(requirement, "M1:1", "CiA301:7.2.4"), 4,
      "AO4-R-1 cites no section of a manual", "write `derived = true`"},
     {"ReasonWithoutDerived", items_file, requirement + "reason = \"a bound of the design\"\n", 7,
-     "the key `reason` is unknown", "remove it"},
+     "the key `reason` is unknown", "remove the key"},
     {"SourceWithoutSection", items_file, replaced(requirement, "M1:1", "M1"), 4, "source \"M1\" names no section",
      "write KEY:section"},
     {"SourceOfUnknownManual", items_file, replaced(requirement, "M1:1", "M2:1"), 4,
@@ -196,7 +196,7 @@ const std::vector<Broken> other_cases{
      "add spec/manuals/NAME.toml"},
     {"LimitAbortUnknown", device_file, small_register().at(device_file) + "limit_abort = \"any\"\n", 13,
      "limit_abort = \"any\" is unknown", "use one of range, high_low"},
-    {"FileInNoFolder", "spec/odd/x.toml", "a = 1\n", 1, "the file is in no known folder", "put it into manuals/"},
+    {"FileInNoFolder", "spec/odd/x.toml", "a = 1\n", 1, "the file is in no known folder", "move the file to manuals/"},
     {"FolderWithoutDevice", "spec/devices/lid/items.toml", "", 1, "the device has no device.toml", "write it"},
     {"ReviewOfStranger", "spec/devices/box/reviews.toml",
      "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n", 5,

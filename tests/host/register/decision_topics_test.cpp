@@ -69,7 +69,7 @@ TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
               "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1 "
               "(spec/devices/box/items.toml:7) chooses any for the same manufacturer; give the same answer, or give "
               "the reason "
-              "in `differs = …` of one of the two\n");
+              "in `differs = …` of one of the two items\n");
 }
 
 TEST(DecisionTopics, ReasonAtOneOfTwoDifferentAnswersIsEnough) {

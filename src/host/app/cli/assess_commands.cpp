@@ -138,7 +138,8 @@ class MisraCommand : Command {
         review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
         review->add_option("--by", options_.reviewer, "who judged")->required();
-        review->add_option("--judgement", options_.judgement, "what was examined, and why it complies")->required();
+        review->add_option("--judgement", options_.judgement, "what was examined, and why the file complies")
+            ->required();
         command->callback([this, &chosen] { chosen = [this] { return check_misra(options_); }; });
     }
 
@@ -226,8 +227,8 @@ class MutateCommand : Command {
 class InjectCommand : Command {
   public:
     InjectCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("inject", "turn single bits of a running device's memory, and report what follows");
+        auto* command = app.add_subcommand(
+            "inject", "invert single bits in the memory of a running device, and report the effects");
         command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
         auto* log = command->add_option("LOG", options_.log,
                                         "candump log of frames to the device; default: tests/devices/DEVICE/workload");

@@ -233,7 +233,7 @@ class ConformCommand : Command {
             "build/target/bridged_NAME.elf: the slave's image on an STM32F405 in QEMU, in virtual time");
         command->add_option("--node", options_.node, "node-ID of the slave");
         command->add_option("--bus", options_.bus,
-                            "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
+                            "socketcan:can0 or socketcand-client:127.0.0.1:29536; default: no bus, in virtual time");
         command->add_flag("--list", options_.list, "list all cases");
         command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',')->allow_extra_args(false);
         command->add_option("--skip", options_.skip, "cases or services to leave out")
@@ -242,12 +242,12 @@ class ConformCommand : Command {
         command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--cases", options_.folder, "folder with cases that replace the program's");
+        command->add_option("--cases", options_.folder, "folder with cases that replace those of the program");
         command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
-        command->add_flag("--allow-outputs", options_.allow_outputs, "cases that may move an output");
-        command->add_flag("--allow-store", options_.allow_store, "cases that store parameters");
-        command->add_flag("--allow-lss", options_.allow_lss, "cases that change node-ID or bit rate");
+        command->add_flag("--allow-outputs", options_.allow_outputs, "allow cases that may move an output");
+        command->add_flag("--allow-store", options_.allow_store, "allow cases that store parameters");
+        command->add_flag("--allow-lss", options_.allow_lss, "allow cases that change node-ID or bit rate");
         command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on when the program asks");
         command->add_flag("--no-remote-frames", options_.no_remote_frames,
                           "the adapter carries no remote frames: cases that need them are skipped");

@@ -203,7 +203,7 @@ PanelResponse Panel::get(const PanelRequest& request) const {
     if (request.path == "/stimuli.csv") {
         return {200, "text/csv; charset=utf-8", stimuli_csv()};
     }
-    return error_response(404, "there is no such page");
+    return error_response(404, "there is no such page; use /, /api/panel, /api/state or /stimuli.csv");
 }
 
 PanelResponse Panel::post(const PanelRequest& request) {
@@ -217,7 +217,7 @@ PanelResponse Panel::post(const PanelRequest& request) {
     if (request.path == "/api/frame") {
         return send(body);
     }
-    return error_response(404, "there is no such page");
+    return error_response(404, "there is no such request; use /api/stimulus or /api/frame");
 }
 
 nlohmann::json Panel::description() const {

@@ -66,7 +66,7 @@ TextFault cut_length_code(std::string_view& data, bool& coded) {
     const bool has_eight = data.size() == 2 * max_frame_length || data == "R8" || data == "r8";
     const unsigned value = code.size() == 1 ? digit_of(code.front()) : no_digit;
     if (!has_eight || value <= max_frame_length || value == no_digit) {
-        return fmt::format("`_{}` is no length code from 9 to F behind eight bytes", code);
+        return fmt::format("`_{}` is no length code from 9 to F after eight bytes", code);
     }
     return std::nullopt;
 }

@@ -54,7 +54,7 @@ SocketcandSession::SocketcandSession(std::string name, std::uint64_t epoch_us)
 
 void SocketcandSession::say(const std::string& text) {
     if (output_.size() + text.size() > output_limit) {
-        dropped_ = "it did not read what it was sent";
+        dropped_ = "the client did not read the text that it was sent";
         return;
     }
     output_ += text;
