@@ -45,7 +45,7 @@ def shared():
     """Two devices with one node-ID give a warning."""
     status, _, err = call("run", "cbx-ao412@5", "ax188001@5", "--seconds", "0.05")
     assert status == 0, status
-    assert "warning: node-ID 5 is that of 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
+    assert "warning: node-ID 5 is used by 2 devices: cbx-ao412@5, ax188001@5" in err.splitlines(), err
 
 
 def switches():

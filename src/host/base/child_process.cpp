@@ -68,7 +68,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong != 0) {
-        throw InputError{fmt::format("cannot run {}; build or install it", words.front())};
+        throw InputError{fmt::format("cannot run {0}; build or install {0}", words.front())};
     }
     return process;
 }
@@ -89,7 +89,7 @@ void reap_process(pid_t process) noexcept {
 std::array<int, 2> make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw InputError{"no pipe can be opened; close other programs"};
+        throw InputError{"cannot open a pipe: too many files are open; close other programs"};
     }
     return ends;
 }

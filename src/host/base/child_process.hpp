@@ -12,8 +12,8 @@
 
 namespace canproof::host {
 
-/// Descriptors for a program's standard streams. -1 means /dev/null. `out` receives standard output; with -1, standard
-/// error goes to /dev/null as well.
+/// Descriptors for a program's standard input and output. -1 means /dev/null. When `out` is -1, standard error goes to
+/// /dev/null too; otherwise the program inherits standard error.
 struct Streams {
     int in{-1};
     int out{-1};
@@ -22,7 +22,7 @@ struct Streams {
 
 /// Starts a program. `words` contains the program (a path, or a name to find in PATH) and its arguments.
 /// `more_environment` contains `NAME=value` elements, which override those of this program's environment. Throws
-/// InputError when there is no such program.
+/// InputError when the program cannot be started.
 pid_t start_process(const std::vector<std::string>& words, const std::vector<std::string>& more_environment,
                     Streams streams);
 /// Waits for the end of a process; continues to wait when a signal interrupts the wait. Returns the exit status of the
@@ -34,12 +34,13 @@ int wait_for_process(pid_t process);
 void reap_process(pid_t process) noexcept;
 
 /// Returns the reading and the writing end of a pipe. Started programs do not inherit them. Throws InputError when no
-/// pipe can be made.
+/// pipe can be opened.
 std::array<int, 2> make_pipe();
-/// Reads the next line without its line break. Returns false at the end of the stream.
+/// Reads the next line without its line break. Returns false when nothing is left in the stream.
 bool read_line(std::FILE* from, std::string& line);
 
-/// Runs a program. Returns its standard output; returns nothing when its exit status is not 0.
+/// Runs a program to its end. Returns its standard output; returns nothing when its exit status is not 0. Throws
+/// InputError when the program cannot be started.
 std::optional<std::string> output_of(const std::vector<std::string>& words);
 
 }  // namespace canproof::host

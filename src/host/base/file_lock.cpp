@@ -32,9 +32,8 @@ bool try_lock(int descriptor) {
     return false;
 }
 
-/// Searches /proc/locks for the inode of the file. The inode is the last number of `fe:00:131073`, and 4711 is the
-/// process, in a line such as
-/// `1: FLOCK  ADVISORY  WRITE 4711 fe:00:131073 0 EOF`.
+/// Searches /proc/locks for the inode of the file. In the line `1: FLOCK ADVISORY WRITE 4711 fe:00:131073 0 EOF`,
+/// 131073 is the inode, and 4711 is the process that has locked the file.
 std::string lock_holder(int descriptor) {
     struct stat file {};
     const std::string ending = fstat(descriptor, &file) == 0 ? ":" + std::to_string(file.st_ino) : ":?";

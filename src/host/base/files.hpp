@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens and writes files for the commands. Each function throws InputError with the path and the remedy.
+// Opens and writes files for the commands. Each function throws InputError with the path when it cannot open or write
+// the file.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,8 @@
 namespace canproof::host {
 
 std::ifstream open_input(const std::string& path);
-/// Replaces the whole file, or leaves it unchanged on an error. Creates missing folders.
+/// Replaces the whole file, or leaves it unchanged on an error. Creates missing folders; throws
+/// std::filesystem::filesystem_error when a folder cannot be created.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace canproof::host

@@ -10,8 +10,8 @@ namespace canproof::host {
 /// end.
 std::string one_line(const std::string& text);
 
-/// Returns a text of at most 90 bytes unchanged. Otherwise returns the first words of the text, at most 90 bytes, and
-/// ` …`.
+/// Returns a text of at most 90 bytes unchanged. Otherwise returns the first words of the text, as many as fit in 90
+/// bytes, and ` …`. Does not shorten a text whose first word is longer.
 std::string brief(const std::string& text);
 
 }  // namespace canproof::host

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of `canproof prove`. Both canproof, for its shell completion, and canproof-prove, which it starts, use
-// this list.
+// The options of `canproof prove`. canproof-prove parses them. canproof, which starts canproof-prove, uses the list for
+// its shell completion.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr std::array<ProveOption, 16> prove_options{{
     {"--only", true, "prove only the theorems of this folder below properties/proofs, such as base"},
     {"--proofs", true, "folder with the proof harnesses"},
     {"--theorem", true, "name of the only theorem to prove"},
-    {"--timeout", true, "seconds of processor time for one theorem; its result is `unknown` after that"},
+    {"--timeout", true, "seconds of processor time for one theorem; after this time, the result is `unknown`"},
     {"--jobs", true, "number of processes that run at the same time"},
     {"--json", true, "file to write the results to"},
     {"--out", true, "folder to write the table to, for the evidence pack: build/exhibits/proofs"},

@@ -14,25 +14,25 @@ namespace canproof::host {
 /// Throws std::filesystem::filesystem_error with the message that `path` cannot be written, and the reason in errno.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& path);
 
-/// A temporary file beside a target, which it replaces. The file is locked (flock) before the first byte is written.
-/// The destructor removes it unless it has replaced the target. Every function throws std::system_error with the
-/// target's path on an error.
+/// A temporary file in the folder of a target. replace() or create() gives it the name of the target. The file is
+/// locked (flock) before the first byte is written. The destructor removes the temporary file. Every function throws
+/// std::system_error with the target's path on an error; the constructor also when the existing target is not writable.
 class FileBeside {
   public:
-    /// `target` must be resolved: if it is a symbolic link, the file replaces the link itself.
+    /// `target` should be resolved: if it is a symbolic link, the file replaces the link itself.
     explicit FileBeside(std::filesystem::path target);
     ~FileBeside();
     FileBeside(const FileBeside&) = delete;
     FileBeside& operator=(const FileBeside&) = delete;
 
-    /// Writes the bytes. When it returns, they are on disk.
+    /// Writes the bytes. When the function returns, they are on disk.
     void write(std::string_view bytes);
-    /// Replaces `target` and keeps the permissions of `target`. When it returns, the file is on disk. After an
-    /// exception, the path has the old or the new content.
+    /// Replaces `target` and keeps the permissions of `target`. When the function returns, the file is on disk. After
+    /// an exception, the path has the old or the new content.
     void replace();
-    /// Gives the file the name `target` if no such file exists, and returns true. Otherwise returns false.
+    /// Gives the file the name `target` and returns true. Returns false if a file has this name already.
     bool create();
-    /// Returns the locked file.
+    /// Moves the descriptor of the locked file to the caller.
     Descriptor take() { return std::move(file_); }
 
   private:
@@ -49,8 +49,8 @@ class FileBeside {
 /// time writes `target`.
 void remove_leftovers(const std::filesystem::path& target);
 
-/// Replaces the content of `path`. When it returns, the new content is on disk. Follows a symbolic link, and writes
-/// directly to a device or a FIFO. Throws std::system_error.
+/// Replaces the content of `path`. When the function returns, the new content is on disk. Follows a symbolic link, and
+/// writes directly to a device or a FIFO. Throws std::system_error on an error.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace canproof::host

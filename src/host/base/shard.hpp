@@ -30,7 +30,7 @@ Shard parse_shard(const std::string& text);
 /// message.
 void require_all_shards(const std::vector<Shard>& shards, const std::vector<std::string>& names);
 
-/// Sorts the contents of shards by their members `shard` and `name`.
+/// Sorts elements by the number in their member `shard`, then by their member `name`.
 template <typename Read>
 void sort_shards(std::vector<Read>& all) {
     std::sort(all.begin(), all.end(), [](const Read& a, const Read& b) {
@@ -38,7 +38,8 @@ void sort_shards(std::vector<Read>& all) {
     });
 }
 
-/// Applies require_all_shards() to contents of shards, by their members `shard` and `name`.
+/// Throws InputError unless the elements belong to the shards 1/n to n/n, one to each. An element has the members
+/// `shard` and `name`, its origin.
 template <typename Read>
 void require_all_shards(const std::vector<Read>& all) {
     std::vector<Shard> shards;

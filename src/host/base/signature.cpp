@@ -20,7 +20,7 @@ using Key = std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)>;
 using Context = std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)>;
 using Memory = std::unique_ptr<BIO, decltype(&BIO_free)>;
 
-/// Refuses a key with a password, because the program never asks for one.
+/// Refuses a key with a password, because the program never asks for a password.
 int no_password(char*, int, int, void*) {
     return -1;
 }
@@ -33,7 +33,7 @@ Key key_in(const std::filesystem::path& file, const char* kind, const Read& read
     if (!key) {
         throw InputError{
             fmt::format("{} contains no {} key in PEM without a password; `openssl genpkey -algorithm ed25519` "
-                        "makes a private one, `openssl pkey -pubout` its public one",
+                        "makes a private key, `openssl pkey -pubout` its public key",
                         file.string(), kind)};
     }
     return key;
@@ -64,7 +64,7 @@ std::string sign(const std::string& bytes, const std::filesystem::path& private_
     }
     if (!begun || EVP_DigestSign(context.get(), reinterpret_cast<unsigned char*>(signature.data()), &size,
                                  bytes_of(bytes), bytes.size()) != 1) {
-        throw InputError{fmt::format("the key in {} cannot sign", private_key.string())};
+        throw InputError{fmt::format("the key in {} cannot sign; use an Ed25519, EC or RSA key", private_key.string())};
     }
     signature.resize(size);
     return signature;

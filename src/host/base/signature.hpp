@@ -7,9 +7,9 @@
 
 namespace canproof::host {
 
-/// Returns the signature of the bytes by a private key. RSA and EC keys sign the SHA-256 of the bytes; Ed25519 keys
-/// sign the bytes themselves. Throws InputError when the file contains no private key, a key with a password, or a key
-/// that cannot sign.
+/// Returns the signature of the bytes by a private key. RSA and EC keys sign the SHA-256 of the bytes; Ed25519 and
+/// Ed448 keys sign the bytes themselves. Throws InputError when the file contains no private key, a key with a
+/// password, or a key that cannot sign.
 std::string sign(const std::string& bytes, const std::filesystem::path& private_key);
 
 /// Returns whether the signature of the bytes matches the public key. Throws InputError when the file contains no

@@ -49,8 +49,8 @@ std::optional<Instant> seconds_of(std::string_view text) {
 Instant parse_seconds(const std::string& text, const std::string& where) {
     const std::optional<Instant> time = seconds_of(text);
     if (!time) {
-        throw InputError{
-            fmt::format("{}: `{}` is no time in seconds with up to six decimals; write it as 12.345678", where, text)};
+        throw InputError{fmt::format(
+            "{}: `{}` is no time in seconds with up to six decimals; write a time such as 12.345678", where, text)};
     }
     return *time;
 }

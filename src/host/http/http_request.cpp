@@ -39,7 +39,8 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Returns the number of a name in a query: 12 for `name=12`. Returns 0 when the name is missing.
+/// Returns the number of a name in a query: 12 for `name=12`. Returns 0 when the name is missing or no digits follow
+/// it.
 std::uint64_t number_in(const std::string& query, const std::string& name) {
     std::uint64_t number = 0;
     for (std::size_t begin = 0; begin < query.size();) {
@@ -75,12 +76,14 @@ void HttpRequest::take_character(char one) {
     if (one == '\n') {
         end_line();
     } else if (line_.size() > longest || (line_.size() == longest && one != '\r')) {
-        refuse_with(request_line ? 414 : 431, fmt::format("a line may have at most {} bytes", longest));
+        refuse_with(request_line ? 414 : 431,
+                    fmt::format("a line of the request may have at most {} bytes; send a shorter line", longest));
     } else {
         line_ += one;
     }
     if (head_ >= longest_head && (part_ == Part::request_line || part_ == Part::headers)) {
-        refuse_with(431, fmt::format("all headers together may have at most {} bytes", longest_head));
+        refuse_with(431, fmt::format("request line and headers together may have at most {} bytes; send fewer headers",
+                                     longest_head));
     }
 }
 
@@ -89,7 +92,7 @@ void HttpRequest::end_line() {
         line_.pop_back();
     }
     if (std::any_of(line_.begin(), line_.end(), is_control)) {
-        refuse_with(400, "a line of the request contains control characters");
+        refuse_with(400, "a line of the request contains control characters; send printable characters only");
     } else if (part_ == Part::request_line) {
         read_request_line();
     } else {
@@ -102,7 +105,7 @@ void HttpRequest::read_request_line() {
     const auto first = line_.find(' ');
     const auto second = first == std::string::npos ? first : line_.find(' ', first + 1);
     if (second == std::string::npos || line_.find(' ', second + 1) != std::string::npos) {
-        return refuse_with(400, "the request is not HTTP");
+        return refuse_with(400, "the first line of the request is not of the form `METHOD /PATH HTTP/1.1`");
     }
     const std::string version = line_.substr(second + 1);
     const std::string target = line_.substr(first + 1, second - first - 1);
@@ -110,10 +113,10 @@ void HttpRequest::read_request_line() {
     const bool method = !request_.method.empty() && std::all_of(request_.method.begin(), request_.method.end(),
                                                                 [](char one) { return one >= 'A' && one <= 'Z'; });
     if (!method || target.empty() || target.front() != '/' || !std::all_of(target.begin(), target.end(), is_shown)) {
-        return refuse_with(400, "the request is not HTTP");
+        return refuse_with(400, "the first line of the request is not of the form `METHOD /PATH HTTP/1.1`");
     }
     if (version != "HTTP/1.1" && version != "HTTP/1.0") {
-        return refuse_with(505, "the panel supports HTTP/1.1");
+        return refuse_with(505, "the panel supports HTTP/1.1 and HTTP/1.0; send one of these versions");
     }
     const auto question = std::min(target.find('?'), target.size());
     const std::string query = target.substr(std::min(question + 1, target.size()));
@@ -131,7 +134,7 @@ void HttpRequest::read_header() {
     const auto colon = line_.find(':');
     const auto end_of_name = line_.begin() + static_cast<std::ptrdiff_t>(std::min(colon, line_.size()));
     if (colon == std::string::npos || colon == 0 || !std::all_of(line_.begin(), end_of_name, is_token)) {
-        return refuse_with(400, "a header has no name, or is no line of its own");
+        return refuse_with(400, "a header is not of the form `NAME: VALUE` on one line");
     }
     keep_header(lower(line_.substr(0, colon)), trimmed(line_.substr(colon + 1)));
 }
@@ -143,7 +146,7 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
                                                    {"content-type", &request_.content_type}};
     const auto place = kept.find(name);
     if (name == "transfer-encoding") {
-        return refuse_with(411, "a body in pieces is not supported; send the length of the body");
+        return refuse_with(411, "Transfer-Encoding is not supported; send the body with a Content-Length");
     }
     if (name == "expect") {
         return refuse_with(417, "the header Expect is not supported; send the body at once");
@@ -163,11 +166,11 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
 
 void HttpRequest::read_length(const std::string& value) {
     if (value.empty() || !std::all_of(value.begin(), value.end(), is_digit)) {
-        return refuse_with(400, "the length of the body is not a number");
+        return refuse_with(400, "Content-Length is not a number; send the length of the body in bytes");
     }
     std::from_chars(value.data(), value.data() + std::min(value.size(), longest_number), length_);
     if (value.size() > longest_number || length_ > longest_body) {
-        refuse_with(413, fmt::format("a request may carry at most {} bytes", longest_body));
+        refuse_with(413, fmt::format("the body of a request may have at most {} bytes", longest_body));
     }
 }
 

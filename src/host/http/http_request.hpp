@@ -12,8 +12,8 @@
 
 namespace canproof::host {
 
-/// Parses a request. It stores the headers Host, Origin, Sec-Fetch-Site and Content-Type, each of which may occur once;
-/// other headers have no effect. A body needs a Content-Length: Transfer-Encoding and Expect are refused.
+/// Parses a request. Stores the headers Host, Origin, Sec-Fetch-Site and Content-Type. A body needs a Content-Length.
+/// Each of these five headers may occur once. Refuses Transfer-Encoding and Expect; all other headers have no effect.
 class HttpRequest {
   public:
     static constexpr std::size_t longest_request_line = 2048;
@@ -27,7 +27,7 @@ class HttpRequest {
     /// Returns the parsed request. It is complete when is_done() returns true and there is no refusal.
     const PanelRequest& request() const { return request_; }
     const std::optional<PanelResponse>& refusal() const { return refusal_; }
-    /// Returns the number of buffered bytes.
+    /// Returns how many bytes of the current line and of the body are buffered.
     std::size_t held() const { return line_.size() + request_.body.size(); }
 
   private:

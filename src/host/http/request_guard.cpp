@@ -37,25 +37,28 @@ PanelResponse error_response(int status, const std::string& text) {
 
 std::optional<PanelResponse> refuse(const PanelRequest& request) {
     if (!is_this_machine(request.host)) {
-        return error_response(403, "the panel answers to 127.0.0.1 and localhost only");
+        return error_response(
+            403, "the panel answers requests to 127.0.0.1, localhost and [::1] only; open it under one of these names");
     }
     if (request.method == "GET" || request.method == "HEAD") {
         return std::nullopt;
     }
     if (request.method != "POST") {
-        return error_response(405, "the panel accepts GET and POST");
+        return error_response(405, "the panel accepts GET, HEAD and POST only");
     }
     if (!request.origin.empty() && request.origin != "http://" + request.host) {
-        return error_response(403, "only the panel's own page may change something");
+        return error_response(
+            403, "the request comes from a page of another site; only the panel's own page may change something");
     }
     if (!request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none") {
-        return error_response(403, "only the panel's own page may change something");
+        return error_response(
+            403, "the request comes from a page of another site; only the panel's own page may change something");
     }
     if (!is_json(request.content_type)) {
         return error_response(415, "the body is not of the type application/json; send JSON");
     }
     if (request.body.size() > longest_body) {
-        return error_response(413, fmt::format("a request may carry at most {} bytes", longest_body));
+        return error_response(413, fmt::format("the body of a request may have at most {} bytes", longest_body));
     }
     return std::nullopt;
 }

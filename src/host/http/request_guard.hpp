@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides who may access the panel: the panel's own page, and programs on this machine. A page of another site may not,
-// even if the name of that site resolves to this machine (DNS rebinding).
+// Decides who may access the panel: the panel's own page, and programs on this machine. A page of another site may not
+// access it, even if the name of that site resolves to this machine (DNS rebinding).
 #pragma once
 
 #include <cstdint>
@@ -31,13 +31,13 @@ struct PanelResponse {
 /// Greatest number of bytes in the body of a request.
 constexpr std::size_t longest_body = 4096;
 
-/// Returns the response that refuses a request because of its origin or content; nothing when the request may be
-/// answered.
-/// Every request needs a Host that names this machine. A request that changes something must also meet these
-/// conditions:
-/// - an Origin, if there is one, is equal to the requested host;
+/// Returns the response that refuses a request because of its host, method, origin or content; nothing when the request
+/// may be answered. Every request needs a Host that names this machine. Its method must be GET, HEAD or POST. A POST
+/// can change something; it must also meet these conditions:
+/// - an Origin, if there is one, is `http://` and the value of Host;
+/// - Sec-Fetch-Site, if there is one, is `same-origin` or `none`;
 /// - the content type is JSON, which a foreign page cannot send without permission;
-/// - the body is not too long.
+/// - the body has at most longest_body bytes.
 std::optional<PanelResponse> refuse(const PanelRequest& request);
 
 /// Returns a response with the body `{"error": …}`.

@@ -48,8 +48,8 @@ std::set<std::string> names_of_place(const Manual& manual, const std::string& pl
     return names;
 }
 
-/// Returns whether one of the sources in the manual `key` is one of the places, a section above it or a section below
-/// it.
+/// Returns whether one of the sources in the manual `key` is one of the places, or a section above or below one of the
+/// places.
 bool cites(const Sources& sources, const std::string& key, const std::set<std::string>& places) {
     for (const auto& source : sources) {
         if (source.rfind(key + ":", 0) != 0) {
@@ -71,8 +71,9 @@ void advise_on_statements(const Register& content, Faults& advice) {
         for (const Statement& statement : manual.statements) {
             const std::string id = statement.id(manual.key);
             if (statement.is_open()) {
-                advice.emplace_back(statement.place, fmt::format("{} has neither `covered` nor `reason`", id),
-                                    "name the items that cover it, or give the reason why none does");
+                advice.emplace_back(
+                    statement.place, fmt::format("{} has neither `covered` nor `reason`", id),
+                    "name in `covered` the items that cover the statement, or give in `reason` why no item covers it");
             }
             const auto places = names_of_place(manual, statement.section);
             const auto is_cited = [&](const std::string& item) {
@@ -82,7 +83,7 @@ void advise_on_statements(const Register& content, Faults& advice) {
             if (!statement.covered.empty() &&
                 std::none_of(statement.covered.begin(), statement.covered.end(), is_cited)) {
                 advice.emplace_back(statement.covered_place,
-                                    fmt::format("no item that covers {} names {} as its source ({})", id,
+                                    fmt::format("no item that covers {} names {} as its source (items: {})", id,
                                                 statement.section, fmt::join(statement.covered, ", ")),
                                     "add the place to the source of one item, or name an item that has this source");
             }
@@ -136,7 +137,7 @@ void advise_on_requirements(const Register& content, Faults& advice) {
                 advice.emplace_back(requirement.place,
                                     fmt::format("{} demands several things: {} sentence(s), \"shall\" {} time(s)",
                                                 requirement.id, found.sentences, found.shalls),
-                                    "make one requirement of each");
+                                    "write one requirement for each demand");
             }
         }
     }

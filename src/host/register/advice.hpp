@@ -8,8 +8,9 @@ namespace canproof::host {
 
 /// Returns the warnings, ascending by file and line. None of them prevents a build:
 /// - a statement with neither `covered` nor `reason`, which the audit reports as a gap;
-/// - a statement whose place in the manual no covering item names as its source; a section above or below it counts;
-/// - a requirement in force that demands several things: it has more than one "shall", or several sentences.
+/// - a statement when none of its covering items names the statement's place, or a section above or below it, as
+/// source;
+/// - a requirement of this project in force that demands several things: with several "shall", or several sentences.
 Faults advice_on(const Register& content);
 
 }  // namespace canproof::host

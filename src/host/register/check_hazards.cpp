@@ -40,7 +40,8 @@ class HazardCheck {
         for (const auto& signal : part.signals) {
             if (!part.hazards.empty() && !signal.input && named.count(signal.id) == 0) {
                 faults_.push_back({signal.place, fmt::format("no hazard names the output {}", signal.id),
-                                   "write a [[hazard]] with it in `at`, or add it to one"});
+                                   "write a [[hazard]] that names the output in `at`, or add the output to the `at` of "
+                                   "another hazard"});
             }
         }
     }

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Adds the faults of all hazards. A device without any hazard gets no fault.
+/// Adds the faults of all hazards. A device without any hazard gets no faults for its outputs.
 void check_hazards(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -48,7 +48,9 @@ class LimitCheck {
 
     void check(const Entry& entry) {
         if (type_size(entry.type) == 0 || type_size(entry.type) > 4) {
-            fault(entry.range.place, fmt::format("of type {} cannot have a range", entry.type), "remove range");
+            fault(entry.range.place,
+                  fmt::format("of type {} cannot have a range, because only types of 1 to 4 bytes can", entry.type),
+                  "remove range");
             return;
         }
         check_values(entry);
@@ -56,7 +58,7 @@ class LimitCheck {
         const End high = end(entry, entry.range.maximum);
         if (low.value && high.value && *low.value > *high.value) {
             fault(entry.range.place, fmt::format("minimum ({}) exceeds its maximum ({})", low.words, high.words),
-                  "lower the one or raise the other");
+                  "lower the minimum or raise the maximum");
             return;
         }
         check_default(entry, low, high);
@@ -72,13 +74,13 @@ class LimitCheck {
         const bool ends =
             entry.range.minimum.kind != Limit::Kind::none || entry.range.maximum.kind != Limit::Kind::none;
         if (ends && !entry.range.values.empty()) {
-            fault(entry.range.place, "has both limits and a list of values", "keep one of the two");
+            fault(entry.range.place, "has both limits and a list of values", "remove the limits or the list");
         }
         const auto least = number_of(entry.range.minimum.number);
         const bool above_zero = entry.range.minimum.kind == Limit::Kind::number && least && *least > 0.0;
         if (entry.range.zero && (!above_zero || is_real_type(entry.type))) {
             fault(entry.range.place, "allows 0 besides its range, which has no whole number above 0 as minimum",
-                  "remove zero or give such a min");
+                  "remove `zero`, or write a `min` above 0");
         }
     }
 
@@ -93,18 +95,18 @@ class LimitCheck {
         const std::string text = (entry.node_id ? "$NODEID+" : "") + to_text(entry.value);
         if (high.value && *given > *high.value) {
             fault(entry.default_place, fmt::format("default {} exceeds its limit ({})", text, high.words),
-                  fmt::format("lower it or raise {}", high.fix));
+                  fmt::format("lower the default or raise {}", high.fix));
         }
         const bool off = entry.range.zero && *given == 0.0;
         if (low.value && *given < *low.value && !off) {
             fault(entry.default_place, fmt::format("default {} is below its limit ({})", text, low.words),
-                  fmt::format("raise it or lower {}", low.fix));
+                  fmt::format("raise the default or lower {}", low.fix));
         }
         const auto& values = entry.range.values;
         const auto same = [&](const Value& value) { return number_of(value) == given; };
         if (!values.empty() && std::none_of(values.begin(), values.end(), same)) {
-            fault(entry.default_place, fmt::format("default {} is not among the values allowed", text),
-                  "use one of them or add it");
+            fault(entry.default_place, fmt::format("default {} is not among the allowed values", text),
+                  "use an allowed value, or add the default to the allowed values");
         }
     }
 
@@ -139,7 +141,7 @@ class LimitCheck {
         }
         const Entry& other = *found->second;
         if (other.type != entry.type) {
-            fault(limit.place, fmt::format("({}) is limited by {} ({})", entry.type, name, other.type),
+            fault(limit.place, fmt::format("of type {} is limited by {} of type {}", entry.type, name, other.type),
                   "name an object of the same type");
             return {};
         }

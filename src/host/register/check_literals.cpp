@@ -50,11 +50,11 @@ class LiteralCheck {
         }
         if (!is_cpp_name(name)) {
             fault(item.place, fmt::format("{} name {} is no C++ name", item.id, name),
-                  "use letters, digits and underscores, and no keyword");
+                  "use letters, digits and underscores, begin with a letter, and use no C++ keyword");
         }
         if (const auto [at, fresh] = taken.emplace(name, item.place.line); !fresh) {
             fault(item.place, fmt::format("{} name {} is taken in line {}", item.id, name, at->second),
-                  "give each its own name");
+                  "give each item its own name");
         }
     }
 
@@ -76,12 +76,13 @@ class LiteralCheck {
         std::set<std::string> words;
         for (const auto& [word, number] : enumeration.values) {
             if (!numbers.insert(number).second) {
-                fault(enumeration.place, fmt::format("{} gives {} to two words", enumeration.id, number),
+                fault(enumeration.place, fmt::format("{} gives the number {} to two words", enumeration.id, number),
                       "give each word its own number");
             }
             if (snake_case(word).empty() || !words.insert(snake_case(word)).second) {
-                fault(enumeration.place, fmt::format("{} has no single C++ name for \"{}\"", enumeration.id, word),
-                      "give each word a name of letters and digits that no other has");
+                fault(enumeration.place,
+                      fmt::format("{} has no C++ name of its own for the word \"{}\"", enumeration.id, word),
+                      "use words that differ in their letters and digits");
             }
             if (number < INT32_MIN || number > std::int64_t{UINT32_MAX}) {
                 fault(enumeration.place, fmt::format("{} gives {} to {}", enumeration.id, number, word),
@@ -106,13 +107,13 @@ class LiteralCheck {
             return;
         }
         if (signal.type != "BOOLEAN" && (!signal.minimum || !signal.maximum)) {
-            fault(signal.place, fmt::format("{} has no range", signal.id), "give it min and max");
+            fault(signal.place, fmt::format("{} has no range", signal.id), "give the signal `min` and `max`");
             return;
         }
         if (signal.minimum && signal.maximum && *signal.minimum > *signal.maximum) {
             fault(signal.place,
                   fmt::format("{} minimum {} exceeds its maximum {}", signal.id, *signal.minimum, *signal.maximum),
-                  "exchange them");
+                  "exchange the minimum and the maximum");
             return;
         }
         const double value = number_of(signal.value).value_or(0.0);

@@ -30,9 +30,9 @@ class NameCheck {
     }
 
     void check_tables() {
-        std::map<std::string, std::string> taken{{"tables", "the compiler"},  {"field", "the compiler"},
-                                                 {"index", "the compiler"},   {"error", "the compiler"},
-                                                 {"profile", "the compiler"}, {"compiled", "the compiler"}};
+        std::map<std::string, std::string> taken{{"tables", "the generated code"},  {"field", "the generated code"},
+                                                 {"index", "the generated code"},   {"error", "the generated code"},
+                                                 {"profile", "the generated code"}, {"compiled", "the generated code"}};
         for (const Constant& constant : part_.constants) {
             taken.emplace(constant.name, constant.id);
         }
@@ -53,7 +53,7 @@ class NameCheck {
         const auto found = std::find_if(table.inputs.begin(), table.inputs.end(), is_it);
         if (!table.errors.empty() &&
             (found == table.inputs.end() || found->kind != Column::Kind::words || !found->enumeration.empty())) {
-            fault(table.place, fmt::format("{} errors {} is no input of words", table.id, table.errors),
+            fault(table.place, fmt::format("{} errors {} is no input column of words", table.id, table.errors),
                   "name an input column that has its own words");
         }
     }
@@ -64,13 +64,13 @@ class NameCheck {
         for (const StandardObject& object : part_.standard_objects) {
             if (part_.is_device()) {
                 fault(object.place, fmt::format("standard object {:04X}h is in the files of a device", object.index),
-                      "put it into spec/canopen, or write [[object]]");
+                      "move the object to spec/canopen, or write [[object]]");
             } else if (!is_cpp_name(snake_case(object.name))) {
                 fault(object.place, fmt::format("standard object name \"{}\" makes no C++ name", object.name),
-                      "begin it with a letter");
+                      "begin the name with a letter");
             } else if (!indices.insert(object.index).second || !names.insert(snake_case(object.name)).second) {
                 fault(object.place, fmt::format("standard object {:04X}h or its name is listed twice", object.index),
-                      "keep one");
+                      "keep one of the two");
             }
         }
     }

@@ -36,11 +36,11 @@ void check_subindices(const Object& object, Faults& faults) {
     if (mapping && object.entries.size() > most_mapping_entries + 1) {
         faults.push_back({object.place,
                           fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
-                          "a PDO carries at most 64"});
+                          "remove entries: a PDO maps at most 64"});
     }
 }
 
-/// An object of CiA 301, 7.5.2, with its fixed object code.
+/// A range of objects in CiA 301, 7.5.2, and the object code that CiA 301 gives them.
 struct FixedKind {
     unsigned first;
     unsigned last;
@@ -78,7 +78,7 @@ void check_use(const Object& object, const Entry& entry, Faults& faults) {
         fault("is a REAL64, which no service of the firmware supports", "use REAL32");
     }
     if (entry.length > 0 && !is_string_type(entry.type)) {
-        fault(fmt::format("has a length, but {} has its own", entry.type), "remove length");
+        fault(fmt::format("has a length, but the type {} fixes it", entry.type), "remove length");
     }
     if (entry.mapping != "none" && !sized) {
         fault(fmt::format("of type {} cannot be mapped", entry.type), "set mapping = \"none\"");
@@ -105,7 +105,7 @@ void check_string(const std::string& where, const Entry& entry, Faults& faults) 
     } else if (text->size() > entry.length) {
         faults.push_back({entry.default_place,
                           fmt::format("{} default has {} bytes, its length is {}", where, text->size(), entry.length),
-                          "shorten it or raise length"});
+                          "shorten the default or raise `length`"});
     }
 }
 
@@ -121,7 +121,7 @@ void check_default(const Object& object, const Entry& entry, Faults& faults) {
         check_string(where, entry, faults);
     } else if (!given) {
         faults.push_back({entry.default_place, fmt::format("{} has no default", where),
-                          fmt::format("give one: {}", type_words(entry.type))});
+                          fmt::format("write `default`: {}", type_words(entry.type))});
     } else if (!fits_type(entry.value, entry.type)) {
         faults.push_back({entry.default_place,
                           fmt::format("{} default {} is no {}", where, to_text(entry.value), entry.type),
@@ -139,7 +139,7 @@ void check_image_size(const Part& part, Faults& faults) {
             faults.push_back(
                 {object.place,
                  fmt::format("with {:04X}h the dictionary of {} has {} bytes", object.index, part.name, bytes),
-                 "shorten arrays or strings: an image has at most 65535"});
+                 "shorten arrays or strings: a dictionary has at most 65535 bytes"});
             return;
         }
     }

@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Adds the faults in types, defaults, limits and sub-indices of one part's objects.
+/// Adds the faults in object codes, sub-indices, types, defaults and limits of one part's objects, and in their total
+/// size.
 void check_objects(const Part& part, Faults& faults);
 
 }  // namespace canproof::host

@@ -85,7 +85,7 @@ class ReferenceCheck {
         }
         if (!part.has_device_file) {
             fault({"spec/devices/" + part.name + "/device.toml", 1}, "the device has no device.toml",
-                  "write it (spec/README.md, device.toml)");
+                  "write one; spec/README.md describes the file");
         } else {
             if (!part.info.manual.empty() && content_.manual(part.info.manual) == nullptr) {
                 fault(part.info.manual_place, fmt::format("manual {} is not registered", part.info.manual),
@@ -122,18 +122,18 @@ class ReferenceCheck {
         }
     }
 
-    /// Checks the origin of an item. An item of a device must name a section of the device's manual as its source, or
-    /// be derived with a reason; it must not do both.
+    /// Checks the origin of an item. An item of a device must name a section of a manual as its source, or be derived
+    /// with a reason. No item may do both. The documents of CiA do not count as manuals.
     void check_origin(const Part& part, const Item& item) {
         const bool cites_manual = std::any_of(item.sources.begin(), item.sources.end(),
                                               [](const std::string& one) { return one.rfind("CiA", 0) != 0; });
         if (!item.derived.empty() && cites_manual) {
             fault(item.source_place, fmt::format("{} is derived and cites a manual", item.id),
-                  "remove the section if it does not contain this, otherwise remove `derived`");
+                  "remove the source if the section does not contain the item, otherwise remove `derived`");
         }
         if (part.is_device() && item.derived.empty() && !item.sources.empty() && !cites_manual) {
             fault(item.source_place, fmt::format("{} cites no section of a manual", item.id),
-                  "add the section that contains it, or write `derived = true` with `reason = …`");
+                  "add the section that contains the item, or write `derived = true` with `reason = …`");
         }
     }
 
@@ -162,7 +162,8 @@ class ReferenceCheck {
         }
     }
 
-    /// Checks that the requirement in `by` is a shared requirement in force.
+    /// Checks that the requirement in `by` is a shared requirement in force, and that only a device's requirement has
+    /// `by`.
     void check_by(const Part& part, const Requirement& requirement) {
         if (requirement.by.empty()) {
             return;
@@ -177,7 +178,7 @@ class ReferenceCheck {
             fault(requirement.by_place,
                   fmt::format("{} is implemented by {}, which is no shared requirement in force", requirement.id,
                               requirement.by),
-                  "name a requirement of spec/canopen, at a requirement of a device");
+                  "name a requirement of spec/canopen; write `by` in requirements of devices only");
         }
     }
 

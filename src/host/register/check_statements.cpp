@@ -47,9 +47,9 @@ class StatementCheck {
   private:
     void check_section(const Manual& manual, const Statement& statement, const std::set<std::string>& refs) {
         if (!statement.section.empty() && refs.count(statement.section) == 0) {
-            faults_.emplace_back(statement.section_place,
-                                 fmt::format("{} has no section {}", manual.key, statement.section),
-                                 fmt::format("correct it, or add {} to {}", statement.section, manual.place.file));
+            faults_.emplace_back(
+                statement.section_place, fmt::format("{} has no section {}", manual.key, statement.section),
+                fmt::format("correct the section, or add {} to {}", statement.section, manual.place.file));
         }
     }
 
@@ -74,7 +74,7 @@ class StatementCheck {
                                      fix);
             };
             if (!seen.insert(item).second) {
-                fault("which it names twice", "name it once");
+                fault("which `covered` names twice", "name the item once");
             } else if (found == known_.end()) {
                 fault("which does not exist", "correct the id or remove it");
             } else if (found->second.retired) {

@@ -18,8 +18,8 @@ constexpr std::size_t most_inputs = 32;
 /// Greatest number of steps of the check. No table of the register needs a tenth of it.
 constexpr std::size_t most_steps = 4000000;
 
-/// Checks one decision table. Inputs become small whole numbers: words and booleans their position, integers their
-/// value.
+/// Checks one decision table. Divides the values of each input into pieces, so that a row matches a piece completely or
+/// not at all. Each combination of pieces must match exactly one row.
 class TableCheck {
   public:
     TableCheck(const Register& content, const Part& part, Table& table, Faults& faults)
@@ -40,7 +40,7 @@ class TableCheck {
         }
         if (table_.inputs.size() > most_inputs) {
             fault(table_.place, fmt::format("{} has {} inputs", table_.id, table_.inputs.size()),
-                  fmt::format("divide it into tables of at most {} inputs", most_inputs));
+                  fmt::format("divide the table into tables of at most {} inputs", most_inputs));
         }
         check_cells();
         if (faults_.size() == before && table_.complete) {
@@ -55,7 +55,7 @@ class TableCheck {
             cover(0, rows, at);
             if (steps_ > most_steps) {
                 fault(table_.place, fmt::format("{} has too many rows and combinations to be checked", table_.id),
-                      "divide it into several tables");
+                      "divide the table into several tables");
             }
         }
     }
@@ -86,7 +86,7 @@ class TableCheck {
     void check_column(const Column& column, bool input) {
         if (!column.name.empty() && !is_cpp_name(column.name)) {
             fault(column.place, fmt::format("{} column {} is no C++ name", table_.id, column.name),
-                  "use letters, digits and underscores, and no keyword");
+                  "use letters, digits and underscores, begin with a letter, and use no C++ keyword");
         }
         if (!column.type.empty() && (!is_known_type(column.type) || type_size(column.type) == 0)) {
             fault(column.place,
@@ -95,7 +95,8 @@ class TableCheck {
         }
         if (!column.type.empty() && (input || !column.enumeration.empty())) {
             fault(column.place, fmt::format("{} column {} must not have a type", table_.id, column.name),
-                  input ? "remove type: an input takes it from its domain" : "keep type or enumeration, not both");
+                  input ? "remove `type`: the cells of an input determine its type"
+                        : "keep `type` or `enumeration`, not both");
         }
         if (input && column.kind == Column::Kind::reals) {
             fault(column.place, fmt::format("{} input {} is a REAL32", table_.id, column.name),
@@ -106,8 +107,9 @@ class TableCheck {
             if (column.kind == Column::Kind::words &&
                 (snake_case(word).empty() || !words.insert(snake_case(word)).second)) {
                 fault(column.place,
-                      fmt::format("{} column {} has no single C++ name for \"{}\"", table_.id, column.name, word),
-                      "give each word a name of letters and digits that no other has");
+                      fmt::format("{} column {} has no C++ name of its own for the word \"{}\"", table_.id, column.name,
+                                  word),
+                      "use words that differ in their letters and digits");
             }
         }
     }
@@ -164,8 +166,8 @@ class TableCheck {
         }
     }
 
-    /// Divides column `i` into pieces in which every row either matches or does not. For each piece, checks the next
-    /// column with the matching rows.
+    /// Checks all pieces of input column `i` with `rows`, the rows that match in the columns before it. For each piece,
+    /// checks the next column with the rows that match the piece too. `at` describes the pieces so far.
     void cover(std::size_t i, const std::vector<std::size_t>& rows, std::vector<std::string>& at) {
         if (i == table_.inputs.size()) {
             judge(rows, at);
@@ -195,12 +197,13 @@ class TableCheck {
         ++told_;
         const std::string combination = fmt::format("{}", fmt::join(at, ", "));
         if (rows.empty()) {
-            fault(table_.place, fmt::format("{} has a gap: no row for {}", table_.id, combination), "add a row for it");
+            fault(table_.place, fmt::format("{} has a gap: no row for {}", table_.id, combination),
+                  "add a row for this combination");
         } else {
             fault(table_.rows[rows[1]].place,
                   fmt::format("{} has an overlap: {} is covered by line {} too", table_.id, combination,
                               table_.rows[rows[0]].place.line),
-                  "change the rows so that only one covers it");
+                  "change the rows so that only one covers this combination");
         }
     }
 

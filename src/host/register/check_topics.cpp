@@ -129,7 +129,7 @@ class TopicCheck {
 
     void check_service(const std::string& topic, const Stand& stand) {
         if (!stand.part->is_device()) {
-            fault(stand, fmt::format("{} is shared and has no {}", stand.first().id, topic),
+            fault(stand, fmt::format("{} is a shared item and cannot answer topic {}", stand.first().id, topic),
                   "leave this topic to the devices");
             return;
         }
@@ -161,7 +161,7 @@ class TopicCheck {
                           "give the same answer, or give the reason in `overrides = …`");
                 } else if (same_maker(stand, other) && !explained(stand, other, stands)) {
                     fault(stand, fmt::format("{} {} for the same manufacturer", own, choice_of(other)),
-                          "give the same answer, or give the reason in `differs = …` of one of the two");
+                          "give the same answer, or give the reason in `differs = …` of one of the two items");
                 }
             }
         }
@@ -208,7 +208,7 @@ class TopicCheck {
     /// Whether the register contains the decisions of devices. The register embedded in the program does not contain
     /// them, so missing answers are no faults there.
     bool whole_{false};
-    /// whether the shared rules come with an installed canproof, so that their answers need not concern this project
+    /// whether the shared rules come with an installed canproof; this project then need not answer their topics
     bool inherits_{false};
 };
 

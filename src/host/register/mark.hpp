@@ -9,7 +9,8 @@
 namespace canproof::host {
 
 /// A mark such as `132:3f9a0c1b2d4e`. It consists of the number of ASCII letters and digits in a passage, and of the
-/// first 12 hexadecimal digits of their SHA-256 in lower case. Layout, punctuation and other characters do not count.
+/// first 12 hexadecimal digits of the SHA-256 of these characters. Capital letters are converted to lower case first.
+/// Layout, punctuation and other characters do not count.
 struct Mark {
     static constexpr std::size_t longest = 99999;
     static constexpr std::size_t hash_digits = 12;

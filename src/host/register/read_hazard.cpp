@@ -17,7 +17,7 @@ Hazard::Failure read_failure(TomlItem& item) {
     failure.reason = item.text_or("reason", "");
     if (failure.prevented_by.empty() == failure.reason.empty()) {
         item.fault("a failure needs `prevented_by` or `reason`, and not both",
-                   "name the requirements that prevent it, or give the reason why none does");
+                   "name the requirements that prevent the failure, or give the reason why no requirement does");
     }
     item.finish();
     return failure;

@@ -7,9 +7,10 @@
 
 namespace canproof::host {
 
-/// Reads the id of an item and checks its form.
+/// Reads the id of an item and the place of the id. check_references() checks the form of the id.
 void read_id(TomlItem& item, Item& into);
-/// Reads the fields `text` and `source`. If `text_required`, an item without text is a fault.
+/// Reads the fields `text`, `source`, `derived` and `reason`. If `text_required`, an item without text is a fault. An
+/// item without a source is a fault unless it is derived; a derived item needs a reason.
 void read_common(TomlItem& item, Item& into, bool text_required);
 
 }  // namespace canproof::host

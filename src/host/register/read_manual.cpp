@@ -23,10 +23,10 @@ Section read_section(TomlItem& item) {
     section.conditions = item.texts("conditions", false);
     if (disposition == "condition-of-use" && section.conditions.empty()) {
         item.fault(fmt::format("section {} gives no condition of use", section.ref),
-                   "add `conditions = [\"…\"]`, or give it another disposition");
+                   "add `conditions = [\"…\"]`, or give the section another disposition");
     } else if (disposition == "informative" && section.reason.empty()) {
         item.fault(fmt::format("informative section {} gives no reason", section.ref),
-                   "add `reason = …` or call it normative");
+                   "add `reason = …`, or make the section normative");
     }
     item.finish();
     return section;
@@ -77,8 +77,8 @@ Statement read_statement(TomlItem& item) {
     statement.covered_place = item.place("covered");
     statement.reason = item.text_or("reason", "");
     if (!statement.covered.empty() && !statement.reason.empty()) {
-        item.fault("a statement has `covered` or `reason`, and not both",
-                   "name the items that cover it, or give the reason why none does");
+        item.fault("a statement has both `covered` and `reason`",
+                   "keep `covered` if items cover the statement, otherwise keep `reason`");
     }
     item.finish();
     return statement;
@@ -106,7 +106,8 @@ void read_manual_file(TomlItem& item, std::vector<Manual>& manuals) {
     }
     Manual* manual = manual_of(item.file(), manuals);
     if (manual == nullptr) {
-        item.fault("the folder belongs to no manual", "name it as its manual's file: spec/manuals/NAME.toml, NAME/");
+        item.fault("the folder belongs to no manual",
+                   "give the folder the name of the manual's file: spec/manuals/NAME/ beside spec/manuals/NAME.toml");
     }
     for (TomlItem& one : item.items("statement")) {
         Statement statement = read_statement(one);

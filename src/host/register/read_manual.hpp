@@ -16,7 +16,7 @@ inline const std::string manuals_folder = "spec/manuals/";
 /// of the manual must be read first.
 void read_manual_file(TomlItem& item, std::vector<Manual>& manuals);
 
-/// Numbers the statements of each section, table, figure and object in reading order.
+/// Numbers the statements of each section, table, figure and object from 1, in the order in which they were read.
 void number_statements(std::vector<Manual>& manuals);
 
 }  // namespace canproof::host

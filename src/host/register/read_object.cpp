@@ -180,7 +180,7 @@ std::vector<std::string> read_element_names(TomlItem& item, const std::string& o
     std::vector<std::string> names = item.texts("element", true);
     if (names.size() != count) {
         item.fault(item.place("element"), fmt::format("element lists {} names for {} elements", names.size(), count),
-                   "give one name for all or one an element");
+                   "give one name for all elements, or one name for each element");
         names.resize(count, object);
     }
     return names;
@@ -196,7 +196,7 @@ std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std
     }
     if (list->size() != count) {
         item.fault(item.place("range"), fmt::format("range lists {} ranges for {} elements", list->size(), count),
-                   "give one range for all or one an element");
+                   "give one range for all elements, or one range for each element");
     }
     for (std::size_t i = 0; i < std::min(count, list->size()); ++i) {
         const toml::node& one = *list->get(i);
@@ -219,7 +219,7 @@ void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t c
     const auto list = defaults == nullptr ? nullptr : defaults->as_array();
     if (list != nullptr && list->size() != count) {
         item.fault(item.place("default"), fmt::format("default lists {} values for {} elements", list->size(), count),
-                   "give one value for all or one an element");
+                   "give one value for all elements, or one value for each element");
     }
     for (std::size_t sub = 1; sub <= count; ++sub) {
         Entry entry = pattern;
@@ -285,7 +285,7 @@ void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
         Entry entry = read_entry_fields(sub);
         entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
         if (object.alike && entry.subindex != 0) {
-            sub.fault(sub.place("sub"), fmt::format("an array lists entry {}", entry.subindex),
+            sub.fault(sub.place("sub"), fmt::format("an object with `array` also lists entry {}", entry.subindex),
                       "list entry 0 only, or list all entries without `array`");
         }
         entry.name = numbered(sub.text("name"), member.n);
@@ -313,8 +313,8 @@ void add_sub_zero(Object& object) {
     });
 }
 
-/// Reads the field `kind`, the object code of CiA 301. Entries that could form either an array or a record need it;
-/// without it, the kind is `usual`.
+/// Returns the object code of CiA 301 in the field `kind`, which is "array" or "record". Returns `usual` when the field
+/// is missing. Adds a fault for any other word.
 Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
     const std::string word = item.text_or("kind", usual == Object::Kind::array ? "array" : "record");
     if (word != "array" && word != "record") {
@@ -371,7 +371,7 @@ std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
     const bool has_index = item.faults().size() == before_index;
     if (base + (last - first) * step > 0xFFFF) {
         item.fault(item.place("repeat"), fmt::format("family reaches index {:X}h", base + (last - first) * step),
-                   "lower last or step: an index ends at FFFFh");
+                   "lower `last` or `step`: the greatest index is FFFFh");
         last = first;
     }
     check_family_default(item, Member{first, first, last});

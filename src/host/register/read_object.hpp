@@ -10,7 +10,8 @@
 
 namespace canproof::host {
 
-/// Reads one [[object]]. Returns a list, because with `repeat` it describes one object for each n.
+/// Reads one [[object]]. Returns one object or, if the [[object]] has `repeat`, one object for each number of the
+/// family.
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix);
 
 }  // namespace canproof::host

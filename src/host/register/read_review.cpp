@@ -30,7 +30,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
     const std::string by = item.text("by");
     const std::string role = item.text_or("role", "");
     if (!role.empty() && role != "author" && role != "independent") {
-        item.fault(fmt::format("role is `{}`", role), "write `author` (of the change) or `independent`");
+        item.fault(fmt::format("role `{}` is unknown", role), "write `author` (of the change) or `independent`");
     }
     const std::string marked = item.text_or("marked", "");
     if (auto items = item.item("items")) {
@@ -44,7 +44,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
             review.marked = marked;
             review.place = place;
             if (!reviews.emplace(id, review).second) {
-                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later one");
+                item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later review");
             }
         }
     } else {

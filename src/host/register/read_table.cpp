@@ -90,7 +90,8 @@ Cell read_cell(const toml::node& node) {
     return cell;
 }
 
-/// Determines the kind of a column from its values and, for words, also its domain.
+/// Determines the kind of a column from its cells. If the column lists no words or limits, also takes these from the
+/// cells.
 void infer(Column& column, const Table& table, std::size_t at) {
     bool words = !column.words.empty() || !column.enumeration.empty();
     bool booleans = false;
@@ -154,7 +155,7 @@ Table read_table(TomlItem& item) {
             if (cells == nullptr || cells->size() != width) {
                 item.fault(row.place,
                            fmt::format("row of {} has {} cells", table.id, cells == nullptr ? 0 : cells->size()),
-                           fmt::format("write {}: one for each input and output", width));
+                           fmt::format("write {} cells: one for each input and output", width));
                 table.complete = false;
                 continue;
             }

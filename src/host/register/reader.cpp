@@ -29,7 +29,7 @@ void read_device(TomlItem& item, Part& part) {
     info.place = item.place();
     const std::string name = item.text("name");
     if (name != part.name) {
-        item.fault(item.place("name"), fmt::format("name {} is not the folder's", name),
+        item.fault(item.place("name"), fmt::format("name {} is not the name of the folder", name),
                    fmt::format("write {}", part.name));
     }
     info.title = item.text("title");
@@ -85,7 +85,7 @@ Answer read_answer(TomlItem& item) {
     answer.overrides = item.text_or("overrides", "");
     for (const char* key : {"choice", "differs", "overrides"}) {
         if (item.has(key) && !item.has("topic")) {
-            item.fault(item.place(key), fmt::format("{} has no topic", key), "add `topic = …` or remove it");
+            item.fault(item.place(key), fmt::format("{} has no topic", key), "add `topic = …`, or remove this key");
         }
     }
     if (!answer.topic.empty() && !is_joined_words(answer.topic, "-._")) {
@@ -138,7 +138,8 @@ Enumeration read_enumeration(TomlItem& item) {
                 enumeration.values.emplace_back(std::string{word.str()}, given->get());
                 enumeration.hexadecimal = enumeration.hexadecimal || is_hexadecimal(number);
             } else {
-                item.fault(item.place("values"), fmt::format("{} has no number", word.str()), "write `word = number`");
+                item.fault(item.place("values"), fmt::format("the word {} has no number", word.str()),
+                           "write `word = number`");
             }
         }
     }
@@ -208,7 +209,7 @@ Decision read_decision(TomlItem& item) {
     decision.answer = read_answer(item);
     if (decision.readings.size() < 2) {
         item.fault(fmt::format("{} has {} reading(s)", decision.id, decision.readings.size()),
-                   "a decision chooses between at least two readings, each with a source");
+                   "write at least two readings, each with a source");
     }
     item.finish();
     return decision;
@@ -283,7 +284,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
         read_manual_file(item, content.manuals);
     } else if (part.empty()) {
         faults.push_back(
-            {{path, 1}, "the file is in no known folder", "put it into manuals/, canopen/ or devices/NAME/"});
+            {{path, 1}, "the file is in no known folder", "move the file to manuals/, canopen/ or devices/NAME/"});
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {

@@ -161,9 +161,9 @@ struct Cell {
 };
 
 struct Table : Item {
-    /// name of its C++ namespace: `name`, or the words of the title up to the first punctuation mark
+    /// name of its C++ namespace: `name`, or the title in snake_case up to the first of the characters `,:;(`
     std::string name;
-    std::string errors;  ///< name of the column whose words are errors of the node; empty: none
+    std::string errors;  ///< name of the input column whose words are errors of the node; empty: none
     std::vector<Column> inputs;
     std::vector<Column> outputs;
     struct Row {
@@ -222,7 +222,7 @@ struct Decision : Item {
     Answer answer;
 };
 
-/// A way in which outputs or messages of a device can cause harm, and its prevention.
+/// Harm that outputs or messages of a device can cause, and its prevention.
 struct Hazard : Item {
     struct Failure {
         std::string text;
@@ -304,7 +304,7 @@ struct Part {
     std::vector<StandardObject> standard_objects;  ///< in the order of spec/
     std::map<std::string, Review> reviews;         ///< reviews by the id of the item or section
     std::vector<std::string> files;
-    bool inherited{false};  ///< whether these are shared rules of an installed canproof, which that project proves
+    bool inherited{false};  ///< whether these are shared rules of an installed canproof, whose own project proves them
 
     /// Returns the name of the part in C++: cbx_ao412 for `cbx-ao412`.
     std::string cpp_name() const;
@@ -319,7 +319,8 @@ struct Register {
     const Manual* manual(const std::string& key) const;
     /// Returns the enumeration with this id of `part` or of the shared part; nullptr when there is none.
     const Enumeration* enumeration(const Part& part, const std::string& id) const;
-    /// Calls visit(item, word) for each item with an id. `word` is the kind of the item: "requirement", "object" …
+    /// Calls visit(item, word) for each requirement, object, table, enumeration, constant and signal of `part`. `word`
+    /// is the kind of the item: "requirement", "object" …
     template <typename Visit>
     void for_each_item(const Part& part, const Visit& visit) const {
         for (const auto& item : part.requirements)
@@ -339,8 +340,8 @@ struct Register {
 
 /// Returns the size of a CiA type in bytes; 0 for strings, domains and unknown types.
 std::size_t type_size(const std::string& type);
-/// Returns the smallest and the largest value of an integer type; nothing for any other type. The largest value of
-/// UNSIGNED64 is INT64_MAX here.
+/// Returns the smallest and the largest value of an integer type or of BOOLEAN; nothing for any other type. The largest
+/// value of UNSIGNED64 is INT64_MAX here.
 std::optional<std::pair<std::int64_t, std::int64_t>> integer_limits(const std::string& type);
 bool is_string_type(const std::string& type);
 bool is_known_type(const std::string& type);

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Sets the length of each string that has none to the length of its default.
+/// Sets the length of each string without `length` to the length of its default.
 void resolve_lengths(Part& part);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of single values in a table. More values must form a range without gaps.
+/// Greatest difference between the two ends of a cell's range. A cell with a longer range contributes no values.
 constexpr std::int64_t most_values = 0x10000;
 
 const Table* find_table(const Register& content, const Part& part, const std::string& id) {
@@ -47,7 +47,8 @@ void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell&
     }
 }
 
-/// Returns the numbers in a table's first input column. For a column of words, returns all numbers of its enumeration.
+/// Returns the numbers in a table's first input column. For a column with an enumeration, returns all numbers of the
+/// enumeration.
 std::set<std::int64_t> numbers_of(const Register& content, const Part& part, const Table& table) {
     std::set<std::int64_t> numbers;
     if (table.inputs.empty()) {
@@ -92,7 +93,7 @@ void resolve_ranges(const Register& content, Part& part, Faults& faults) {
                 faults.push_back({range.place,
                                   fmt::format("{:04X}h:{} takes its range from table {}, which does not exist",
                                               object.index, entry.subindex, range.table),
-                                  "name a [[table]] of this device"});
+                                  "name a [[table]] of this device or of spec/canopen"});
                 continue;
             }
             const auto numbers = numbers_of(content, part, *table);

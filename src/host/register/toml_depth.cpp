@@ -7,7 +7,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Scans a text once. Ignores the content of strings and comments.
+/// Scans a TOML text once, and counts the parts of each key and the open brackets. Ignores the content of strings and
+/// comments.
 class DepthScan {
   public:
     explicit DepthScan(const std::string& text) : text_{text} {}

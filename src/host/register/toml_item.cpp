@@ -217,7 +217,7 @@ void TomlItem::finish() {
         if (asked_.count(name) == 0) {
             fault(Place{file_, static_cast<unsigned>(node.source().begin.line)},
                   fmt::format("the key `{}` is unknown", name),
-                  "remove it or correct its spelling (spec/README.md lists the keys)");
+                  "remove the key or correct its spelling (spec/README.md lists the keys)");
         }
     }
 }

@@ -29,7 +29,7 @@ class TomlItem {
     Place place(const std::string& key) const;
     bool has(const std::string& key) const;
 
-    /// Returns a required string. Adds a fault when it is missing or empty.
+    /// Returns a required string. Adds a fault when it is missing, empty or no string.
     std::string text(const std::string& key);
     std::string text_or(const std::string& key, const std::string& otherwise);
     /// Returns a required whole number. Adds a fault when it is missing or not in [minimum, maximum].
@@ -40,7 +40,7 @@ class TomlItem {
     std::vector<std::string> texts(const std::string& key, bool required);
     std::vector<std::int64_t> integers(const std::string& key);
     /// Returns the value of the key, which must be one of the words; adds a fault that lists the words for any other
-    /// value. Without the key, returns `otherwise`, and adds a fault if that is empty.
+    /// value. Without the key, returns `otherwise`, and adds a fault if `otherwise` is empty.
     std::string word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise);
     Value value(const std::string& key);
     const toml::node* node(const std::string& key);

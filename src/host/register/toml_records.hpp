@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Calls `read` with the table of the file. Throws InputError for invalid TOML, and for the first fault that `read` has
-/// reported.
+/// Calls `read` with the table of the file. Throws InputError for a file that cannot be read, for invalid TOML, and for
+/// the first fault that `read` has reported.
 void read_toml_records(const std::filesystem::path& file, const std::function<void(TomlItem&)>& read);
 
 }  // namespace canproof::host

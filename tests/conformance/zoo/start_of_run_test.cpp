@@ -46,7 +46,7 @@ TEST(StartOfARun, CorrectSlaveCausesNoReportAtTheStart) {
 
 TEST(StartOfARun, WrongValueIsReportedAndTheCasesRun) {
     const conform::ConformReport report = run_one_case(fault("sdo-upload-size"), "sdo-device-type");
-    EXPECT_THAT(report.troubles, Contains("1008h:00 cannot be read: 18 bytes were announced, but 17 were sent"));
+    EXPECT_THAT(report.troubles, Contains("1008h:00 cannot be read: the slave announced 18 bytes, but sent 17"));
     ASSERT_EQ(report.results.size(), 1U);
     EXPECT_EQ(report.results.front().verdict, Verdict::passed);
 }

@@ -59,8 +59,9 @@ TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
     EXPECT_EQ(all_faults(loaded), "");
     EXPECT_THAT(write_indices(*loaded.content.part("canopen")),
                 HasSubstr("inline constexpr std::uint32_t error_list = 0x1003U;\n"));
-    EXPECT_THAT(all_faults(load_register(with(items_file, listed))),
-                HasSubstr("items.toml:1: standard object 1003h is in the files of a device; put it into spec/canopen"));
+    EXPECT_THAT(
+        all_faults(load_register(with(items_file, listed))),
+        HasSubstr("items.toml:1: standard object 1003h is in the files of a device; move the object to spec/canopen"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, listed + listed))),
                 HasSubstr("shared.toml:4: standard object 1003h or its name is listed twice"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, "[[standard_object]]\nindex = 0x1003\nname = \"1\"\n"))),
@@ -122,7 +123,7 @@ TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"3 ways\"\n", rows)))),
                 HasSubstr("AO4-T1 name 3_ways is no C++ name"));
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"Field\"\n", rows)))),
-                HasSubstr("AO4-T1 name field is taken by the compiler"));
+                HasSubstr("AO4-T1 name field is taken by the generated code"));
 }
 
 TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
@@ -142,7 +143,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
     EXPECT_THAT(altered, HasSubstr("static_cast<std::uint64_t>(canproof::ErrorId::can_overrun)"));
     EXPECT_THAT(all_faults(load_register(with(
                     items_file, table("id = \"AO4-T1\"\nerrors = \"fault\"\ntitle = \"Codes\"\n", "[\"hot\", 1]")))),
-                HasSubstr("AO4-T1 errors fault is no input of words"));
+                HasSubstr("AO4-T1 errors fault is no input column of words"));
 }
 
 TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectAndAFamilyHasOneName) {

@@ -162,11 +162,11 @@ TEST_P(ConformBadLine, InvalidLineIsReportedWithItsFix) {
 INSTANTIATE_TEST_SUITE_P(
     Steps, ConformBadLine,
     testing::Values(BadLine{"send 600+N", "write a colon and its bytes"}, BadLine{"send 600+N: 4", "is no byte"},
-                    BadLine{"send 600+N: $x", "say how wide it is"}, BadLine{"read 1017", "is no object"},
+                    BadLine{"send 600+N: $x", "give the width"}, BadLine{"read 1017", "is no object"},
                     BadLine{"write 1017:00 100", "write 1017:00 = 100"},
                     BadLine{"read 1000:01 fails 0609", "eight hexadecimal digits"},
                     BadLine{"silence 580+N", "write silence 580+N for 500 ms"},
-                    BadLine{"period 700+N = 100 ms over 20", "say what it may be off"},
+                    BadLine{"period 700+N = 100 ms over 20", "give the tolerance"},
                     BadLine{"count 180+N for 1 s", ">= 5 or <= 5"}, BadLine{"check $x == 1", "double quotes"},
                     BadLine{"check $x = 1 \"text\"", "double quotes"}, BadLine{"repeat 3 {\nwait 1 ms", "has no end"},
                     BadLine{"wait 1 ms\n}", "no block to close"},

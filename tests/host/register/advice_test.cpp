@@ -57,7 +57,7 @@ TEST(RegisterAdvice, OneDemandInOneSentenceGivesNoAdvice) {
 TEST(RegisterAdvice, RequirementOfSeveralDemandsIsReported) {
     EXPECT_THAT(advice_on_text("The box shall blink and shall not sound."),
                 ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 demands several things: 1 sentence(s), \"shall\" "
-                            "2 time(s); make one requirement of each"));
+                            "2 time(s); write one requirement for each demand"));
     EXPECT_THAT(advice_on_text("The box shall blink. It is silent."), ElementsAre(HasSubstr("2 sentence(s)")));
     EXPECT_THAT(advice_on_text("The box shall blink (fast). 3 s later it ends."),
                 ElementsAre(HasSubstr("2 sentence(s)")));
@@ -70,15 +70,16 @@ TEST(RegisterAdvice, RetiredRequirementGivesNoAdvice) {
 
 TEST(RegisterAdvice, UncoveredStatementIsReported) {
     EXPECT_THAT(advice_on_statement("1", "", "M1:1"),
-                ElementsAre("spec/manuals/m/1.toml:1: M1:1/1 has neither `covered` nor `reason`; name the items that "
-                            "cover it, or give the reason why none does"));
+                ElementsAre("spec/manuals/m/1.toml:1: M1:1/1 has neither `covered` nor `reason`; name in `covered` the "
+                            "items that cover the statement, or give in `reason` why no item covers it"));
     EXPECT_THAT(advice_on_statement("1", "reason = \"hardware\"\n", "M1:1"), IsEmpty());
 }
 
 TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
-    EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
-                ElementsAre("spec/manuals/m/1.toml:5: no item that covers M1:1/1 names 1 as its source (AO4-R-1); "
-                            "add the place to the source of one item, or name an item that has this source"));
+    EXPECT_THAT(
+        advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
+        ElementsAre("spec/manuals/m/1.toml:5: no item that covers M1:1/1 names 1 as its source (items: AO4-R-1); "
+                    "add the place to the source of one item, or name an item that has this source"));
 }
 
 TEST(RegisterAdvice, ObjectCountsForTheSectionThatDescribesIt) {

@@ -125,7 +125,7 @@ TEST(BoundedRegister, TableOfMoreThan32InputsIsAFault) {
         inputs += fmt::format("\"i{}\", ", i);
         row += "true, ";
     }
-    EXPECT_THAT(told(table(inputs, "[" + row + "1]")), HasSubstr("AO4-T1 has 33 inputs; divide it into tables"));
+    EXPECT_THAT(told(table(inputs, "[" + row + "1]")), HasSubstr("AO4-T1 has 33 inputs; divide the table into tables"));
 }
 
 TEST(BoundedRegister, TableOfTooManyCombinationsIsAFault) {
@@ -136,7 +136,7 @@ TEST(BoundedRegister, TableOfTooManyCombinationsIsAFault) {
         row += "\"*\", ";
     }
     EXPECT_THAT(told(table(inputs, "[" + row + "1]")),
-                HasSubstr("AO4-T1 has too many rows and combinations to be checked; divide it"));
+                HasSubstr("AO4-T1 has too many rows and combinations to be checked; divide the table"));
     std::string rows;
     for (int i = 0; i < 20000; ++i) {
         rows += fmt::format("[{}, 1],\n", i);

@@ -69,7 +69,7 @@ TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
               "spec/devices/lid/items.toml:7: INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1 "
               "(spec/devices/box/items.toml:7) chooses any for the same manufacturer; give the same answer, or give "
               "the reason "
-              "in `differs = …` of one of the two\n");
+              "in `differs = …` of one of the two items\n");
 }
 
 TEST(DecisionTopics, ReasonAtOneOfTwoDifferentAnswersIsEnough) {
@@ -131,8 +131,9 @@ TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
     EXPECT_EQ(all_faults(loaded(service(of_box("true")), "")), "") << "one answer is enough: device.toml is the other";
     EXPECT_THAT(all_faults(loaded("", service(of_lid("false")))),
                 HasSubstr("lid/items.toml:7: INC-R-1 chooses false for topic services.lss, but device.toml has true"));
-    EXPECT_THAT(all_faults(loaded("", "", service(of_all("true")))),
-                HasSubstr("CO-R-1 is shared and has no services.lss; leave this topic to the devices"));
+    EXPECT_THAT(
+        all_faults(loaded("", "", service(of_all("true")))),
+        HasSubstr("CO-R-1 is a shared item and cannot answer topic services.lss; leave this topic to the devices"));
 }
 
 /// The built-in register of the program has no decisions of devices.

@@ -92,7 +92,8 @@ TEST(ManualStatements, StatementsAreReadAsWritten) {
 
 TEST(ManualStatements, StatementsAreNumberedBySectionInFileAndLineOrder) {
     SpecFiles files = with_statements(covered + explained + edited_statement("20:", "21:"));
-    files[second_file] = edited_statement("20:", "22:") + edited_statement("\"1\"", "\"Table 3\"", edited_statement("20:", "23:"));
+    files[second_file] =
+        edited_statement("20:", "22:") + edited_statement("\"1\"", "\"Table 3\"", edited_statement("20:", "23:"));
     const LoadResult loaded = load_register(files);
     EXPECT_EQ(all_faults(loaded), "");
     std::vector<std::string> ids;
@@ -117,7 +118,7 @@ TEST(ManualStatements, UncoveredStatementsAreNoFault) {
 
 TEST(ManualStatements, StatementOfAnUnknownSectionIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("\"1\"", "\"4.2\"")),
-                HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct it, or add 4.2 to "
+                HasSubstr("spec/manuals/m/1-objects.toml:2: M1 has no section 4.2; correct the section, or add 4.2 to "
                           "spec/manuals/m.toml"));
 }
 
@@ -127,7 +128,7 @@ TEST(ManualStatements, StatementCoveredByAnInvalidItemIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("AO4-R-1", "AO4-R-2")),
                 HasSubstr("is covered by AO4-R-2, which is retired; name an item in force"));
     EXPECT_THAT(statement_faults(edited_statement("AO4-D-1", "AO4-R-1")),
-                HasSubstr("is covered by AO4-R-1, which it names twice; name it once"));
+                HasSubstr("is covered by AO4-R-1, which `covered` names twice; name the item once"));
     SpecFiles files = with_statements(covered);
     files["spec/manuals/other.toml"] =
         "key = \"M2\"\ntitle = \"t\"\npublisher = \"p\"\nrevision = \"1\"\ndate = \"d\"\n"
@@ -148,12 +149,13 @@ TEST(ManualStatements, StatementsMayBeCoveredByASharedItem) {
 
 TEST(ManualStatements, StatementWithItemsAndAReasonIsAFault) {
     EXPECT_THAT(statement_faults(covered + "reason = \"hardware\"\n"),
-                HasSubstr("1-objects.toml:1: a statement has `covered` or `reason`, and not both"));
+                HasSubstr("1-objects.toml:1: a statement has both `covered` and `reason`"));
 }
 
 TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("mark = \"20:3f9a0c1b2d4e\"\n", "")), HasSubstr("mark is missing"));
-    EXPECT_THAT(statement_faults(edited_statement("\"20:3f9a0c1b2d4e\"", "[]")), HasSubstr("mark is not a list of strings, not empty"));
+    EXPECT_THAT(statement_faults(edited_statement("\"20:3f9a0c1b2d4e\"", "[]")),
+                HasSubstr("mark is not a list of strings, not empty"));
     EXPECT_THAT(statement_faults(edited_statement("20:3f9a0c1b2d4e", "20:3f9a")),
                 HasSubstr("1-objects.toml:4: mark 20:3f9a is malformed; write LENGTH:HASH"));
     EXPECT_THAT(statement_faults(covered + covered),

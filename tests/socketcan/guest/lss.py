@@ -36,7 +36,7 @@ def granted(program, device):
     with Run(program, f"{device}@80", "--bus", "socketcan:can0", "--control-interface") as run:
         with Ear("can1") as ear:
             ask_for_250(ear)
-            run.wait_notice(f"{device}@80: LSS sets 250000 bit/s; can0 has it now")
+            run.wait_notice(f"{device}@80: LSS sets 250000 bit/s; can0 has this bit rate now")
         assert rate_of("can0") == 250000, rate_of("can0")
         set_rate("can1", 250000)
         with Ear("can1") as ear:
@@ -67,7 +67,7 @@ def without_the_right(program):
     with Run(program, "ax188001@80", "--bus", "socketcan:can0", "--control-interface",
              prefix=["setpriv", "--reuid", "65534", "--clear-groups"]) as run, Ear("can1") as ear:
         ask_for_250(ear)
-        run.wait_notice("LSS sets 250000 bit/s; can0 could not be taken down; this takes the right CAP_NET_ADMIN")
+        run.wait_notice("LSS sets 250000 bit/s; can0 could not be switched off; this needs CAP_NET_ADMIN")
         assert rate_of("can0") == 125000
 
 

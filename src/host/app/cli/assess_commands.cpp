@@ -138,7 +138,8 @@ class MisraCommand : Command {
         review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
         review->add_option("--by", options_.reviewer, "who judged")->required();
-        review->add_option("--judgement", options_.judgement, "what was examined, and why it complies")->required();
+        review->add_option("--judgement", options_.judgement, "what was examined, and why the file complies")
+            ->required();
         command->callback([this, &chosen] { chosen = [this] { return check_misra(options_); }; });
     }
 
@@ -185,14 +186,15 @@ class EvidenceCommand : Command {
 class MutateCommand : Command {
   public:
     MutateCommand(CLI::App& app, Chosen& chosen) {
-        auto* command = app.add_subcommand("mutate", "alter each generated cell and check whether a test notices");
+        auto* command =
+            app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices");
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
                           "the firmware's code instead of generated cells: conditions, statements, variables …");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
-            "record for each new or changed test the items of which it notices a mutant (reports/kills.csv)");
+            "record for each new or changed test the items whose mutants it notices (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
         command->add_option("--sample", options_.sample, "number of cells, drawn at random with --seed");
@@ -225,12 +227,12 @@ class MutateCommand : Command {
 class InjectCommand : Command {
   public:
     InjectCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("inject", "turn single bits of a running device's memory, and report what follows");
+        auto* command = app.add_subcommand(
+            "inject", "invert single bits in the memory of a running device, and report the effects");
         command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
         auto* log = command->add_option("LOG", options_.log,
                                         "candump log of frames to the device; default: tests/devices/DEVICE/workload");
-        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of its inputs")
+        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of the device's inputs")
             ->needs(log);
         command->add_option("--node", options_.node, "node-ID, or position of the coding switches");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();

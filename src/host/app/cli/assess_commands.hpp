@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that assess the project: fuzz, audit, coverage, misra, evidence, mutate, diff.
+// The commands that assess the project: fuzz, audit, coverage, misra, evidence, mutate, inject, diff, prove.
 #pragma once
 
 #include <memory>

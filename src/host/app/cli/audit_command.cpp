@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `audit` command: prints gaps and returns an exit status, or prints the whole story of one requirement.
+// The `audit` command: prints the gaps, a list of items, or all that is known about one subject, such as a requirement.
 #include "host/app/cli/audit_command.hpp"
 
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ int list(const Register& content, const std::vector<PartAudit>& audits, const Ev
     for (const auto* statement : listed.statements) {
         fmt::print("{}", statement_line(*statement));
     }
-    fmt::print("{} item(s), {} statement(s), {} of them not shown\n", listed.items.size(), listed.statements.size(),
+    fmt::print("{} item(s) and {} statement(s), not shown: {}\n", listed.items.size(), listed.statements.size(),
                listed.not_shown);
     return listed.not_shown == 0 ? 0 : 1;
 }
@@ -108,7 +108,7 @@ struct ConditionOfUse {
 /// of all manuals. Throws InputError for an unknown device.
 std::vector<ConditionOfUse> conditions_of(const Register& content, const std::string& device) {
     if (!device.empty() && content.part(device) == nullptr) {
-        throw InputError{fmt::format("`{}` is no device; `canproof devices` lists them", device)};
+        throw InputError{fmt::format("`{}` is no device; `canproof devices` lists the devices", device)};
     }
     std::vector<ConditionOfUse> all;
     for (const Part& part : content.parts) {
@@ -140,7 +140,7 @@ void print_conditions(const std::vector<ConditionOfUse>& conditions, const bool 
     fmt::print("{} condition(s) of use\n", conditions.size());
 }
 
-/// Returns the audits without those of other devices. Without a name, returns all audits.
+/// Returns the audits of the device and of the shared part. Returns all audits when `device` is empty.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
         return !device.empty() && one.part->is_device() && one.part->name != device;
@@ -149,8 +149,8 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Returns which items are shown by tests that notice a mutant, and how many lines of the record no longer apply.
-/// Returns nothing for a project without a record.
+/// Compares the tests with the record of the mutants that each test notices (reports/kills.csv). Returns nothing for a
+/// project without such a record.
 std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
                                   const Evidence& evidence) {
     const KillRecord record = read_kill_record(root / "reports" / "kills.csv");

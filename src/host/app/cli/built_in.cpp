@@ -74,7 +74,7 @@ const Part& device_named(const std::string& name) {
         }
     }
     throw InputError{
-        fmt::format("there is no device `{}` in this program; `canproof devices` lists those that it has", name)};
+        fmt::format("there is no device `{}` in this program; `canproof devices` lists its devices", name)};
 }
 
 }  // namespace canproof::host

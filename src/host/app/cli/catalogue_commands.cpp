@@ -26,8 +26,8 @@ namespace {
 const Part& described_device(const std::string& name) {
     const Part& part = device_named(name);
     if (part.objects.empty()) {
-        throw InputError{
-            fmt::format("{} is registered by its manual only so far; its objects are not described yet", name)};
+        throw InputError{fmt::format(
+            "{} cannot be used yet: the register contains the manual of the device, but not its objects", name)};
     }
     return part;
 }
@@ -101,7 +101,7 @@ int print_eds(const EdsOptions& options) {
                                           : print_dbc(described_device(options.device), options.node);
     }
     if (options.node != 0) {
-        throw InputError{"--node is for --format dbc: a data sheet is the same for every node-ID"};
+        throw InputError{"--node is for --format dbc: a data sheet is the same for every node-ID; remove --node"};
     }
     const Part& part = described_device(options.device);
     const std::string& format = options.format;

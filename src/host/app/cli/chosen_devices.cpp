@@ -47,7 +47,7 @@ void set_node(ChosenDevice& chosen, const std::string& node) {
         if (number < NodeId::lowest || number > NodeId::highest) {
             chosen.notice = fmt::format(
                 "{}: the coding switches are at {:02X}h, which is no node-ID; the application does not run, and the "
-                "LEDs show it",
+                "LEDs show this",
                 chosen.name, number);
         }
     } else if (NodeId::is_one(number)) {
@@ -66,7 +66,8 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
     const auto at = text.find('@');
     ChosenDevice chosen = from_catalogue(device_named(text.substr(0, at)), text, factory);
     if (chosen.device == nullptr) {
-        throw InputError{fmt::format("{} cannot be run; `canproof devices` lists those that can", text.substr(0, at))};
+        throw InputError{
+            fmt::format("{} cannot be run; `canproof devices` lists the devices that can be run", text.substr(0, at))};
     }
     if (at != std::string::npos) {
         set_node(chosen, text.substr(at + 1));

@@ -16,13 +16,13 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< nullptr for a device from an EDS: it has no part in the requirements register
+    const Part* part{nullptr};  ///< of the requirements register, or of the EDS; valid as long as the device
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
     std::string notice;         ///< message for the user before the run; empty: no message
 };
 
-/// Sets the NODE of NAME@NODE or of `--node`. NODE is a node-ID; on a device with coding switches it is any value of
-/// the switches, and `chosen.notice` says so when the value is not a node-ID. Throws InputError.
+/// Sets the NODE of NAME@NODE or of `--node`. NODE is a node-ID. On a device with coding switches, NODE is any value of
+/// the switches, and `chosen.notice` gets a message when the value is no node-ID. Throws InputError for any other NODE.
 void set_node(ChosenDevice& chosen, const std::string& node);
 /// Returns the device for NAME or NAME@NODE. Throws InputError.
 ChosenDevice choose_device(const std::string& text);
@@ -31,7 +31,7 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// without folder and extension. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
 /// Returns the device for FILE or FILE@NODE, where FILE is the image of a device of the catalogue for the emulated
-/// microcontroller. Its name is that of the device, with @NODE. Throws InputError and ImageFailed.
+/// microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and ImageFailed.
 ChosenDevice choose_image(const std::string& text);
 /// Returns every device of the catalogue for a run. When the node-ID of a device as shipped is taken, the device gets
 /// the lowest free node-ID.

@@ -226,15 +226,16 @@ class ConformCommand : Command {
     ConformCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
             app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
-        command->add_option("DEVICE", options_.device, "of the catalogue; it runs in virtual time without --bus");
+        command->add_option("DEVICE", options_.device,
+                            "device of the catalogue; it runs in virtual time without --bus");
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
         command->add_option(
             "--arm", options_.arm,
             "build/target/bridged_NAME.elf: the slave's image on an STM32F405 in QEMU, in virtual time");
         command->add_option("--node", options_.node, "node-ID of the slave");
         command->add_option("--bus", options_.bus,
-                            "socketcan:can0 or socketcand-client:127.0.0.1:29536; without it in virtual time");
-        command->add_flag("--list", options_.list, "all cases");
+                            "socketcan:can0 or socketcand-client:127.0.0.1:29536; default: no bus, in virtual time");
+        command->add_flag("--list", options_.list, "list all cases");
         command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',')->allow_extra_args(false);
         command->add_option("--skip", options_.skip, "cases or services to leave out")
             ->delimiter(',')
@@ -242,12 +243,12 @@ class ConformCommand : Command {
         command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--cases", options_.folder, "folder with cases that replace the program's");
+        command->add_option("--cases", options_.folder, "folder with cases that replace those of the program");
         command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
-        command->add_flag("--allow-outputs", options_.allow_outputs, "cases that may move an output");
-        command->add_flag("--allow-store", options_.allow_store, "cases that store parameters");
-        command->add_flag("--allow-lss", options_.allow_lss, "cases that change node-ID or bit rate");
+        command->add_flag("--allow-outputs", options_.allow_outputs, "allow cases that may move an output");
+        command->add_flag("--allow-store", options_.allow_store, "allow cases that store parameters");
+        command->add_flag("--allow-lss", options_.allow_lss, "allow cases that change node-ID or bit rate");
         command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on when the program asks");
         command->add_flag("--no-remote-frames", options_.no_remote_frames,
                           "the adapter carries no remote frames: cases that need them are skipped");
@@ -312,8 +313,8 @@ class WordsCommands : Command {
     std::vector<std::string> manual_of_;
 };
 
-/// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because it is
-/// the cause.
+/// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that
+/// failure is the cause.
 std::string why(const std::exception& error) {
     try {
         finish_standard_output();

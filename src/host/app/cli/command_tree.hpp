@@ -19,7 +19,7 @@ struct OptionWords {
 };
 
 struct CommandWords {
-    std::vector<std::string> path;  ///< words before the last one, for example `eds`; empty for the program
+    std::vector<std::string> path;  ///< words of the command, for example `eds`, `check`; empty for the program
     std::string description;
     std::vector<OptionWords> options;
     std::vector<std::string> below;  ///< names of the direct subcommands

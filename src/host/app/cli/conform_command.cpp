@@ -68,8 +68,9 @@ conform::CaseBook read_cases(const std::string& folder) {
         faults_text += "\n" + one.text();
     }
     if (!faults_text.empty() || book.cases.empty()) {
-        throw InputError{fmt::format("{} contains no valid cases:{}", folder,
-                                     faults_text.empty() ? " there is no case" : faults_text)};
+        throw InputError{
+            fmt::format("{} contains no valid cases:{}", folder,
+                        faults_text.empty() ? " there is no case; write a .toml file with a [[case]]" : faults_text)};
     }
     return book;
 }
@@ -135,8 +136,8 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
     return target;
 }
 
-/// Checks that the options name a slave either of the catalogue or by a file, and not both an image and a bus. Throws
-/// InputError.
+/// Checks that the options name a slave either by its name in the catalogue or by a file, and that they do not name
+/// both an image and a bus. Throws InputError.
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
         throw InputError{

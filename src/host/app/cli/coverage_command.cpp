@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `coverage` command: lists the places in the firmware, and in the host's buses and replay, that no test reaches,
-// and whether each has a recorded reason.
+// The `coverage` command: prints the coverage of the firmware and of the host's buses and replay. Lists the places that
+// no test reaches and that have no recorded reason.
 #include "host/app/cli/coverage_command.hpp"
 
 #include <fmt/format.h>
@@ -103,7 +103,8 @@ int check_coverage(const CoverageOptions& options) {
         }
     }
     for (const auto& record : verdict.unused) {
-        fmt::print("{}:{}: the record of `{}` matches nothing; remove it\n", place.string(), record.line, record.code);
+        fmt::print("{}:{}: the record of `{}` matches no place that tests do not reach; remove the record\n",
+                   place.string(), record.line, record.code);
     }
     print_verdict(verdict);
     return verdict.holds() ? 0 : 1;

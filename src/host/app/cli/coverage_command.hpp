@@ -14,7 +14,8 @@ struct CoverageOptions {
     bool records_only{false};  ///< only checks the records against the sources, without a measurement
 };
 
-/// Prints the places that no test reaches. Returns the exit status: 1 when one has no reason.
+/// Prints the places that no test reaches and that have no recorded reason. Returns the exit status: 1 when there is
+/// such a place, a record without a place, or too little MC/DC.
 int check_coverage(const CoverageOptions& options);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `demo` command: boots all four devices and prints their answers to the examples in their manuals.
+// The `demo` command: boots each device of the catalogue and prints its answers to the examples in its manual.
 #include "host/app/cli/demo_command.hpp"
 
 #include <fmt/format.h>

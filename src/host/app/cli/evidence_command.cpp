@@ -97,7 +97,7 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
     return stale;
 }
 
-/// Returns the sources that an exhibit is about.
+/// Returns the sources on which an exhibit (a result of another tool) depends.
 std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
     // an exhibit about mutants also depends on the tests, because a test notices a mutant
     if (key == "code-mutation") {
@@ -229,7 +229,7 @@ int verify_evidence(const VerifyOptions& options) {
     }
     if (faults.empty()) {
         fmt::print("every file matches the manifest{}\n", options.key.empty()
-                                                              ? "; name a public key with --key to see who signed it"
+                                                              ? "; name a public key with --key to verify the signature"
                                                               : ", and the key has signed it");
     }
     return faults.empty() ? 0 : 1;

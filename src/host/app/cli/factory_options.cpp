@@ -116,7 +116,7 @@ FactoryOptions::FactoryOptions(const std::vector<std::string>& given) {
         const auto equals = whole.find('=');
         if (equals == std::string::npos || equals == 0) {
             throw InputError{
-                fmt::format("--factory {}: write KEY=VALUE, or DEVICE.KEY=VALUE for one of several", whole)};
+                fmt::format("--factory {}: write KEY=VALUE, or DEVICE.KEY=VALUE for one of several devices", whole)};
         }
         Given one;
         one.whole = whole;
@@ -157,11 +157,12 @@ FactoryValues FactoryOptions::for_device(const std::string& name, const Part& pa
 void FactoryOptions::check_used() const {
     for (const Given& one : given_) {
         if (!one.used && one.others.empty()) {
-            throw InputError{
-                fmt::format("--factory {}: no device of this run with factory data has that name", one.whole)};
+            throw InputError{fmt::format(
+                "--factory {}: no device of this run with factory data has that name; correct the name of the device",
+                one.whole)};
         }
         if (!one.used) {
-            throw InputError{fmt::format("--factory {}: there is no {} in the factory data; there are {}", one.whole,
+            throw InputError{fmt::format("--factory {}: there is no {} in the factory data; use one of {}", one.whole,
                                          one.key, fmt::join(one.others, ", "))};
         }
     }

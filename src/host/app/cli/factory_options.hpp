@@ -37,7 +37,7 @@ class FactoryOptions {
   private:
     struct Given {
         std::string whole;
-        std::string device;  ///< device of KEY=VALUE options; empty: every device
+        std::string device;  ///< DEVICE of DEVICE.KEY=VALUE; empty: every device
         std::string key;
         std::string value;
         bool used{false};

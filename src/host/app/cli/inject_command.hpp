@@ -13,7 +13,7 @@ struct InjectOptions {
     std::string root{"."};
     std::string device;
     std::string log;  ///< frames to the device; empty: the device's workload below `root`
-    /// file with changes of the device's inputs; when `log` is empty too: the device's workload below `root`
+    /// file with changes of the device's inputs; if `log` is empty, the file of the workload is used instead
     std::string stimulus;
     std::optional<std::string> node;
     InjectionOptions campaign;
@@ -24,7 +24,7 @@ struct InjectOptions {
     std::string merge;
 };
 
-/// Prints the table, or JSON. Returns the exit status.
+/// Prints the table, or JSON. Returns the exit status, which is always 0.
 int inject(const InjectOptions& options);
 
 }  // namespace canproof::host

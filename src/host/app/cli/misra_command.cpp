@@ -22,7 +22,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Runs a program until it ends; it inherits standard output. Returns its exit status; 2 when a signal ended it.
+/// Runs a program until it ends. The program inherits standard output. Returns the exit status of the program; 2 when a
+/// signal ended it.
 int run_program(const std::vector<std::string>& words) {
     std::vector<std::string> copies{words};
     std::vector<char*> arguments;
@@ -77,7 +78,7 @@ int check_misra(const MisraOptions& options) {
     const auto build = build_folder(options);
     const auto script = home_of(build) / "misra" / "run";
     if (!std::filesystem::exists(script)) {
-        throw InputError{fmt::format("there is no {}; install canproof as a whole", script.string())};
+        throw InputError{fmt::format("there is no {}; install all files of canproof", script.string())};
     }
     const std::string root = std::filesystem::absolute(options.root).string();
     if (!options.review_file.empty()) {

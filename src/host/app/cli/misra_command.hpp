@@ -17,7 +17,7 @@ struct MisraOptions {
     bool json{false};  ///< the result as JSON instead of lines
 };
 
-/// Runs misra/run. Returns the exit status: 1 when it has findings.
+/// Runs misra/run, which checks the firmware or records a review. Returns its exit status: 1 for findings.
 int check_misra(const MisraOptions& options);
 
 }  // namespace canproof::host

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
-// cell, or each operator and condition of the firmware and of the host's buses and replay. It prints, by item, the
-// survivors that have no recorded reason.
+// cell (a value in a generated table), or each operator and condition of the firmware and of the host's buses and
+// replay. It prints, by item, the survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>
@@ -53,8 +53,8 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     };
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
-        throw InputError{
-            fmt::format("`{}` is no device and no item with generated cells; name another or leave it out", subject)};
+        throw InputError{fmt::format(
+            "`{}` is no device and no item with generated cells; name a device, an item, or no subject", subject)};
     }
     return cells;
 }
@@ -63,8 +63,8 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{fmt::format(
-            "no file with mutants has `{}` in its path; name another part of a path or leave it out", file)};
+        throw InputError{
+            fmt::format("no file with mutants has `{}` in its path; name another part of a path, or no subject", file)};
     }
     return mutants;
 }
@@ -122,12 +122,12 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     if (options.json) {
         fmt::print("{}\n", nlohmann::ordered_json{{"tests", record.size()}, {"notice_nothing", idle}}.dump(2));
     } else {
-        fmt::print("{} test(s) judged, {} of them notice no mutant of their claimed items\n", record.size(), idle);
+        fmt::print("{} test(s) judged; {} notice no mutant of the items that they claim\n", record.size(), idle);
     }
     return 0;
 }
 
-/// Judges `count` alterations with the test programs.
+/// Judges `cells` with the test programs. `count` is the number of all alterations that the programs contain.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
                                    const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
@@ -140,7 +140,7 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` and writes its outcomes for `--merge`.
+/// Judges one shard of `cells` and writes its outcomes for `--merge`. `count` has the same meaning as in judge().
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count) {
     const auto share = share_of(cells, *options.shard);
@@ -164,7 +164,7 @@ std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& r
                                      const std::filesystem::path& file, const char* what) {
     std::vector<std::string> lines;
     for (const SurvivorRecord* record : records) {
-        lines.push_back(fmt::format("{}:{}: {}; remove it", file.string(), record->line, what));
+        lines.push_back(fmt::format("{}:{}: {}; remove the record", file.string(), record->line, what));
     }
     return lines;
 }

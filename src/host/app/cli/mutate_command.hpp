@@ -16,7 +16,8 @@ struct MutateOptions {
     std::string programs;  ///< folder; empty: build/mutation below `root`
     std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
     bool code{false};      ///< alters the code of the firmware instead of generated cells
-    bool kills{false};  ///< writes reports/kills.csv: for each test, the items it verifies of which it notices a mutant
+    bool kills{
+        false};  ///< writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
@@ -26,8 +27,8 @@ struct MutateOptions {
     bool json{false};  ///< the outcomes as JSON instead of lines
 };
 
-/// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason. A
-/// shard reports no survivors.
+/// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
+/// or when a record is not needed. A shard reports no survivors.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

@@ -32,8 +32,9 @@ void check_register(const std::map<std::string, std::string>& files) {
     const LoadResult loaded = load_register(with_shared_rules(std::move(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
         throw InputError{
-            fmt::format("nothing is written: correct the data sheet or the options; their register would have {} "
-                        "fault(s), the first {}",
+            fmt::format("nothing is written, because the register of the new project would have {} fault(s); correct "
+                        "the data sheet or "
+                        "the options; the first fault: {}",
                         loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
 }
@@ -54,7 +55,7 @@ int write_new_project(const NewOptions& options) {
     project.date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
     const std::filesystem::path folder{options.name};
     if (std::filesystem::exists(std::filesystem::symlink_status(folder))) {
-        throw InputError{fmt::format("{} exists; choose another name or remove it", folder.string())};
+        throw InputError{fmt::format("{0} exists; choose another name, or remove {0}", folder.string())};
     }
     if (!options.eds.empty()) {
         project.eds = read_eds_part(options.eds);

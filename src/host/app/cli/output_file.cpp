@@ -31,7 +31,7 @@ void OutputFile::flush() {
 void OutputFile::finish() {
     flush();
     if (out_.is_open() && !out_) {
-        throw InputError{fmt::format("{} could not be written to its end; is the disk full?", path_)};
+        throw InputError{fmt::format("{} could not be written to its end; check that the disk has space", path_)};
     }
 }
 

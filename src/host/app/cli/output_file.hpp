@@ -22,8 +22,8 @@ class OutputFile {
     /// Flushes the file. Throws InputError when not everything could be written.
     void finish();
 
-    /// Opens all files of a command. Before it empties the first, it checks that each can be written and is neither an
-    /// input nor another of the files. Throws InputError.
+    /// Opens all files of a command. First checks that each file can be written and is neither an input nor another of
+    /// the files, and then empties the files. Throws InputError.
     static void open(const std::vector<OutputFile*>& files, const std::vector<std::string>& inputs);
 
   private:

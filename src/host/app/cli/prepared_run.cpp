@@ -90,7 +90,7 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
     return stimuli;
 }
 
-/// Keeps the device's memory in a file of `folder`, which is created; does nothing when `folder` is empty.
+/// Keeps the device's memory in a file of `folder`. Creates a missing folder. Does nothing when `folder` is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
         std::filesystem::create_directories(folder);

@@ -26,7 +26,7 @@ class PreparedRun {
 
     /// Opens and empties the log and the outputs. Called before power-on, after all checks. Throws InputError.
     void open_outputs();
-    /// Sends a notice for each node-ID that more than one device has received since the last call.
+    /// Sends a notice for each node-ID that more than one device has, unless the last call found the same devices.
     void tell_node_ids();
     /// Writes the buffered text of the log and the outputs to their files.
     void flush();

@@ -20,7 +20,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the date that the options give, otherwise that of today.
+/// Returns the date that the options give, otherwise the date of SOURCE_DATE_EPOCH or, without that, of today (UTC).
 std::string date_of(const ReviewOptions& options) {
     if (!options.date.empty()) {
         return options.date;
@@ -46,11 +46,12 @@ void check(const ReviewOptions& options) {
         throw InputError{"the reader is not named; write --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
-        throw InputError{"no item is named; name the ids or devices that were read, or give --all"};
+        throw InputError{"name either the ids or devices that were read, or --all"};
     }
 }
 
-/// Returns the items and sections of the part that the user named, and removes each found name from `names`.
+/// Returns the items and sections of the part to record: all that need a review if the user named the part or gave
+/// --all, otherwise the named ones. Removes each found name from `names`.
 std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
                                 const ReviewOptions& options, std::set<std::string>& names) {
     const std::set<std::string> waiting = unreviewed(content, part, work);

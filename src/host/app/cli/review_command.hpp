@@ -15,8 +15,9 @@ struct ReviewOptions {
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
     bool mark{false};      ///< updates the marks of code and tests in existing reviews and adds no review
-    bool wording{false};   ///< records that only the text of the items was read; the marks of code and tests stay
-    std::string date;      ///< YYYY-MM-DD; empty: today
+    bool wording{
+        false};  ///< records that only the text of the items was read; marks the present code and tests, as `mark` does
+    std::string date;  ///< YYYY-MM-DD; empty: today
 };
 
 /// Writes reviews.toml of each selected part. Returns the exit status.

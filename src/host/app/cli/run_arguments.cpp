@@ -23,8 +23,9 @@ void add_run_options(CLI::App& command, RunOptions& running) {
         ->capture_default_str();
     command.add_option("--bus-faults", running.bus_faults,
                        "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
-    command.add_flag("--control-interface", running.control_interface,
-                     "allow the run to set the interface's bit rate for LSS, and to restart it after bus-off");
+    command.add_flag(
+        "--control-interface", running.control_interface,
+        "allow the run to set the interface's bit rate for LSS, and to restart the interface after bus-off");
     command.add_option("--log", running.log,
                        "all frames as `candump -L` writes them; FILE.pcapng for Wireshark, FILE.pcap for SavvyCAN");
     command.add_flag("--log-marks", running.log_marks,

@@ -182,7 +182,9 @@ class Run {
 
 int run_devices(const RunOptions& options) {
     if (is(S_IFDIR, STDIN_FILENO)) {
-        throw InputError{"standard input is a folder; give it lines such as 603#4000100000000000, or /dev/null"};
+        throw InputError{
+            "standard input is a folder; redirect it from a file with lines such as 603#4000100000000000, or from "
+            "/dev/null"};
     }
     Run{options}.run();
     return 0;

@@ -28,7 +28,7 @@ struct RunOptions {
     std::optional<double> seconds;
 };
 
-/// Runs the devices for `seconds`, or until it is interrupted. Returns the exit status.
+/// Runs the devices for `seconds`, or until a signal ends the run. Returns the exit status.
 int run_devices(const RunOptions& options);
 
 }  // namespace canproof::host

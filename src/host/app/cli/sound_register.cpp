@@ -12,12 +12,14 @@ namespace canproof::host {
 
 Register sound_register(const std::filesystem::path& spec) {
     if (!std::filesystem::is_directory(spec)) {
-        throw InputError{fmt::format("{} is no folder; name the project with --root", spec.string())};
+        throw InputError{
+            fmt::format("{} is no folder; name the project with --root, or the register with --spec", spec.string())};
     }
     LoadResult loaded = load_register(with_shared_rules(read_spec_files(spec), embedded_spec()));
     if (!loaded.faults.empty()) {
-        throw InputError{fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists them",
-                                     loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
+        throw InputError{
+            fmt::format("the register has {} fault(s), the first {}; `canproof spec check` lists all faults",
+                        loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
     return std::move(loaded.content);
 }

@@ -90,7 +90,7 @@ int print_coverage(const Manual& manual, const std::string& file) {
         fmt::print("{}: {}: {}\n", line.line, line.section, line.words);
     }
     fmt::print("{} mark(s), {} not in the text\n", found.marks, found.missing.size());
-    fmt::print("letters and digits of normative sections: {:.1f} % of {} covered, {} line(s) not or partly\n",
+    fmt::print("letters and digits of normative sections: {:.1f} % of {} covered, {} line(s) not fully covered\n",
                found.normative.percent(), found.normative.all, found.uncovered.size());
     fmt::print("letters and digits of the whole text: {:.1f} % of {} covered\n", found.whole.percent(),
                found.whole.all);

@@ -12,7 +12,8 @@ struct SpecCheckOptions {
     bool json{false};    ///< faults and warnings as JSON instead of lines
 };
 
-/// Prints every fault and warning of the register in this folder. Returns the exit status: 1 when there is a fault.
+/// Prints every fault and warning of the register in this folder. Returns the exit status: 1 when there is a fault or,
+/// with `strict`, a warning.
 int check_spec(const SpecCheckOptions& options);
 
 struct StatementsOptions {
@@ -22,9 +23,8 @@ struct StatementsOptions {
 };
 
 /// Prints the statements of a manual by section. Returns the exit status: 1 when a statement is open or a normative
-/// section has none.
-/// With `text`, prints instead the marks that the manual's text does not contain, and the text that no statement
-/// covers. Then 1 means that the text does not contain a mark.
+/// section has no statement. With `text`, prints instead the marks that the manual's text does not contain, and the
+/// text that no statement covers. Then returns 1 when the text does not contain a mark.
 int list_statements(const StatementsOptions& options);
 
 }  // namespace canproof::host

@@ -29,7 +29,8 @@ void finish_standard_output() {
     std::cout.flush();
     std::fflush(stdout);
     if (standard_output_failed()) {
-        throw InputError{"standard output cannot be written; is its disk full, or has its reader ended?"};
+        throw InputError{
+            "standard output cannot be written; check that its disk has space and that its reader has not ended"};
     }
 }
 

@@ -57,7 +57,7 @@ void check_name(const std::string& name) {
     if (!std::regex_match(name, form) || name.size() > longest_name) {
         throw InputError{
             fmt::format("`{}` is no name of a device: write small letters, digits and single dashes, a letter first, "
-                        "at most {} in all",
+                        "at most {} characters",
                         name, longest_name)};
     }
     if (taken_words().count(cpp_word(name)) != 0) {
@@ -68,9 +68,9 @@ void check_name(const std::string& name) {
 void check_prefix(const std::string& prefix) {
     static const std::regex form{"[A-Z][A-Z0-9]*"};
     if (!std::regex_match(prefix, form) || prefix.size() > longest_name) {
-        throw InputError{
-            fmt::format("`{}` is no prefix of ids: write capital letters and digits, a letter first, at most {}",
-                        prefix, longest_name)};
+        throw InputError{fmt::format(
+            "`{}` is no prefix of ids: write capital letters and digits, a letter first, at most {} characters", prefix,
+            longest_name)};
     }
     if (prefix == "CO") {
         throw InputError{"CO is the prefix of the shared rules; choose another with --prefix"};

@@ -88,7 +88,7 @@ bool must_wait() {
 HttpFront::HttpFront(Answer answer, std::uint16_t port) : answer_{std::move(answer)}, listener_{listen_at(port)} {
     if (listener_ < 0) {
         throw InputError{fmt::format(
-            "port {} of {} cannot be opened; name another with --port, or 0 for any that is free", port, loopback)};
+            "port {} of {} cannot be opened; name another port with --port, or 0 for any free port", port, loopback)};
     }
     port_ = port_of(listener_);
 }
@@ -148,8 +148,8 @@ void HttpFront::accept_clients(Instant now) {
     }
 }
 
-/// Closes the connection with the earliest deadline: among those whose response is sent, or, if there are none, among
-/// all.
+/// Closes the connection with the earliest deadline. Considers only connections whose response is sent, if there are
+/// any.
 void HttpFront::make_place() {
     const auto rank = [](const auto& one) { return std::pair{!one->closing, one->deadline.us}; };
     const auto first = std::min_element(connections_.begin(), connections_.end(),

@@ -22,9 +22,9 @@ class HttpFront {
     static constexpr std::size_t most_connections = 32;
     /// Longest time from the connection of a client until its request is complete.
     static constexpr Duration request_limit = milliseconds(2000);
-    /// Longest time from the complete request until the client has received the response.
+    /// Longest time from the complete request until the response is sent.
     static constexpr Duration response_limit = milliseconds(5000);
-    /// Longest time from the received response until the client has closed the connection.
+    /// Longest time from the sent response until the client has closed the connection.
     static constexpr Duration close_limit = milliseconds(1000);
 
     /// Starts to listen. Port 0 selects any free port. Throws InputError when the port cannot be opened.

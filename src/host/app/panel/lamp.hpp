@@ -19,7 +19,8 @@ struct LampEdge {
 /// The newest edges of one LED.
 class LampHistory {
   public:
-    /// Records the state at `now`. Returns whether it differs from the state before.
+    /// Records the state at `now`. Returns whether it differs from the previous state; before the first call, the LED
+    /// is dark.
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
     /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Returns `flashing` while there are

@@ -24,7 +24,7 @@ using nlohmann::json;
 
 using generated::canopen::index::error_register;
 
-/// Returns the view that describes how the page draws the device; an empty object for a device without one.
+/// Returns the view that describes how the page draws the device; an empty object for a device without a view.
 json view_of(const Part* part) {
     const auto found = panel_assets().find("views/" + (part == nullptr ? "" : part->name) + ".json");
     return found == panel_assets().end() ? json::object() : json::parse(found->second);
@@ -203,13 +203,13 @@ PanelResponse Panel::get(const PanelRequest& request) const {
     if (request.path == "/stimuli.csv") {
         return {200, "text/csv; charset=utf-8", stimuli_csv()};
     }
-    return error_response(404, "there is no such page");
+    return error_response(404, "there is no such page; use /, /api/panel, /api/state or /stimuli.csv");
 }
 
 PanelResponse Panel::post(const PanelRequest& request) {
     const json body = json::parse(request.body, nullptr, false);
     if (!body.is_object()) {
-        return error_response(400, "the request is no JSON object");
+        return error_response(400, "the body of the request is no JSON object; send one");
     }
     if (request.path == "/api/stimulus") {
         return stimulate(body);
@@ -217,7 +217,7 @@ PanelResponse Panel::post(const PanelRequest& request) {
     if (request.path == "/api/frame") {
         return send(body);
     }
-    return error_response(404, "there is no such page");
+    return error_response(404, "there is no such request; use /api/stimulus or /api/frame");
 }
 
 nlohmann::json Panel::description() const {
@@ -290,8 +290,8 @@ nlohmann::json Panel::state(std::uint64_t changes_from, std::uint64_t frames_fro
             {"stimuli", stimuli_.next()}};
 }
 
-/// Returns the stimuli as CSV for `run` and `replay`. A single device's name is left out, because `replay` accepts
-/// none.
+/// Returns the stimuli as CSV for `run` and `replay`. If there is only one device, leaves out the name of the device,
+/// because `replay` accepts no device names.
 std::string Panel::stimuli_csv() const {
     std::string text = "seconds,signal,value\n";
     const bool single = session_->nodes().size() == 1U;
@@ -308,7 +308,9 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
     const auto value = body.find("value");
     if (device == body.end() || !device->is_string() || signal == body.end() || !signal->is_string() ||
         value == body.end() || !value->is_number()) {
-        return error_response(400, R"(send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
+        return error_response(
+            400,
+            R"(the request names no device, signal or value; send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
     }
     std::vector<std::string> names;
     for (const Recorder::Device& one : recorder_.devices()) {
@@ -336,7 +338,7 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
 PanelResponse Panel::send(const nlohmann::json& body) {
     const auto text = body.find("frame");
     if (text == body.end() || !text->is_string()) {
-        return error_response(400, R"(send {"frame": "000#0105"})");
+        return error_response(400, R"(the request contains no frame; send {"frame": "000#0105"})");
     }
     Frame frame;
     try {

@@ -133,7 +133,7 @@ void Recorder::add(const std::string& name, const SimulatedDevice& device, const
             lent_lamp("error", "Added by the panel: lit while the error register 1001h is not zero."));
     }
     add_entries(device, part, face, one.channels);
-    // NaN differs from every value, so the first value is recorded as a change
+    // NaN differs from every number, so the first number is recorded as a change
     one.values.assign(one.channels.size(), std::nan(""));
     one.first_channel = devices_.empty() ? 0U : devices_.back().first_channel + devices_.back().channels.size();
     devices_.push_back(std::move(one));
@@ -178,8 +178,8 @@ void Recorder::on_step(Instant at) {
     last_step_ = at;
 }
 
-/// Records the changes of the LEDs since the last step. A device's state does not change between two steps, so its LED
-/// pattern can be computed afterwards.
+/// Records the changes since the last step of the LEDs that the panel adds. A device's state does not change between
+/// two steps, so its LED pattern can be computed afterwards.
 void Recorder::follow_lamps(Device& device, Instant at) {
     for (std::size_t i = 0; i < device.channels.size(); ++i) {
         if (device.channels[i].kind != Channel::Kind::lamp) {

@@ -16,7 +16,7 @@
 
 namespace canproof::host {
 
-/// A number of a device that the page can show.
+/// A value of a device that the page can show.
 struct Channel {
     enum class Kind {
         output,    ///< a physical output, with exact times of change

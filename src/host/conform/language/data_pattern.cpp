@@ -106,7 +106,7 @@ std::size_t width_of(const std::string& word) {
 
 DataPart value_part(Scanner& token) {
     const Expression value = token.peek() == '(' ? parse_operand(token, Radix::decimal) : parse_indexed_variable(token);
-    token.want(":", "say how wide it is: $x:u8, $x:u16, $x:u32, $E:mux or $b:all");
+    token.want(":", "give the width: $x:u8, $x:u16, $x:u32, $E:mux or $b:all");
     const std::string word = token.word();
     token.finish();
     if (word == "mux") {
@@ -137,7 +137,7 @@ DataPart object_part(Scanner& token) {
 DataPart capture_part(Scanner& token) {
     token.take("->");
     const std::string name = parse_name(token);
-    token.want(":", "say how wide it is: ->name:u32 or ->name:all");
+    token.want(":", "give the width: ->name:u32 or ->name:all");
     const std::string word = token.word();
     token.finish();
     DataPart part;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pattern for the data bytes of a frame in a step. A step sends it, or expects it and captures values.
+// The pattern for the data bytes of a frame in a step. A step sends the bytes of the pattern, or expects a frame that
+// matches the pattern and captures values of the frame.
 #pragma once
 
 #include <functional>
@@ -36,7 +37,7 @@ class DataPattern {
     /// Makes the pattern match any further bytes.
     void leave_rest_open() { rest_ = true; }
     /// Returns the bytes to send. A pattern that ends with `...` is padded with zeros to eight bytes. Throws BrokenCase
-    /// for `??` and for more than eight bytes.
+    /// for a byte without a fixed value, such as `??`, and for more than eight bytes.
     Bytes to_send(const Scope& scope) const;
     bool matches(const Scope& scope, const Bytes& data, Captures& captures) const;
 

@@ -29,7 +29,7 @@ std::int64_t divisor(std::int64_t number) {
 }
 std::uint64_t shift(std::int64_t number) {
     if (number < 0 || number > 63) {
-        throw BrokenCase{fmt::format("the expression shifts by {} bits; it must be 0 to 63", number)};
+        throw BrokenCase{fmt::format("the expression shifts by {} bits; shift by 0 to 63 bits", number)};
     }
     return bits(number);
 }
@@ -40,7 +40,8 @@ struct Operator {
     Operation apply;
 };
 
-// Longer symbols stand before shorter ones, so that `<<` is not read as `<`. The ranks have the order of C.
+// Longer symbols stand before shorter ones, so that `<<` is not read as `<`. A higher rank binds more strongly; the
+// order is that of C.
 const std::array<Operator, 18> operators{
     {{"||", 1, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 || b != 0}; }},
      {"&&", 2, [](std::int64_t a, std::int64_t b) { return std::int64_t{a != 0 && b != 0}; }},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of the case language. Each is compiled once and evaluated each time the step runs.
+// Expressions of the case language. Each expression is parsed once and evaluated each time its step runs.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ Expression parse_indexed_variable(Scanner& line);
 /// Parses the name after `->`, `as` or `let`. Throws LanguageError when there is none.
 std::string parse_name(Scanner& line);
 
-/// Returns the value of the expression as a number of microseconds. Throws BrokenCase when it is negative.
+/// Returns the value of the expression as a number of microseconds. Throws BrokenCase when the number is negative.
 std::uint64_t microseconds_of(const Expression& expression, const Scope& scope);
 
 }  // namespace canproof::host::conform

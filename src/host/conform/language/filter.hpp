@@ -24,7 +24,8 @@ struct Filter {
 /// Parses a filter up to `end`, or up to the end of the line if `end` is empty. Throws LanguageError.
 Filter parse_filter(Scanner& line, const std::string& end);
 
-/// Returns an entry as a variable with the fields index, sub, size, bits, type, high, low, default, readable, writable.
+/// Returns an entry as a variable with the fields index, sub, size, bits, type, code, high, low, default, readable,
+/// writable.
 Value entry_value(const ConformSheet& sheet, const SheetEntry& one);
 
 }  // namespace canproof::host::conform

@@ -101,7 +101,7 @@ std::string Scanner::up_to(const std::string& end) {
     skip_blanks();
     const std::size_t found = end.empty() ? std::string::npos : line_.find(end, at_);
     if (!end.empty() && found == std::string::npos) {
-        fail(fmt::format("`{}` is missing", end), fmt::format("write `{}` behind it", end));
+        fail(fmt::format("`{}` is missing", end), fmt::format("add `{}` to the line", end));
     }
     std::string text = line_.substr(at_, found == std::string::npos ? found : found - at_);
     at_ = found == std::string::npos ? line_.size() : found + end.size();
@@ -113,7 +113,7 @@ std::string Scanner::up_to(const std::string& end) {
 
 void Scanner::finish() {
     if (!at_end()) {
-        fail(fmt::format("`{}` is not expected here", rest()), "leave it out, or write it as a step of its own");
+        fail(fmt::format("`{}` is not expected here", rest()), "remove this text, or write it as a separate step");
     }
 }
 

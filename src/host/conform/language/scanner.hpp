@@ -9,7 +9,7 @@
 
 namespace canproof::host::conform {
 
-/// A line that is not a valid step. The fault contains the place, the problem and its fix.
+/// Reports a line that is not a valid step. The fault contains the place, the problem and its fix.
 class LanguageError {
   public:
     explicit LanguageError(Fault of) : fault{std::move(of)} {}
@@ -44,7 +44,8 @@ class Scanner {
     std::string peek_token();
     /// Reads the text between double quotes. Throws LanguageError when there is none.
     std::string quoted();
-    /// Reads up to `end` and skips `end`. If `end` is empty, reads up to the end of the line.
+    /// Reads up to `end` and skips `end`. If `end` is empty, reads up to the end of the line. Throws LanguageError when
+    /// `end` is missing.
     std::string up_to(const std::string& end);
     std::string rest() { return up_to(""); }
     /// Throws LanguageError unless the line is at its end.

@@ -19,7 +19,7 @@ std::int64_t number_of(const Value& value) {
         return value.number;
     }
     if (value.bytes->size() > most_number_bytes) {
-        throw BrokenCase{fmt::format("{} bytes are not a number", value.bytes->size())};
+        throw BrokenCase{fmt::format("{} bytes are too many for a number; use at most 8 bytes", value.bytes->size())};
     }
     return from_little_endian(*value.bytes, 0, value.bytes->size());
 }

@@ -80,7 +80,7 @@ bool BusTarget::line_came() {
     std::array<char, 256> piece{};
     const ssize_t count = read(hand_, piece.data(), piece.size());
     if (count == 0) {
-        say_("Standard input has ended: nobody switches the slave.");
+        say_("Standard input has ended, so nobody can confirm that the slave is switched.");
         throw Interrupted{};
     }
     const auto end = piece.begin() + std::max<ssize_t>(count, 0);

@@ -80,8 +80,8 @@ Instant Link::next_background() const {
     return next;
 }
 
-/// Sends the background frames that are due. When it is late, it sends a repeated frame once, and skips traffic frames
-/// while too many frames wait.
+/// Sends the background frames that are due. Sends a repeated frame only once when several of its periods have passed,
+/// and skips traffic frames while too many frames wait.
 void Link::send_background() {
     for (Produced& one : produced_) {
         if (one.next <= now()) {
@@ -114,7 +114,7 @@ void Link::pass(Instant until) {
     worst_delay_.us = std::max(worst_delay_.us, elapsed(due, now()).us);
     send_background();
     if (log_.size() >= most_logged) {
-        throw BrokenCase{"the case takes more frames than a log holds; make it shorter"};
+        throw BrokenCase{"the case has more frames than the log can contain; shorten the case"};
     }
 }
 

@@ -57,8 +57,8 @@ class Link {
     /// Takes the oldest frame of this kind that no step has taken. Waits for one until `deadline`; returns nothing when
     /// none comes.
     std::optional<FrameRecord> take(const FrameKey& key, Instant deadline);
-    /// Returns the oldest received frame for which `wanted` returns true. Does not wait and does not take it. Returns
-    /// nullptr when there is none.
+    /// Returns the oldest received frame for which `wanted` returns true. Does not wait, and leaves the frame to the
+    /// steps. Returns nullptr when there is none.
     const FrameRecord* peek(const std::function<bool(const FrameRecord&)>& wanted) const;
     void forget() { inbox_.clear(); }
     void forget(const FrameKey& key);
@@ -73,8 +73,8 @@ class Link {
     void produce(const Frame& frame, Duration period);
     void stop_producing();
     void stop_producing(std::uint32_t id);
-    /// Sends foreign frames that use `percent` of the bus capacity; 0 sends none. With `high`, their identifiers have
-    /// priority over those of the slave.
+    /// Sends foreign frames that use `percent` of the bus capacity; 0 sends none. With `high`, they have priority over
+    /// the slave's PDOs, SDOs and heartbeat.
     void set_traffic(double percent, bool high);
     /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }

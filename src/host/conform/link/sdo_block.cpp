@@ -43,7 +43,7 @@ Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
         const unsigned number = segment.front() & 0x7FU;
         if (number != block.segments + 1U) {
             throw SlaveFailed{
-                fmt::format("segment {} of a block came where {} must come", number, block.segments + 1U)};
+                fmt::format("the slave sent segment {} of a block instead of segment {}", number, block.segments + 1U)};
         }
         ++block.segments;
         block.last = (segment.front() & last_segment) != 0U;
@@ -54,7 +54,8 @@ Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
 
 void check_end(const Bytes& end, SdoOutcome& outcome, bool with_crc) {
     if ((end.front() & 0xE3U) != 0xC1U) {
-        throw SlaveFailed{fmt::format("{} came where the end of a block upload must come", hex_words(end))};
+        throw SlaveFailed{fmt::format("the slave ended a block upload with {}; the first byte must be C1h, C5h … DDh",
+                                      hex_words(end))};
     }
     const std::size_t unused = (end.front() >> 2U) & 7U;
     const auto left_over = static_cast<std::ptrdiff_t>(std::min(unused, outcome.data.size()));
@@ -62,8 +63,8 @@ void check_end(const Bytes& end, SdoOutcome& outcome, bool with_crc) {
     const std::int64_t crc = from_little_endian(end, 1, 2);
     const std::uint16_t wanted = block_crc(outcome.data);
     if (with_crc && crc != wanted) {
-        throw SlaveFailed{
-            fmt::format("the CRC is {:04X}h, but that of the {} bytes is {:04X}h", crc, outcome.data.size(), wanted)};
+        throw SlaveFailed{fmt::format("the slave sent the CRC {:04X}h, but the CRC of the {} bytes is {:04X}h", crc,
+                                      outcome.data.size(), wanted)};
     }
 }
 
@@ -86,8 +87,9 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
         return outcome;
     }
     if ((begun.front() & 0xF9U) != 0xC0U) {
-        throw SlaveFailed{fmt::format("{} came where C0h, C2h, C4h or C6h must begin the answer to a block upload{}",
-                                      hex_words(begun), how.switch_size != 0 ? " (or 40h to 4Fh to switch)" : "")};
+        throw SlaveFailed{
+            fmt::format("the slave answered a block upload with {}; the first byte must be C0h, C2h, C4h or C6h{}",
+                        hex_words(begun), how.switch_size != 0 ? ", or 40h to 4Fh to switch to a normal upload" : "")};
     }
     want_object(begun, place, "the answer");
     send({0xA3U});
@@ -120,7 +122,7 @@ SdoOutcome SdoClient::block_read(const ObjectPlace& place, const BlockRead& how)
     check_end(end, outcome, how.crc && (begun.front() & 0x04U) != 0U);
     if ((begun.front() & 0x02U) != 0U &&
         from_little_endian(begun, 4, 4) != static_cast<std::int64_t>(outcome.data.size())) {
-        throw SlaveFailed{fmt::format("{} bytes were announced, but {} were sent", from_little_endian(begun, 4, 4),
+        throw SlaveFailed{fmt::format("the slave announced {} bytes, but sent {}", from_little_endian(begun, 4, 4),
                                       outcome.data.size())};
     }
     send({0xA1U});
@@ -206,8 +208,10 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool begins = wanted == 0xA0U;
         const std::uint8_t block_size = begins ? got[4] : got[2];
         if ((got.front() & (begins ? 0xFBU : 0xFFU)) != wanted || block_size == 0 || block_size > highest_block_size) {
-            throw SlaveFailed{fmt::format("{} came where {} and a block size of 1 to 127 must come", hex_words(got),
-                                          begins ? "A0h or A4h" : "A2h")};
+            throw SlaveFailed{
+                fmt::format("the slave answered a block download with {}; an answer must begin with {} and contain a "
+                            "block size of 1 to 127",
+                            hex_words(got), begins ? "A0h or A4h" : "A2h")};
         }
         if (begins) {
             want_object(got, place, "the answer");
@@ -224,7 +228,7 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
         const bool lossy = outcome.blocks == 0 && how.lose && *how.lose <= count;
         const std::size_t all = lossy ? *how.lose - 1U : count;
         if (!abort_code(got) && got[1] != all) {
-            throw SlaveFailed{fmt::format("{} segments were acknowledged where {} must be", got[1], all)};
+            throw SlaveFailed{fmt::format("the slave acknowledged {} segments instead of {}", got[1], all)};
         }
         done += all;
         ++outcome.blocks;
@@ -241,7 +245,8 @@ SdoOutcome SdoClient::block_write(const ObjectPlace& place, const Bytes& data, c
     }
     outcome.abort = abort_code(got).value_or(0);
     if (outcome.abort == 0 && got.front() != 0xA1U) {
-        throw SlaveFailed{fmt::format("{} came where the end of a block download must be confirmed", hex_words(got))};
+        throw SlaveFailed{fmt::format(
+            "the slave answered the end of a block download with {}; the first byte must be A1h", hex_words(got))};
     }
     return outcome;
 }

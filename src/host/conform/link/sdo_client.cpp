@@ -42,7 +42,8 @@ std::string abort_words(std::uint32_t code) {
 void want_object(const Bytes& answer, const ObjectPlace& place, const char* what) {
     const ObjectPlace said{static_cast<std::uint16_t>(from_little_endian(answer, 1, 2)), answer[3]};
     if (!(said == place)) {
-        throw SlaveFailed{fmt::format("{} is about {} instead of {}", what, words_of(said), words_of(place))};
+        throw SlaveFailed{
+            fmt::format("{} contains the object {} instead of {}", what, words_of(said), words_of(place))};
     }
 }
 
@@ -113,7 +114,9 @@ SdoOutcome SdoClient::read_segments(const Bytes& first) {
         }
         if ((segment.front() & 0xF0U) != turn) {
             throw SlaveFailed{
-                fmt::format("segment {} came where the toggle bit must be {}", hex_words(segment), turn >> 4U)};
+                fmt::format("the slave sent the segment {0}; the first byte must be {1}0h to {1}Fh, because the toggle "
+                            "bit must be {1}",
+                            hex_words(segment), turn >> 4U)};
         }
         append(outcome.data, segment, 1, segment_size - ((segment.front() >> 1U) & 7U));
         last = (segment.front() & 0x01U) != 0U;
@@ -122,7 +125,7 @@ SdoOutcome SdoClient::read_segments(const Bytes& first) {
         }
     }
     if (says_size && size != static_cast<std::int64_t>(outcome.data.size())) {
-        throw SlaveFailed{fmt::format("{} bytes were announced, but {} were sent", size, outcome.data.size())};
+        throw SlaveFailed{fmt::format("the slave announced {} bytes, but sent {}", size, outcome.data.size())};
     }
     return outcome;
 }
@@ -163,7 +166,8 @@ SdoOutcome SdoClient::write_segments(const ObjectPlace& place, const Bytes& data
     for (std::uint8_t wanted = 0x60U; abort_code(got).value_or(0) == 0; got = answer()) {
         if (got.front() != wanted) {
             throw SlaveFailed{
-                fmt::format("{} came where a frame that begins with {:02X} must come", hex_words(got), wanted)};
+                fmt::format("the slave answered a segmented download with {}; the first byte must be {:02X}h",
+                            hex_words(got), wanted)};
         }
         if (last) {
             return outcome;

@@ -86,7 +86,7 @@ class SdoClient {
 
 /// Returns the abort code if the frame is an abort; otherwise returns nothing.
 std::optional<std::uint32_t> abort_code(const Bytes& answer);
-/// Returns an abort code in words: `abort 06090011h (sub-index does not exist)`.
+/// Returns an abort code as text: `abort 06090011h`.
 std::string abort_words(std::uint32_t code);
 /// Throws SlaveFailed when the frame contains another object than `place`. `what` names the frame in the message.
 void want_object(const Bytes& answer, const ObjectPlace& place, const char* what);

@@ -54,13 +54,14 @@ class Target {
     virtual bool follows_bit_rate() const { return false; }
     /// Returns whether the bus carries remote frames.
     bool has_remote_frames() const { return remote_frames_; }
-    /// Makes all further cases with remote frames be skipped.
+    /// Declares that the bus carries no remote frames, so that all further cases with remote frames are skipped.
     void leave_out_remote_frames() { remote_frames_ = false; }
     /// Returns the bit rate in bit/s; 0: unknown.
     virtual std::uint32_t bit_rate() const = 0;
     /// Returns the name of the target for the report: `virtual time`, `socketcan:can0`.
     virtual const std::string& name() const = 0;
-    /// Returns whether every run gives the same frames at the same times. Then it is useless to repeat a failed case.
+    /// Returns whether every run gives the same frames at the same times, so that it is useless to repeat a failed
+    /// case.
     virtual bool is_repeatable() const { return false; }
     virtual BusReport report() const = 0;
 

@@ -27,8 +27,8 @@ std::string ms(std::uint64_t us) {
     return ms(static_cast<double>(us));
 }
 
-/// Returns the limits in words: `mean 95.000 to 105.000, each at most 1000.000`. Returns `no limit` when there are
-/// none.
+/// Returns the limits in ms: `mean 95.000 to 105.000, each at most 1000.000`. Returns `no limit` when there are no
+/// limits.
 std::string accepted_words(const Measured& measured) {
     std::string words;
     const auto add = [&words](const char* what, const std::optional<TimeLimits>& limits) {
@@ -69,7 +69,7 @@ std::string load_words(const ConformReport& report) {
     const std::string load =
         mean && highest ? fmt::format("{:.1f} % on average, {:.1f} % in the busiest second", *mean, *highest)
                         : fmt::format("the bit rate is not known; {} bits of frames", grouped(report.bus_use.bits()));
-    return fmt::format("{}; {} frames, {} of them from the tester, {} error frames, {} lost", load,
+    return fmt::format("{}; {} frames ({} from the tester), {} error frames, {} lost frames", load,
                        grouped(report.bus_use.frames()), grouped(report.bus_use.own_frames()),
                        grouped(report.error_frames), grouped(report.lost_frames));
 }

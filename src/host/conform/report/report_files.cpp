@@ -32,7 +32,7 @@ std::string summary_lines(const ConformReport& report) {
         }
     }
     text.back() = '\n';
-    text += report.interrupted ? "interrupted; what was written is put back\n" : "";
+    text += report.interrupted ? "interrupted; the written parameters are put back\n" : "";
     text += fmt::format("bus load: {}\n", load_words(report));
     for (const auto& [what, measured] : times_of_all(report)) {
         const Spread spread = spread_of(measured.times);

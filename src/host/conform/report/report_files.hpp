@@ -9,13 +9,15 @@
 
 namespace canproof::host::conform {
 
-/// Returns the line of a result: `passed     sdo-device-type`, and the reason if the case did not pass.
+/// Returns the line of a result: `passed     sdo        sdo-device-type`. If the case did not pass, adds the reason
+/// and, on a second line, the step.
 std::string result_line(const CaseResult& one);
-/// Returns the last lines of a run: the counts, and what is left to do.
+/// Returns the last lines of a run: the counts, the bus load, the times, wrong behaviour before the first case, and the
+/// entries that could not be put back.
 std::string summary_lines(const ConformReport& report);
 
-/// Returns every file by its path: index.html, a page for each service and for each failed case, junit.xml,
-/// report.json, report.txt. The same report gives the same bytes.
+/// Returns every file by its path: the pages of report_pages(), junit.xml, report.json, report.txt. The same report
+/// gives the same bytes.
 std::map<std::string, std::string> report_files(const ConformReport& report);
 
 }  // namespace canproof::host::conform

@@ -49,11 +49,11 @@ std::vector<NavigationEntry> navigation(const ConformReport& report) {
 std::string summary_page(const ConformReport& report) {
     std::vector<std::vector<std::string>> facts{
         {"Data sheet", escaped(report.sheet)},
-        {"SHA-256 of it", "<code>" + escaped(report.checksum) + "</code>"},
+        {"SHA-256 of the data sheet", "<code>" + escaped(report.checksum) + "</code>"},
         {"Bus", escaped(report.target)},
         {"Node-ID", fmt::format("{}", report.node)},
         {"Bit rate", report.bit_rate == 0 ? "not known" : fmt::format("{} bit/s", report.bit_rate)},
-        {"Foreign traffic asked for", fmt::format("{:.0f} %", report.traffic)},
+        {"Requested foreign traffic", fmt::format("{:.0f} %", report.traffic)},
         {"Bus load measured", load_words(report)},
         {"Program", escaped(report.program)}};
     for (const auto& [what, text] : report.identity) {

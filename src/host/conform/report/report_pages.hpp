@@ -9,7 +9,8 @@
 
 namespace canproof::host::conform {
 
-/// Returns index.html, SERVICE.html, and case-ID.html for each case that did not pass, by path.
+/// Returns pages by their paths: index.html, SERVICE.html for each service, and case-ID.html for each case that ran and
+/// did not pass.
 std::map<std::string, std::string> report_pages(const ConformReport& report);
 
 }  // namespace canproof::host::conform

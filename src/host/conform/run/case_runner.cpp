@@ -182,13 +182,13 @@ void CaseRunner::set_variables(Scope& scope) const {
 
 std::string CaseRunner::not_allowed(const Case& one) const {
     if (one.risk == Risk::output && !options_.allow_outputs) {
-        return "it may move an output; allow it with --allow-outputs";
+        return "the case may move an output; allow this with --allow-outputs";
     }
     if (one.risk == Risk::store && !options_.allow_store) {
-        return "it stores parameters; allow it with --allow-store";
+        return "the case stores parameters; allow this with --allow-store";
     }
     if (one.risk == Risk::lss && !options_.allow_lss) {
-        return "it changes what LSS sets; allow it with --allow-lss";
+        return "the case changes node-ID or bit rate by LSS; allow this with --allow-lss";
     }
     return {};
 }
@@ -299,7 +299,8 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case if a received frame is left that no step took.
+/// Fails the case if an emergency, a boot-up message or an SDO frame of the slave is left that no step took and the
+/// case does not allow.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);
     const std::uint32_t node = sheet_.node_id;
@@ -315,7 +316,7 @@ void CaseRunner::check_unasked(const Case& one) {
         const char* const what = found->frame.id == 0x80U + node    ? "EMCY"
                                  : found->frame.id == 0x580U + node ? "SDO frame"
                                                                     : "boot-up message";
-        throw SlaveFailed{fmt::format("the slave sent an unasked-for {}: {}", what, hex_words(data_of(found->frame)))};
+        throw SlaveFailed{fmt::format("the slave sent an unsolicited {}: {}", what, hex_words(data_of(found->frame)))};
     }
 }
 
@@ -372,9 +373,9 @@ std::vector<std::string> CaseRunner::put_everything_back() {
         }
         return left;
     } catch (const SlaveFailed& failed) {
-        return {fmt::format("its parameters could not be put back: {}", failed.what())};
+        return {fmt::format("the parameters of the slave could not be put back: {}", failed.what())};
     } catch (const Interrupted&) {
-        return {"interrupted again before its parameters were put back"};
+        return {"interrupted again before the parameters of the slave were put back"};
     }
 }
 

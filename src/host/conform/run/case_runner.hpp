@@ -23,10 +23,10 @@ class CaseRunner {
     void begin(ConformReport& report);
     /// Runs a case. On a real bus, runs a failed case again, at most `most_runs` times in total. Throws Interrupted.
     CaseResult run(const Case& one);
-    /// Restores every parameter that differs from the start of the run. Returns one sentence for each that could not be
-    /// restored.
+    /// Restores every parameter that differs from the start of the run. Returns one sentence for each parameter that
+    /// could not be restored.
     std::vector<std::string> put_everything_back();
-    /// Returns whether the slave answered when it was last asked.
+    /// Returns whether the slave answered when it was last reset.
     bool is_alive() const { return alive_; }
     /// Returns the bus use of all frames since the runner was made.
     const BusUse& bus_use() const { return link_.bus_use(); }

@@ -134,7 +134,7 @@ void check_calls(const Calls& calls, const CaseBook& book, Faults& faults) {
                                 "write a [[procedure]] of that name");
         } else if (found->second.takes.size() != call.arguments) {
             faults.emplace_back(call.place, fmt::format("`{}` gets {} argument(s)", call.name, call.arguments),
-                                fmt::format("give it {}", found->second.takes.size()));
+                                fmt::format("give the procedure {}", found->second.takes.size()));
         }
     }
 }
@@ -143,7 +143,7 @@ void check_unique(const CaseBook& book, Faults& faults) {
     std::set<std::string> ids;
     for (const Case& one : book.cases) {
         if (!ids.insert(one.id).second) {
-            faults.emplace_back(one.place, fmt::format("there are two cases {}", one.id), "give one another id");
+            faults.emplace_back(one.place, fmt::format("there are two cases {}", one.id), "change the id of one case");
         }
     }
 }

@@ -12,14 +12,15 @@
 
 namespace canproof::host::conform {
 
-/// The greatest risk that a case is for the equipment.
+/// The greatest risk of a case for the equipment.
 enum class Risk { none, output, store, lss, restart };
 enum class Preparation { none, reset_communication, reset_node };
 
 struct Case {
     std::string id;
     std::string group;
-    std::vector<std::string> numbers;  ///< numbers of the case in the public transcript
+    std::vector<std::string>
+        numbers;  ///< numbers in the public transcript of a conformance run (CANopenNode, issue 323)
     std::string shows;
     std::string section;
     std::vector<std::string> tests;

@@ -26,7 +26,7 @@ void check_names(const std::vector<std::string>& all, const CaseBook& book, bool
             (groups && has(case_groups(), name)) ||
             std::any_of(book.cases.begin(), book.cases.end(), [&](const Case& one) { return names({name}, one); });
         if (!known) {
-            throw InputError{fmt::format("there is no case {}; `canproof conform --list` shows all", name)};
+            throw InputError{fmt::format("there is no case {}; `canproof conform --list` lists the cases", name)};
         }
     }
 }
@@ -42,7 +42,8 @@ CaseResult not_run(const Case& one, const std::string& why) {
 std::vector<const Case*> chosen_cases(const CaseBook& book, const ConformOptions& options) {
     for (const std::string& group : options.only) {
         if (!has(case_groups(), group)) {
-            throw InputError{fmt::format("there is no service {}; `canproof conform --list` shows all", group)};
+            throw InputError{
+                fmt::format("there is no service {}; `canproof conform --list` lists the services", group)};
         }
     }
     check_names(options.cases, book, false);

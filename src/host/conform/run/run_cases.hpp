@@ -31,8 +31,8 @@ struct ConformOptions {
 /// Largest number of runs of one case: on a real bus a failed case runs again.
 constexpr unsigned most_runs = 4;
 
-/// Runs the cases that the options choose. Throws InputError when an option matches no case, and when the slave does
-/// not answer at all.
+/// Runs the cases that the options choose. Throws InputError when an option names a case or service that does not
+/// exist, and when the slave does not answer at all.
 ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
 /// Returns the cases that the options choose. Throws InputError for an id, number or group that does not exist.

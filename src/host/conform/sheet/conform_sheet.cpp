@@ -69,7 +69,7 @@ std::optional<std::string> ConformSheet::key(const std::string& section, const s
 ConformSheet read_sheet(const std::string& text, const std::string& name, std::uint8_t node_id) {
     EdsResult read = read_eds(text, name);
     if (!read.faults.empty()) {
-        throw InputError{fmt::format("{} is no data sheet to test by:\n{}", name, faults_text(read.faults))};
+        throw InputError{fmt::format("{} is no valid data sheet:\n{}", name, faults_text(read.faults))};
     }
     ConformSheet sheet;
     sheet.name = name;

@@ -81,7 +81,7 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
     if (sheet.ini.sections.empty()) {
-        throw CaseSkipped{"the rules are those of an EDS; an XDD has others"};
+        throw CaseSkipped{"the rules apply to an EDS, and this data sheet is an XDD"};
     }
     ++context.journal.judged;
     std::string first_error;
@@ -124,7 +124,8 @@ Action parse_next(Scanner& line, StepSource&) {
     };
 }
 
-/// Runs the iterations of a loop and adds their names to messages. When all of them were skipped, the case is skipped.
+/// Runs the iterations of a loop and adds their names to messages. When all iterations were skipped, the case is
+/// skipped.
 class Turns {
   public:
     explicit Turns(Context& context) : context_{context}, depth_{context.turns.size()} {}

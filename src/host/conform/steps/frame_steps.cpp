@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t usual_wait_us = 1000000;
 
-/// Parses `within 2 s`. Without it, returns 1 s.
+/// Parses `within 2 s`. Returns 1 s when the line has no `within` here.
 Expression parse_within(Scanner& line) {
     if (line.take_word("within")) {
         return parse_expression(line, Radix::decimal);
@@ -23,7 +23,7 @@ Expression parse_within(Scanner& line) {
     return [](const Scope&) { return Value{std::int64_t{usual_wait_us}}; };
 }
 
-/// Parses `-> name`. Without it, returns an empty name.
+/// Parses `-> name`. Returns an empty name when the line has no `->` here.
 std::string parse_capture(Scanner& line) {
     return line.take("->") ? parse_name(line) : std::string{};
 }
@@ -80,7 +80,8 @@ Action parse_awaited(Scanner& line, bool passes_over) {
                 keep(context, *record, captures, name);
                 return;
             }
-            last = fmt::format("{} came with {}", words_of(key), data.empty() ? "no data" : hex_words(data));
+            last = fmt::format("{} came with {}, which the step does not accept", words_of(key),
+                               data.empty() ? "no data" : hex_words(data));
             if (!passes_over) {
                 throw SlaveFailed{last};
             }
@@ -119,8 +120,8 @@ Action parse_answer(Scanner& line, StepSource&) {
         Captures captures;
         if (!data.matches(*context.scope, bytes, captures)) {
             const auto code = abort_code(bytes);
-            throw SlaveFailed{fmt::format("the SDO server answered {}{}", hex_words(bytes),
-                                          code ? fmt::format(" ({})", abort_words(*code)) : "")};
+            throw SlaveFailed{fmt::format("the SDO server answered {}{}, which the step does not accept",
+                                          hex_words(bytes), code ? fmt::format(" ({})", abort_words(*code)) : "")};
         }
         FrameRecord record{context.link.now(), data_frame(context.sdo.answer_key().id, max_frame_length), false};
         std::copy(bytes.begin(), bytes.end(), record.frame.data.begin());

@@ -41,7 +41,8 @@ Bytes want_answer(Context& context, std::uint8_t command) {
     }
     ++context.journal.judged;
     if (answer->size() != max_frame_length || answer->front() != command) {
-        throw SlaveFailed{fmt::format("the LSS answer is {} where {:02X} must come", hex_words(*answer), command)};
+        throw SlaveFailed{fmt::format("the LSS answer is {}; it must have 8 bytes and begin with {:02X}h",
+                                      hex_words(*answer), command)};
     }
     return *answer;
 }

@@ -47,10 +47,11 @@ std::string ask_block(Context& context, bool upload) {
             answer = true;  // the slave starts a block transfer; the case itself checks the result
         }
     }
-    return *answer ? "" : fmt::format("the slave has no block {} (05040001h)", upload ? "upload" : "download");
+    return *answer ? "" : fmt::format("the slave has no block {} (abort 05040001h)", upload ? "upload" : "download");
 }
 
-/// Reads a capability word such as 1010h:01. Returns an empty text when its bit 0 is set; otherwise the reason why not.
+/// Reads a capability word such as 1010h:01. Returns an empty text when bit 0 of the word is set; otherwise the reason
+/// why the need is not met.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {

@@ -106,7 +106,7 @@ Steps StepSource::block_of(Scanner& line) {
     line.finish();
     if (++depth_ > deepest_block) {
         line.fail(fmt::format("blocks are nested more than {} deep", deepest_block),
-                  "make a procedure of the inner ones");
+                  "move the inner blocks to a procedure");
     }
     closing_ = line;
     Steps steps = block(true);

@@ -23,8 +23,8 @@ void judge_value(const SdoOutcome& outcome, const Value& wanted, const ObjectPla
     const bool fits = wanted.bytes || outcome.data.size() >= 8 ||
                       same(Value{from_little_endian(bytes, 0, bytes.size())}, wanted) || wanted.number < 0;
     if (bytes != outcome.data || !fits) {
-        throw SlaveFailed{fmt::format("{} reads {} where the case wants {}", words_of(place), hex_words(outcome.data),
-                                      words_of(wanted))};
+        throw SlaveFailed{fmt::format("a read of {} returned {} instead of {}", words_of(place),
+                                      hex_words(outcome.data), words_of(wanted))};
     }
 }
 
@@ -45,11 +45,11 @@ bool Ending::take(Scanner& line) {
 void Ending::judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const {
     if (fails) {
         if (outcome.abort == 0) {
-            throw SlaveFailed{fmt::format("{} was accepted; it must be refused", words_of(place))};
+            throw SlaveFailed{fmt::format("the transfer of {} was accepted, but must be refused", words_of(place))};
         }
         fails->want(outcome.abort);
     } else if (outcome.abort != 0 && !any) {
-        throw SlaveFailed{fmt::format("{}: {}", words_of(place), abort_words(outcome.abort))};
+        throw SlaveFailed{fmt::format("the transfer of {} ended with {}", words_of(place), abort_words(outcome.abort))};
     }
     if (value) {
         judge_value(outcome, value(*context.scope), place);
@@ -70,7 +70,7 @@ Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& p
     const std::size_t size = known.entry == nullptr ? 0 : type_size(known.entry->type);
     if (size == 0) {
         throw BrokenCase{
-            fmt::format("the data sheet does not say how wide {} is; add `as u8`, `as u16` or `as u32` to the step",
+            fmt::format("the data sheet gives no fixed width for {}; add `as u8`, `as u16` or `as u32` to the step",
                         words_of(place))};
     }
     return little_endian(value.number, size);

@@ -20,12 +20,12 @@ struct Ending {
 
     /// Parses `fails …` or `-> name`. Returns false when neither of them follows.
     bool take(Scanner& line);
-    /// Throws SlaveFailed when the transfer ended in another way. Stores its value under the name.
+    /// Throws SlaveFailed when the transfer ended in another way. Stores the value of the transfer under the name.
     void judge(const SdoOutcome& outcome, const ObjectPlace& place, Context& context) const;
 };
 
 /// Returns the bytes to write: the given bytes, or a number in `width` bytes. If `width` is 0, the data sheet
-/// determines the width. Throws BrokenCase when it does not.
+/// determines the width. Throws BrokenCase when the data sheet does not contain the width.
 Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& place, const Context& context);
 
 }  // namespace canproof::host::conform

@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr std::uint64_t patience = 3;  // number of expected periods for which a step waits
+constexpr std::uint64_t patience = 3;  // a step waits for this multiple of the time that the expected frames take
 constexpr Duration grace = milliseconds(1000);
 
 /// Ends a watch when the step ends, even by an exception.
@@ -228,7 +228,7 @@ Action parse_period(Scanner& line, StepSource&) {
     while (!line.at_end()) {
         if (line.take("=")) {
             spec.mean = parse_operand(line, Radix::decimal);
-            line.want("+-", "say what it may be off: = 100 ms +- 5 %");
+            line.want("+-", "give the tolerance: = 100 ms +- 5 %");
             spec.tolerance = parse_tolerance(line);
         } else if (line.take_word("min")) {
             spec.shortest = parse_operand(line, Radix::decimal);
@@ -275,7 +275,8 @@ std::optional<Value> field_of(const Watched& seen, const std::string& field) {
     }
     const bool known =
         field == "data" || field == "first" || field == "last" || field == "mean" || field == "min" || field == "max";
-    return known ? throw SlaveFailed{fmt::format("too few frames came for a {}", field)} : std::optional<Value>{};
+    return known ? throw SlaveFailed{fmt::format("too few frames came to determine `{}`", field)}
+                 : std::optional<Value>{};
 }
 
 Action parse_watch(Scanner& line, StepSource&) {

@@ -23,8 +23,8 @@ class FilterList {
     explicit FilterList(const ObjectDictionary& objects) : objects_{objects} {}
 
     void add(std::uint32_t id) { add(AcceptanceFilter{id, 0x7FFU, false}); }
-    /// Adds a filter for the identifier in a COB-ID entry. If one of the bits `not_in_use` is set in the entry, adds
-    /// none, because the message does not exist.
+    /// Adds a filter for the identifier in a COB-ID entry. Adds no filter if the entry is missing, or if one of the
+    /// bits `not_in_use` is set in it, because the message then does not exist.
     void add_entry(std::uint16_t index, std::uint8_t subindex, std::uint32_t not_in_use) {
         if (!objects_.has(index, subindex)) {
             return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Acceptance filters: they select the identifiers of the frames that the kernel passes to a node.
+// Acceptance filters: they select by identifier the frames that a bus passes to a node.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ inline bool operator==(const AcceptanceFilter& a, const AcceptanceFilter& b) {
 /// Returns two filters that together accept every frame: one for 11-bit and one for 29-bit identifiers.
 const std::vector<AcceptanceFilter>& accept_everything();
 
-/// Returns the filters for the present COB-IDs in a dictionary. These are NMT, LSS, SYNC, TIME, SDO servers, PDOs
-/// (transmit PDOs because of their remote frames), and the error control of the node and of the nodes that it monitors.
-/// Without a node-ID, returns only those for NMT and LSS.
+/// Returns filters for all frames to which a node with this dictionary reacts. These are NMT, LSS, SYNC, TIME, SDO
+/// requests, PDOs (transmit PDOs because of their remote frames), and the error control of the node and of the nodes
+/// that it monitors. If `node_id` is no node-ID, returns only the filters for NMT and LSS.
 std::vector<AcceptanceFilter> acceptance_filters(const ObjectDictionary& objects, std::uint8_t node_id);
 
 }  // namespace canproof::host

@@ -51,7 +51,7 @@ void ArbitratedBus::add_port(BusNode& node, bool gateway) {
 void ArbitratedBus::attach(BusNode& node) {
     const auto nodes = std::count_if(ports_.begin(), ports_.end(), [](const auto& one) { return !one.second.gateway; });
     if (static_cast<std::size_t>(nodes) == most_nodes) {
-        throw InputError{fmt::format("{} is one node too many; a CANopen bus has at most {}", node.name(), most_nodes)};
+        throw InputError{fmt::format("{} is one too many: a CANopen bus has up to {} nodes", node.name(), most_nodes)};
     }
     add_port(node, false);
 }
@@ -113,7 +113,7 @@ void ArbitratedBus::tell_bit_rates() {
         port.rate = port.gateway ? 0 : port.node->bit_rate();
         if (before != 0 && port.rate != before) {
             const char* const outcome =
-                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another, so no frame passes";
+                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another bit rate; no frame passes";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }
@@ -175,7 +175,7 @@ ArbitratedBus::Port* ArbitratedBus::winner(Nanoseconds at) {
     return nullptr;
 }
 
-/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when none can start.
+/// Starts the next frame as soon as the bus is idle, even between two microseconds. Returns false when none starts.
 bool ArbitratedBus::start(Nanoseconds now) {
     if (running_) {
         return false;
@@ -357,7 +357,7 @@ void ArbitratedBus::recover(Nanoseconds now) {
     }
 }
 
-/// Returns the earliest time at which the port can send; `never` without a frame or when it takes no part in the bus.
+/// Returns the earliest time at which the port can send; `never` if it has no frame or takes no part in the bus.
 Instant ArbitratedBus::may_start(const Port& port) const {
     const bool sends = port.reported_state != CanState::bus_off && port.next() != nullptr && takes_part(port);
     return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;

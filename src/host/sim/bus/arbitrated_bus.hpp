@@ -40,8 +40,8 @@ class ArbitratedBus final : public Bus {
     /// error-passive node does. If a gateway is detached during its transmission, an error frame follows.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
-    /// Returns whether a frame of that gateway is on the wire or must be repeated. If the gateway is detached then, the
-    /// frame is lost.
+    /// Returns whether a frame of that gateway is on the wire or must be repeated. Such a frame is lost if the gateway
+    /// is detached.
     bool is_sending(const Gateway& gateway) const;
 
     bool put(const Frame& frame, Instant now) override;
@@ -52,8 +52,8 @@ class ArbitratedBus final : public Bus {
     BusReport report(Instant now) const override;
     const std::string& interface() const override { return interface_; }
 
-    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. If its frame is on the wire, that
-    /// frame is lost and the other nodes see an error.
+    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. If a frame of the node is on the
+    /// wire, the frame is lost and the other nodes see an error.
     void switch_off(const BusNode& node, Instant now);
 
   private:

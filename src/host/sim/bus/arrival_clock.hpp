@@ -22,8 +22,8 @@ class ArrivalClock {
     /// Compares the clock of the run with the real time, which `realtime_ns` returns. Without a clock, `now` is the
     /// time of the run.
     void compare(Instant now, const std::function<std::uint64_t()>& realtime_ns);
-    /// Returns a time stamp of CLOCK_REALTIME on the clock of the run. Returns `otherwise` for the value 0, which means
-    /// no time stamp, and for a time before the run.
+    /// Converts a time stamp of CLOCK_REALTIME to the clock of the run. Returns `otherwise` for the value 0, which
+    /// means no time stamp, and for a time before the run.
     Instant at(std::uint64_t stamp_ns, Instant otherwise) const;
     /// Returns the time of arrival of data that poll(now) has just read. It is the result of at(), or `now` without a
     /// clock of the run.

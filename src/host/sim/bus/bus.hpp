@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of a bus for the run loop: it connects nodes, and waits for descriptors and deadlines.
+// The interface of a bus for the run loop. A bus connects nodes; the run loop waits for its descriptors and deadlines.
 #pragma once
 
 #include <cstdint>
@@ -62,14 +62,15 @@ struct BusReport {
     std::uint64_t errors{0};  ///< number of error frames
     /// number of frames that came faster than they were read; they are neither logged nor counted
     std::uint64_t lost{0};
-    std::uint64_t missed{0};  ///< number of lost frames, added up over the nodes of this program
-    double load{0.0};         ///< load over the last second, 0 to 1
+    std::uint64_t missed{
+        0};            ///< number of frames that nodes of this program have lost, each counted once for each node
+    double load{0.0};  ///< load over the last second, 0 to 1
     /// time from the moment a frame becomes the first in the queue of its node until its last bit is sent
     Duration worst_latency{};
     std::uint32_t bit_rate{0U};  ///< bit rate in bit/s; 0: unknown
 };
 
-/// A descriptor that a bus waits for.
+/// A descriptor for which the run loop waits on behalf of a bus.
 struct Watch {
     int descriptor{-1};
     bool readable{true};
@@ -87,7 +88,7 @@ class Bus {
     /// Adds a node before the first advance(). `node` must outlive the bus.
     virtual void attach(BusNode& node) = 0;
     /// Sends a frame that belongs to no node, such as a line on standard input. Returns false when the bus cannot take
-    /// it now.
+    /// the frame now.
     virtual bool put(const Frame& frame, Instant now) = 0;
     virtual std::vector<Watch> watches() const = 0;
     /// Reads the descriptors. Arrived data become due at their time of arrival. Returns the time up to which all
@@ -99,8 +100,8 @@ class Bus {
     /// Returns the name of the interface for a log.
     virtual const std::string& interface() const = 0;
 
-    /// Sets the clock of the run. A bus to the outside needs it to determine when data arrived. Without it, all data
-    /// that poll() reads count as arrived at its `now`.
+    /// Sets the clock of the run. A bus to the outside needs it to determine when data arrived. Without this clock, all
+    /// data that poll(now) reads count as arrived at `now`.
     void use_clock(ArrivalClock::Clock clock) { arrival_clock_.use(std::move(clock)); }
     /// Sets the listener. It receives every frame once, in order of time.
     void listen(FrameListener listener) { listener_ = std::move(listener); }

@@ -11,15 +11,15 @@ namespace canproof::host {
 /// The probability of each fault for one frame, 0 to 1.
 struct BusFaultRates {
     double corrupted{0.0};  ///< a bit error: an error frame follows, and the frame is sent again
-    double lost{0.0};       ///< one receiver has no room for the frame
+    double lost{0.0};       ///< a randomly chosen node has no room for the frame
     double bus_off{0.0};    ///< the sender's controller becomes bus-off after the frame
     std::uint64_t seed{1U};
 
     bool any() const { return corrupted > 0.0 || lost > 0.0 || bus_off > 0.0; }
 };
 
-/// Parses `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`. Each part is optional. Throws InputError for any other
-/// text.
+/// Parses `corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7`. Each part is optional. A probability is 0 to 0.9. Throws
+/// InputError for any other text.
 BusFaultRates parse_bus_faults(const std::string& text);
 
 class BusFaults {

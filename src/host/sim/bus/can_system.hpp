@@ -41,7 +41,7 @@ class CanSystem {
     /// Sets the filters of a socket. Returns 0, or errno when it fails.
     virtual int set_filters(int descriptor, const std::vector<can_filter>& filters) = 0;
     virtual int send(int descriptor, const can_frame& frame) = 0;
-    /// Appends the frames that one system call returns and returns 0. Returns errno when there is no frame, and for an
+    /// Appends the frames that one system call reads, and returns 0. Returns errno when there is no frame, or on an
     /// error.
     virtual int receive(int descriptor, std::vector<CanReception>& into) = 0;
     /// Returns the number of frames that the socket has lost so far. The number includes frames lost after the last

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recognises the own frames of nodes in a record of the bus: frames that a node has sent and that have not come back
-// yet.
+// Finds the sender of a frame that a bus returns. Stores the frames that nodes have sent until they come back.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +39,7 @@ class EchoMatcher {
 
   private:
     // Greatest number of sent frames with one identifier that may still come back. A socket cannot contain so many
-    // unread frames, so older frames are lost.
+    // unread frames, so an older frame has been lost.
     static constexpr std::size_t most_open = 1U << 17U;
     struct Sent {
         Frame frame;

@@ -15,7 +15,7 @@ class FaultConfinement {
     void transmit_failed() { transmit_ += transmit_penalty; }
     void receive_failed() { receive_ += receive_ <= most_counted ? 1U : 0U; }
     void switch_off() { transmit_ = bus_off_at; }
-    /// Ends the bus-off state after 128 × 11 recessive bits, and clears both counters.
+    /// Ends the bus-off state and clears both counters. The caller must first wait for 128 × 11 recessive bits.
     void recover() { transmit_ = receive_ = 0U; }
 
     CanState state() const {

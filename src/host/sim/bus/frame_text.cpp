@@ -53,8 +53,8 @@ TextFault read_data(Frame& frame, std::string_view data) {
     return sound ? TextFault{} : fmt::format("data `{}` is not up to eight bytes in hexadecimal", data);
 }
 
-/// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN they also mean eight
-/// bytes.
+/// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN, each of these codes
+/// means eight bytes.
 TextFault cut_length_code(std::string_view& data, bool& coded) {
     const auto at = data.find('_');
     coded = at != std::string_view::npos;
@@ -66,7 +66,7 @@ TextFault cut_length_code(std::string_view& data, bool& coded) {
     const bool has_eight = data.size() == 2 * max_frame_length || data == "R8" || data == "r8";
     const unsigned value = code.size() == 1 ? digit_of(code.front()) : no_digit;
     if (!has_eight || value <= max_frame_length || value == no_digit) {
-        return fmt::format("`_{}` is no length code from 9 to F behind eight bytes", code);
+        return fmt::format("`_{}` is no length code from 9 to F after eight bytes", code);
     }
     return std::nullopt;
 }

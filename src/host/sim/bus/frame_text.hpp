@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames in the text form of candump: `603#2B116401B33E0000`, or `703#R` for a remote frame. The parser reads single
-// characters and allocates no memory, because a log can have millions of frames.
+// characters and allocates no memory for a valid frame, because a log can have millions of frames.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct FrameText {
 
 /// Parses a frame that a node can receive. Returns nothing for a valid text, otherwise its fault.
 TextFault read_frame_text(std::string_view text, FrameText& read);
-/// Parses such a frame or an error frame (`20000004#0000000000000000`). Returns nothing for a valid text, otherwise its
-/// fault.
+/// Parses a frame that a node can receive, or an error frame (`20000004#0000000000000000`). Returns nothing for a valid
+/// text, otherwise its fault.
 TextFault read_logged_frame(std::string_view text, FrameText& read);
 
 /// Returns whether both frames give the same text.

@@ -65,8 +65,8 @@ void read_control(msghdr& message, CanReception& got) {
     }
 }
 
-/// Discards standard error while it exists. libsocketcan prints a message when data are missing, such as the bit rate
-/// of a vcan. The bus itself reports the errors that matter.
+/// Discards standard error as long as the object exists. libsocketcan prints a message when data are missing, such as
+/// the bit rate of a vcan. The bus itself reports the errors that matter.
 class Hush {
   public:
     Hush() : kept_{dup(STDERR_FILENO)}, nowhere_{::open("/dev/null", O_WRONLY | O_CLOEXEC)} {
@@ -185,12 +185,12 @@ class LinuxCanSystem final : public CanSystem {
         }
         const Hush hush;
         if (can_do_stop(interface.c_str()) != 0) {
-            return {false, fmt::format("{} could not be taken down; this takes the right CAP_NET_ADMIN", interface)};
+            return {false, fmt::format("{} could not be switched off; this needs CAP_NET_ADMIN", interface)};
         }
         const bool done = can_set_bitrate(interface.c_str(), wanted) == 0;
         const bool up = can_do_start(interface.c_str()) == 0;
         return {done && up, done && up ? ""
-                            : done     ? fmt::format("{} could not be taken up again", interface)
+                            : done     ? fmt::format("{} could not be switched on again", interface)
                                        : fmt::format("{} does not support this bit rate", interface)};
     }
 

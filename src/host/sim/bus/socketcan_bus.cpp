@@ -19,7 +19,8 @@ namespace canproof::host {
 
 namespace {
 
-// frames of one socket in one turn, so that a busy socket cannot block the others
+// number of frames of one socket after which poll() continues with the next socket, so that a busy socket cannot block
+// the others
 constexpr std::size_t reads_at_once = 4096;
 constexpr std::size_t lines_held = 256;
 
@@ -82,7 +83,7 @@ Instant SocketCanBus::poll(Instant now) {
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    // Frames of earlier calls are already sorted. They can be many when the run is late, so only the new ones are
+    // Frames of earlier calls are already sorted. They can be many when the run is late, so only the new frames are
     // sorted in.
     const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);

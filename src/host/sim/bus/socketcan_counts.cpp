@@ -34,7 +34,7 @@ void SocketCanBus::tell_losses(Instant now) {
         }
     }
     if (!roomy_) {
-        notice(fmt::format("the buffers are larger after `sysctl -w net.core.rmem_max={}`, or with CAP_NET_ADMIN",
+        notice(fmt::format("`sysctl -w net.core.rmem_max={}` or CAP_NET_ADMIN permits larger receive buffers",
                            receive_room));
     }
 }

@@ -18,10 +18,11 @@ std::string remedy(const std::string& interface, int error) {
         return "this kernel has no SocketCAN; use --bus socketcand:127.0.0.1:29536 or --bus inproc";
     }
     if (error == ENODEV) {
-        return fmt::format("make it with `ip link add dev {0} type vcan; ip link set {0} up`, or name another",
-                           interface);
+        return fmt::format(
+            "make the interface with `ip link add dev {0} type vcan; ip link set {0} up`, or name another interface",
+            interface);
     }
-    return "check the interface and your rights";
+    return "check that it is a CAN interface and that you have the permission to use it";
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ void SocketCanBus::change_bit_rate(const Port& port) {
     const BitRateOutcome outcome = system_.set_bit_rate(interface_, port.bit_rate);
     if (outcome.done) {
         bit_rate_ = port.bit_rate;
-        notice(fmt::format("{}; {} has it now", wish, interface_));
+        notice(fmt::format("{}; {} has this bit rate now", wish, interface_));
     } else {
         notice(fmt::format("{}; {}; {}", wish, outcome.why, commands));
     }

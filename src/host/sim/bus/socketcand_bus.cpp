@@ -77,7 +77,7 @@ void set_options(int descriptor) {
     set(IPPROTO_TCP, TCP_KEEPCNT, SocketcandBus::keepalive_questions);
 }
 
-/// Returns the port of a bound socket. It is in the same place for IPv4 and IPv6.
+/// Returns the port of a bound socket. The port is in the same place for IPv4 and IPv6.
 std::uint16_t port_of(int descriptor) {
     sockaddr_storage general{};
     socklen_t size = sizeof general;
@@ -246,7 +246,7 @@ void SocketcandBus::read_client(Client& client, Instant now) {
     }
 }
 
-/// Passes text that has arrived up to `now` to the sessions of its clients.
+/// Passes the text that has arrived up to `now` to the sessions.
 void SocketcandBus::take_arrivals(Instant now) {
     for (Client& client : clients_) {
         if (client.arrived_at <= now) {

@@ -18,12 +18,12 @@ struct ListenAddress {
 };
 
 /// Parses `127.0.0.1:29536`, `[::1]:29536` or `:0`. A missing part gets the default of ListenAddress. Throws InputError
-/// for any other text.
+/// for an invalid port. Does not check the host.
 ListenAddress parse_listen_address(const std::string& text);
 
-/// A bus with a limited number of clients, none of which can exclude the others. A client that does not open the bus is
-/// dismissed. TCP keepalive detects a lost machine. A client for which there is no room gets an error message. A client
-/// that has opened the bus may be silent.
+/// A bus with a limited number of clients, none of which can exclude the others. A client that does not open the bus in
+/// time is dismissed. TCP keepalive detects a lost machine. A client for which there is no room gets an error message.
+/// A client that has opened the bus may be silent.
 class SocketcandBus final : public Bus {
   public:
     static constexpr std::size_t most_clients = 32;
@@ -70,7 +70,7 @@ class SocketcandBus final : public Bus {
         Instant closes_at{never};  ///< time at which the connection of a dismissed client is closed
         std::string arrived;       ///< text that has been read and becomes due at arrived_at
         Instant arrived_at{never};
-        bool ended{false};  ///< whether the client has ended its sending; the bus still sends frames to it
+        bool ended{false};  ///< whether the client sends no more; it is removed when the bus has sent its frames
         bool deaf{false};   ///< whether the client receives nothing more
         bool gone{false};
 

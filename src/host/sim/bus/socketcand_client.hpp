@@ -21,7 +21,7 @@ class SocketcandClient {
 
     SocketcandClient(std::string bus, Receiver receiver) : bus_{std::move(bus)}, receiver_{std::move(receiver)} {}
 
-    /// Takes text from the server, in pieces of any size, and executes what is complete.
+    /// Takes text from the server, in pieces of any size, and executes the complete commands.
     void take(std::string_view text);
     bool has_joined() const { return state_ == State::joined; }
     bool may_send() const { return has_joined() && output_.size() < output_limit; }

@@ -152,7 +152,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     return now;
 }
 
-/// Completes a connection. It is established when the socket becomes writable without an error.
+/// Completes a connection. The connection is established when the socket becomes writable without an error.
 void SocketcandClientBus::finish_connecting() {
     sockaddr_storage peer{};
     socklen_t size = sizeof peer;
@@ -175,7 +175,8 @@ void SocketcandClientBus::read_server(Instant now) {
             read_at_ = std::max(arrival_clock().of_read(got.stamp_ns, now), advanced_to_);
             client_->take({piece.data(), static_cast<std::size_t>(got.count)});
         } else if (got.count == 0) {
-            lose_server(client_->complaint().empty() ? "it has closed the connection" : client_->complaint(), now);
+            lose_server(client_->complaint().empty() ? "the server has closed the connection" : client_->complaint(),
+                        now);
         } else if (must_wait()) {
             return;
         } else {
@@ -198,7 +199,7 @@ void SocketcandClientBus::look_at_joining(Instant now) {
     } else if (client_->is_refused()) {
         lose_server(client_->complaint(), now);
     } else if (join_by_ <= now) {
-        lose_server(fmt::format("it did not let this program join within {} s", join_limit.us / 1000000U), now);
+        lose_server(fmt::format("the server did not let this program join within {} s", join_limit.us / 1000000U), now);
     }
 }
 
@@ -294,7 +295,7 @@ void SocketcandClientBus::follow_bit_rates() {
     for (Node& one : nodes_) {
         const std::uint32_t rate = one.node->bit_rate();
         if (rate != one.bit_rate && rate != 0) {
-            notice(fmt::format("{}: LSS sets {} bit/s; the bus behind {} keeps its own", one.node->name(), rate,
+            notice(fmt::format("{}: LSS sets {} bit/s; the bus behind {} keeps its bit rate", one.node->name(), rate,
                                name_of(place_)));
         }
         one.bit_rate = rate;

@@ -22,7 +22,7 @@ struct SocketcandPlace {
 };
 
 /// Parses `HOST:PORT/BUS`, `[::1]:29536` or `:29536`. A missing part gets the default of SocketcandPlace. Throws
-/// InputError for any other text.
+/// InputError for an invalid port or name of a bus. Does not check the host.
 SocketcandPlace parse_socketcand_place(const std::string& text);
 
 /// A bus behind a socketcand server. The server does not return the client's own frames, so this bus passes the frames
@@ -38,7 +38,7 @@ class SocketcandClientBus final : public Bus {
     static constexpr std::size_t most_arrived = 65536;
 
     /// Starts to connect and does not wait. Throws InputError when the host does not exist. If the first attempt to
-    /// join fails later, poll() throws InputError.
+    /// join fails later, poll() or advance() throws InputError.
     SocketcandClientBus(SocketcandPlace place, std::uint32_t bit_rate, Instant now);
     ~SocketcandClientBus() override;
     SocketcandClientBus(const SocketcandClientBus&) = delete;

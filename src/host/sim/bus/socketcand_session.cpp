@@ -54,7 +54,7 @@ SocketcandSession::SocketcandSession(std::string name, std::uint64_t epoch_us)
 
 void SocketcandSession::say(const std::string& text) {
     if (output_.size() + text.size() > output_limit) {
-        dropped_ = "it did not read what it was sent";
+        dropped_ = "the client did not read the text that it was sent";
         return;
     }
     output_ += text;
@@ -144,14 +144,15 @@ void SocketcandSession::send_frame(const std::string& rest) {
     }
 }
 
-/// Handles `SECONDS MICROSECONDS ID`, or `ID` to unsubscribe. It ignores the times, which limit how often a frame is
-/// sent: the client gets every frame.
+/// Handles `SECONDS MICROSECONDS ID`, or `ID` to unsubscribe. Ignores the times, which are meant to limit how often a
+/// frame is sent: the client gets every frame.
 void SocketcandSession::subscribe(const std::string& rest, bool on) {
     const std::vector<std::string> words = words_of(rest);
     Frame frame{};
     const bool sound = words.size() == (on ? 3U : 1U) && read_identifier(words.back(), frame);
     if (!sound || (on && subscriptions_.size() == most_subscriptions)) {
-        say("< error subscribe takes seconds, microseconds and an identifier >");
+        say("< error subscribe takes seconds, microseconds and an identifier, for up to 256 identifiers; unsubscribe "
+            "takes an identifier >");
     } else if (on) {
         subscriptions_.insert(key_of(frame));
     } else {

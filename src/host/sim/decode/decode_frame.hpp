@@ -34,8 +34,8 @@ class FrameDecoder {
     /// Keeps a reference to `content`, which contains the words of the shared services and must outlive the decoder.
     explicit FrameDecoder(const Register& content) : register_{content} {}
 
-    /// Decodes any frame. For an unknown frame, returns the service `other` and the bytes. For an invalid frame,
-    /// returns its service and a description of the fault.
+    /// Decodes any frame. For an unknown frame, returns the service `other` and the bytes. For an NMT, SDO or error
+    /// control frame with a wrong length, returns the service and a description of the fault.
     FrameWords decode(const Frame& frame, const std::vector<KnownNode>& nodes) const;
 
   private:

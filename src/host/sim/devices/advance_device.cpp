@@ -11,8 +11,8 @@ void advance_device(SimulatedDevice& device, const std::string& name, Instant no
     device.advance(now);
     if (device.next_deadline() <= now) {
         throw StuckDevice{
-            fmt::format("{} does not advance at {} s: its next_deadline() is {} s after advance(); it must be "
-                        "later than now",
+            fmt::format("{} does not advance at {} s: after advance(), its next_deadline() returns {} s; it must "
+                        "return a later time",
                         name, format_seconds(now), format_seconds(device.next_deadline()))};
     }
 }

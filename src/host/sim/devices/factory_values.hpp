@@ -34,7 +34,8 @@ class FactoryValues {
         const bool fits = std::isfinite(value) && value >= static_cast<double>(std::numeric_limits<Number>::lowest()) &&
                           value <= static_cast<double>(std::numeric_limits<Number>::max());
         if (!fits || (std::is_integral_v<Number> && value != std::floor(value))) {
-            throw InputError{fmt::format("{}={} does not fit its type", key, value)};
+            throw InputError{
+                fmt::format("{}={} does not fit the type of the key; `canproof signals` lists the ranges", key, value)};
         }
         into = static_cast<Number>(value);
     }
@@ -54,7 +55,8 @@ class FactoryValues {
             return;
         }
         if (given->size() > Length) {
-            throw InputError{fmt::format("{}={} is longer than {} characters", key, *given, Length)};
+            throw InputError{
+                fmt::format("{}={} is longer than {} characters; write a shorter text", key, *given, Length)};
         }
         into.fill(0U);
         for (std::size_t i = 0; i < given->size(); ++i) {

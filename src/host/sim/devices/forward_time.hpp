@@ -9,7 +9,7 @@ namespace canproof::host {
 class ForwardTime {
   public:
     Instant now() const { return now_; }
-    /// Sets the time to `due` if that is later. Returns the time after that.
+    /// Sets the time to `due` if `due` is later. Returns the time of the session.
     Instant reach(Instant due) {
         if (now_ < due) {
             now_ = due;

@@ -13,7 +13,8 @@
 
 namespace canproof::host {
 
-/// Returns the emergency codes of the errors that every node can detect (CiA 301, 7.2.7.1, Table 26).
+/// Returns the emergency codes and error register bits of the errors that every node can detect (CiA 301, 7.2.7.1,
+/// Table 26).
 ErrorTable standard_errors();
 
 /// The dictionary of a generic device and the profile of its node.
@@ -22,10 +23,10 @@ struct GenericDescription {
     NodeProfile profile;
 };
 
-/// Returns the description of a part. Its LSS profile is standard_lss().
+/// Returns the description of a part. If the part has LSS, the LSS profile is standard_lss().
 GenericDescription describe(const Part& part);
-/// Returns an LSS profile with the bit rates of CiA 305. With it, leaving the LSS configuration state does not reset
-/// the communication; only the NMT master resets the node.
+/// Returns an LSS profile with the bit rates of CiA 305. With this profile, leaving the LSS configuration state does
+/// not reset the communication; only the NMT master resets the node.
 LssProfile standard_lss();
 
 class GenericDevice final : private Application {
@@ -45,7 +46,7 @@ class GenericDevice final : private Application {
     const Node& node() const { return node_; }
     ObjectDictionary& objects() { return objects_; }
     const ObjectDictionary& objects() const { return objects_; }
-    /// Gives a DOMAIN entry memory of `size` bytes. The entry has no content then.
+    /// Gives a DOMAIN entry memory of `size` bytes, which is allocated at its first use. The entry has no content yet.
     void lend(std::uint16_t index, std::uint8_t subindex, std::size_t size);
     /// Allocates the memory of every DOMAIN. After that, the device allocates nothing.
     void take_domain_memory();

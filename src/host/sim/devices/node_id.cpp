@@ -8,8 +8,8 @@
 namespace canproof::host {
 
 std::string node_id_words() {
-    return fmt::format("{}…{}, or {} for a device that LSS has to give one", NodeId::lowest, NodeId::highest,
-                       NodeId::none);
+    return fmt::format("{}…{}, or {} for a device to which LSS has to assign a node-ID", NodeId::lowest,
+                       NodeId::highest, NodeId::none);
 }
 
 NodeId::NodeId(int number) : value_{static_cast<std::uint8_t>(number)} {

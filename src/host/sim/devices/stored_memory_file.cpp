@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Image = std::vector<std::uint8_t>;
 
 [[noreturn]] void refuse_to_read(const fs::path& path, const std::string& why) {
-    throw InputError{fmt::format("cannot read {}: {}; fix it or name another file", path.string(), why)};
+    throw InputError{fmt::format("cannot read {}: {}; correct this or name another file", path.string(), why)};
 }
 
 std::string last_error() {
@@ -38,10 +38,10 @@ std::string_view text(const Image& image) {
 Descriptor open_existing(const fs::path& path) {
     struct stat found {};
     if (stat(path.c_str(), &found) != 0) {
-        refuse_to_read(path, errno == ENOENT ? "it is a link to nowhere" : last_error());
+        refuse_to_read(path, errno == ENOENT ? "it is a link to a missing file" : last_error());
     }
     if (!S_ISREG(found.st_mode)) {
-        refuse_to_read(path, S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
+        refuse_to_read(path, S_ISDIR(found.st_mode) ? "it is a folder" : "it is no regular file");
     }
     // The file is opened for writing if possible, because some file systems can lock only such a file.
     Descriptor file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK)};
@@ -54,7 +54,8 @@ Descriptor open_existing(const fs::path& path) {
     return file;
 }
 
-/// Returns whether the path still leads to this open file. Another process can have replaced the file since.
+/// Returns whether the path still leads to this open file. Another process can have replaced the file after it was
+/// opened.
 bool is_at(const Descriptor& file, const fs::path& path) {
     struct stat opened {};
     struct stat named {};
@@ -68,9 +69,9 @@ Image read_image(const Descriptor& file, const fs::path& path, std::size_t size)
         refuse_to_read(path, last_error());
     }
     if (static_cast<std::size_t>(found.st_size) != size) {
-        throw InputError{
-            fmt::format("{} has {} bytes and is no image of this device's memory ({} bytes); remove it or name another",
-                        path.string(), found.st_size, size)};
+        throw InputError{fmt::format(
+            "{} has {} bytes and is no image of this device's memory ({} bytes); remove the file or name another",
+            path.string(), found.st_size, size)};
     }
     Image image(size);
     std::size_t done = 0;
@@ -135,7 +136,7 @@ class StoredMemoryFile {
             if (!is_at(file, path_)) {
                 return false;
             }
-            throw InputError{fmt::format("{} is in use by {}; end it or name another file", path_.string(),
+            throw InputError{fmt::format("{} is in use by {}; end that process or name another file", path_.string(),
                                          lock_holder(file.number()))};
         }
         if (!is_at(file, path_)) {
@@ -163,7 +164,8 @@ class StoredMemoryFile {
             file_ = first ? fresh.take() : Descriptor{};
             return first;
         } catch (const std::system_error& error) {
-            throw InputError{fmt::format("cannot write {}: {}", path_.string(), error.code().message())};
+            throw InputError{
+                fmt::format("cannot write {}: {}; name another file", path_.string(), error.code().message())};
         }
     }
 

@@ -125,15 +125,17 @@ void ImageDevice::follow_inputs(const std::vector<double>& before, Instant now) 
 void ImageDevice::compare(Instant now) const {
     const std::string found = difference();
     if (!found.empty()) {
-        throw ImageFailed{fmt::format("{} and this program's firmware differ at {} s: {}", calls_->name(),
-                                      format_seconds(now), found)};
+        throw ImageFailed{
+            fmt::format("{} and this program's firmware differ at {} s: {}; build both from the same sources",
+                        calls_->name(), format_seconds(now), found)};
     }
 }
 
 std::string ImageDevice::difference() const {
     const DeviceState& image = calls_->state();
     if (!are_same(queue_, twin_->queue())) {
-        return fmt::format("the image waits to send {}, this program {}", frames_of(queue_), frames_of(twin_->queue()));
+        return fmt::format("the image waits to send {}, this program waits to send {}", frames_of(queue_),
+                           frames_of(twin_->queue()));
     }
     const std::vector<double> outputs = twin_->outputs();
     if (!are_same(image.outputs, outputs)) {
@@ -151,7 +153,7 @@ std::string ImageDevice::difference() const {
           Number{"NMT state", static_cast<std::uint8_t>(image.nmt), static_cast<std::uint8_t>(twin_->state())},
           Number{"bit rate", image.bit_rate, twin_->bit_rate()}}) {
         if (one.its != one.ours) {
-            return fmt::format("the {} of the image is {}, that of this program {}", one.what, one.its, one.ours);
+            return fmt::format("the {} of the image is {}, that of this program is {}", one.what, one.its, one.ours);
         }
     }
     return {};

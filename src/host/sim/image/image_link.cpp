@@ -22,7 +22,7 @@ void ImageLink::send(bridge::Message& message) {
     while (done < bytes.size()) {
         const ssize_t count = write(to_.number(), bytes.data() + done, bytes.size() - done);
         if (count < 0 && errno != EINTR) {
-            throw ImageFailed{fmt::format("{} has ended", name_)};
+            throw ImageFailed{fmt::format("{} has ended; see the messages of the emulator", name_)};
         }
         done += count < 0 ? 0 : static_cast<std::size_t>(count);
     }
@@ -61,11 +61,12 @@ void ImageLink::read(std::uint8_t* to, std::size_t count) {
         pollfd waited{from_.number(), POLLIN, 0};
         const int ready = poll(&waited, 1, patience_ms);
         if (ready == 0) {
-            throw ImageFailed{fmt::format("{} does not answer for {} s", name_, patience_ms / 1000)};
+            throw ImageFailed{fmt::format("{} has not answered for {} s; check that it is a bridged_NAME.elf", name_,
+                                          patience_ms / 1000)};
         }
         const ssize_t got = ready < 0 ? -1 : ::read(from_.number(), to + done, count - done);
         if (got == 0 || (got < 0 && errno != EINTR)) {
-            throw ImageFailed{fmt::format("{} has ended", name_)};
+            throw ImageFailed{fmt::format("{} has ended; see the messages of the emulator", name_)};
         }
         done += got < 0 ? 0 : static_cast<std::size_t>(got);
     }

@@ -28,8 +28,8 @@ struct ImageGreeting {
 
 class ImageLink {
   public:
-    /// Greatest time in ms that an image may take for one message. An emulator that runs in an emulator takes seconds
-    /// to start.
+    /// Greatest time in ms for which an image may send nothing. An emulator that runs in an emulator takes seconds to
+    /// start.
     static constexpr int patience_ms = 300000;
 
     /// `to` and `from` are ends of pipes. `name` appears in messages.
@@ -38,8 +38,8 @@ class ImageLink {
     const std::string& name() const { return name_; }
     /// Sends a message. Throws ImageFailed when the image has ended.
     void send(bridge::Message& message);
-    /// Waits for the next message of the image. Throws ImageFailed when none comes within `patience_ms`, or an invalid
-    /// one.
+    /// Waits for the next message of the image. Throws ImageFailed when the image sends nothing for `patience_ms`, when
+    /// it has ended, or when the message is invalid.
     bridge::Message receive();
     /// Reads the first message of the image. Throws ImageFailed when it is no greeting.
     ImageGreeting greeting();

@@ -18,8 +18,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest time for which a sent frame waits until the log contains it. After that it is written with the time at which
-/// the device sent it.
+/// Longest time for which a sent frame waits until the log contains it. After this time, the frame is written with the
+/// time at which the device sent it.
 constexpr Duration longest_hold = milliseconds(1000);
 
 FrameSource source_of(const ReplayInput& input) {
@@ -62,18 +62,20 @@ class Player {
     }
 
   private:
-    /// Determines the start, skips frames before it, and applies the stimuli up to it, because they describe the
-    /// environment at power-on.
+    /// Determines the start and skips the frames before the start. Applies the stimuli up to the start, because they
+    /// describe the environment at power-on.
     void begin() {
         const Instant first = has_frame_ ? frame_.time : Instant{};
         const Instant start = input_.start.value_or(latest_zero < first ? first : Instant{});
         if (input_.until && *input_.until < start) {
-            throw InputError{fmt::format("--until {} is before the start at {}", format_seconds(*input_.until),
-                                         format_seconds(start))};
+            throw InputError{
+                fmt::format("--until {} is before the start at {}; write a later --until or an earlier --start",
+                            format_seconds(*input_.until), format_seconds(start))};
         }
         if (!input_.start && start != Instant{}) {
-            tell(fmt::format("power-on at {}, the first frame of the log; --start SECONDS takes another time",
-                             format_seconds(start)));
+            tell(fmt::format(
+                "power-on is at {}, the time of the first frame of the log; --start SECONDS sets another time",
+                format_seconds(start)));
         }
         std::size_t left_out = 0;
         for (; has_frame_ && frame_.time < start; take_next_frame()) {
@@ -100,7 +102,8 @@ class Player {
         return is_over ? never : line;
     }
 
-    /// Converts a time of the log to the time of the device. A silence longer than longest_silence is shortened to it.
+    /// Converts a time of the log to the time of the device. A silence longer than longest_silence is shortened to
+    /// longest_silence.
     Instant due_of(Instant line) const { return earliest(Instant{line.us - shift_}, last_line_ + longest_silence); }
 
     Instant next() const {
@@ -156,8 +159,9 @@ class Player {
         ++next_stimulus_;
         announce_call();
         if (!device_.set_input(one.signal, one.value, time_.now())) {
-            throw InputError{fmt::format("stimulus at {} s: there is no input `{}`; `canproof signals` lists them",
-                                         format_seconds(one.time), one.signal)};
+            throw InputError{
+                fmt::format("stimulus at {} s: there is no input `{}`; `canproof signals` lists the inputs",
+                            format_seconds(one.time), one.signal)};
         }
     }
 

@@ -89,8 +89,8 @@ void check_stimuli(const std::vector<Stimulus>& stimuli, const std::vector<const
     for (const auto& stimulus : stimuli) {
         const std::vector<const Signal*> signals = inputs_named(stimulus.signal, devices);
         if (signals.empty()) {
-            throw InputError{fmt::format("{}: there is no input `{}`; `canproof signals` lists them", stimulus.where,
-                                         stimulus.signal)};
+            throw InputError{fmt::format("{}: there is no input `{}`; `canproof signals` lists the inputs",
+                                         stimulus.where, stimulus.signal)};
         }
         for (const Signal* signal : signals) {
             check_value(stimulus, *signal);

@@ -40,7 +40,7 @@ std::size_t find_device(const std::vector<std::string>& names, const std::string
         throw InputError{fmt::format("no device `{}` runs here; there is {}", name, listed(names))};
     }
     if (candidates.size() > 1) {
-        throw InputError{fmt::format("`{}` may be {}; name one of them", name, listed(candidates))};
+        throw InputError{fmt::format("`{}` is the name of {}; write one of these", name, listed(candidates))};
     }
     return found;
 }

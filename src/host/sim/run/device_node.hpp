@@ -59,8 +59,8 @@ class DeviceNode final : public BusNode {
     bool tells_changes() const override { return true; }
 
   private:
-    /// Returns whether a frame can change the filters of the node: NMT, LSS or SDO. Frames for further SDO servers can
-    /// have any identifier.
+    /// Returns whether a frame can change the filters of the node: NMT, LSS or SDO. Returns true for every frame if the
+    /// device has more than one SDO server, because requests to the others can have any identifier.
     bool may_configure(const Frame& frame) const {
         const ObjectDictionary* objects = device_->objects();
         const bool sdo = frame.id >= first_sdo_request && frame.id <= last_sdo_request;

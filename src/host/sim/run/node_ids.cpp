@@ -33,7 +33,7 @@ std::vector<std::string> NodeIdClashes::found(const std::vector<std::unique_ptr<
     for (const auto& [id, those] : names) {
         if (those.size() > 1) {
             const std::string text =
-                fmt::format("warning: node-ID {} is that of {} devices: {}", id, those.size(), fmt::join(those, ", "));
+                fmt::format("warning: node-ID {} is used by {} devices: {}", id, those.size(), fmt::join(those, ", "));
             if (known_.count(text) == 0) {
                 fresh.push_back(text);
             }

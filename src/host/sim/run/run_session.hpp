@@ -30,7 +30,7 @@ class SessionObserver {
   public:
     virtual ~SessionObserver() = default;
     virtual void on_frame(const BusFrame& frame) = 0;
-    /// Called after all events of the time `at`. States and outputs have their new values from then on.
+    /// Is called after all events of the time `at`. States and outputs then have their new values.
     virtual void on_step(Instant at) = 0;
 };
 
@@ -65,7 +65,7 @@ class RunSession {
     /// than the argument `now`.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
-    /// Sends a frame of the user. Returns false when the bus cannot take it now.
+    /// Sends a frame of the user. Returns false when the bus cannot take the frame now.
     bool put(const Frame& frame);
     /// Adds a stimulus of the user after those that are planned for the same time. A stimulus whose time has passed is
     /// applied next.

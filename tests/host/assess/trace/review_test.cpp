@@ -114,7 +114,7 @@ TEST(Review, TwoReviewsOfOneItemAreAFault) {
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] = block + block;
     EXPECT_THAT(all_faults(load_register(files)),
-                HasSubstr("spec/devices/box/reviews.toml:10: AO4-R-1 is reviewed twice; keep the later one"));
+                HasSubstr("spec/devices/box/reviews.toml:10: AO4-R-1 is reviewed twice; keep the later review"));
 }
 
 TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
@@ -187,7 +187,7 @@ TEST(Review, UnknownReviewRoleIsRefused) {
     files[reviews_file] =
         "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"friend\"\n[review.items]\nAO4-R-1 = \"0\"\n";
     EXPECT_THAT(all_faults(load_register(files)),
-                HasSubstr("role is `friend`; write `author` (of the change) or `independent`"));
+                HasSubstr("role `friend` is unknown; write `author` (of the change) or `independent`"));
 }
 
 TEST(Review, ReviewOfADispositionEndsWithAChangeOfTheDisposition) {

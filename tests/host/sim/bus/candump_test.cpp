@@ -231,7 +231,7 @@ TEST(StimulusFile, SignalsAndValuesAreCheckedAgainstTheRegister) {
     EXPECT_EQ(refusal("0.5,can_state,0\n1.0,switch_low,16\n"),
               "s.csv:2: switch_low takes whole numbers from 0 to 15, not 16");
     EXPECT_EQ(refusal("1.0,can_overrun,0.5\n"), "s.csv:1: can_overrun takes whole numbers from 0 to 1, not 0.5");
-    EXPECT_EQ(refusal("1.0,aout1,1\n"), "s.csv:1: there is no input `aout1`; `canproof signals` lists them");
+    EXPECT_EQ(refusal("1.0,aout1,1\n"), "s.csv:1: there is no input `aout1`; `canproof signals` lists the inputs");
 }
 
 TEST(StimulusFile, ValueWithoutADeviceNameMustFitEveryDeviceWithTheSignal) {

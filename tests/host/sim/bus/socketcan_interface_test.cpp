@@ -151,7 +151,7 @@ TEST_F(SocketCan, BitRateOfLssIsSetWithPermission) {
     a.rate = 250000;
     step(10);
     EXPECT_THAT(system.rates_set, ElementsAre(250000U));
-    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; vcan0 has it now"));
+    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; vcan0 has this bit rate now"));
     step(10);
     EXPECT_THAT(system.rates_set, SizeIs(1));
 }

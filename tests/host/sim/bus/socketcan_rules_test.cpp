@@ -336,7 +336,8 @@ TEST_F(SocketCan, MissingRightsAreReportedWithTheRemedy) {
         SocketCanBus{"vcan7", system, InterfaceControl::none, Instant{}};
         FAIL() << "opened";
     } catch (const std::exception& refused) {
-        EXPECT_THAT(refused.what(), HasSubstr("vcan7 cannot be opened (Operation not permitted); check the interface"));
+        EXPECT_THAT(refused.what(),
+                    HasSubstr("vcan7 cannot be opened (Operation not permitted); check that it is a CAN interface"));
     }
 }
 

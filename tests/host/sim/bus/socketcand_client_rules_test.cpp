@@ -193,7 +193,7 @@ TEST_F(ScriptedBus, ServerThatClosesBeforeJoiningIsAnError) {
         FAIL() << "joined";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr(fmt::format("cannot join 127.0.0.1:{}/vcan0", server.port())));
-        EXPECT_THAT(error.what(), HasSubstr("it has closed the connection"));
+        EXPECT_THAT(error.what(), HasSubstr("the server has closed the connection"));
     }
 }
 
@@ -244,7 +244,7 @@ TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     hear();
     EXPECT_TRUE(bus->has_joined());
     EXPECT_THAT(notices,
-                ElementsAre(HasSubstr("is gone (it has closed the connection)"), HasSubstr("is joined again")));
+                ElementsAre(HasSubstr("is gone (the server has closed the connection)"), HasSubstr("is joined again")));
     EXPECT_THAT(a.states, ElementsAre("1000000 3", "2000000 0"));
     bus->advance(now);
     EXPECT_THAT(server.heard(), HasSubstr("< send 703 1 05 >"));

@@ -32,7 +32,9 @@ class SocketcandLimits : public testing::Test {
     SocketcandSession session{"client", 0};
 };
 
-constexpr const char* refused_subscription = "< error subscribe takes seconds, microseconds and an identifier >";
+constexpr const char* refused_subscription =
+    "< error subscribe takes seconds, microseconds and an identifier, for up to 256 identifiers; unsubscribe takes an "
+    "identifier >";
 
 }  // namespace
 

@@ -74,13 +74,15 @@ std::string said_of_replay(bool does) {
 
 TEST(StuckDevice, StuckDeviceEndsARunWithItsNameAndTime) {
     const std::string said = said_of_run(false);
-    EXPECT_THAT(said, HasSubstr("valve@5 does not advance at 1.500000 s: its next_deadline() is"));
-    EXPECT_THAT(said, HasSubstr("next_deadline() is 1.500000 s"));
+    EXPECT_THAT(said,
+                HasSubstr("valve@5 does not advance at 1.500000 s: after advance(), its next_deadline() returns"));
+    EXPECT_THAT(said, HasSubstr("next_deadline() returns 1.500000 s"));
     EXPECT_EQ(said_of_run(true), "");
 }
 
 TEST(StuckDevice, StuckDeviceEndsAReplay) {
-    EXPECT_THAT(said_of_replay(false), HasSubstr("the device does not advance at 1.500000 s: its next_deadline() is"));
+    EXPECT_THAT(said_of_replay(false),
+                HasSubstr("the device does not advance at 1.500000 s: after advance(), its next_deadline() returns"));
     EXPECT_EQ(said_of_replay(true), "");
 }
 

@@ -98,16 +98,16 @@ TEST_F(StoredMemoryFile, NonFileIsRefusedAndUnchanged) {
     std::filesystem::create_directory(folder / "box.bin");
     EXPECT_THAT(refusal(), HasSubstr("it is a folder"));
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
-    EXPECT_THAT(refusal("fifo"), HasSubstr("it is no file"));
+    EXPECT_THAT(refusal("fifo"), HasSubstr("it is no regular file"));
     std::filesystem::create_symlink("/dev/null", folder / "device");
-    EXPECT_THAT(refusal("device"), HasSubstr("it is no file"));
+    EXPECT_THAT(refusal("device"), HasSubstr("it is no regular file"));
     EXPECT_TRUE(std::filesystem::is_directory(folder / "box.bin"));
     EXPECT_TRUE(std::filesystem::is_fifo(folder / "fifo"));
 }
 
 TEST_F(StoredMemoryFile, DanglingOrCircularLinkIsRefused) {
     std::filesystem::create_symlink("nowhere", folder / "box.bin");
-    EXPECT_THAT(refusal(), HasSubstr("it is a link to nowhere"));
+    EXPECT_THAT(refusal(), HasSubstr("it is a link to a missing file"));
     std::filesystem::create_symlink("loop", folder / "loop");
     EXPECT_THAT(refusal("loop"), HasSubstr("cannot read"));
     EXPECT_EQ(folder.names(), (std::set<std::string>{"box.bin", "loop"}));

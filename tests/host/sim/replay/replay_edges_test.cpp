@@ -93,8 +93,10 @@ TEST_F(ReplayEdges, PowerOnIsAtZero_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
     RecordingDevice late;
     play(late, "(3600.000001) can0 080#\n");
     EXPECT_THAT(late.told, ElementsAre("0.000000 on", "0.000000 080#"));
-    EXPECT_THAT(notices,
-                ElementsAre("power-on at 3600.000001, the first frame of the log; --start SECONDS takes another time"));
+    EXPECT_THAT(
+        notices,
+        ElementsAre(
+            "power-on is at 3600.000001, the time of the first frame of the log; --start SECONDS sets another time"));
 }
 
 TEST_F(ReplayEdges, StartKeepsLaterFramesAndEarlierStimuli) {
@@ -212,7 +214,8 @@ TEST_F(ReplayEdges, UnknownSignalIsNamedWithItsTime) {
         play(device, "", "0.5,three,1\n");
         FAIL() << "played";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "stimulus at 0.500000 s: there is no input `three`; `canproof signals` lists them");
+        EXPECT_STREQ(error.what(),
+                     "stimulus at 0.500000 s: there is no input `three`; `canproof signals` lists the inputs");
     }
 }
 

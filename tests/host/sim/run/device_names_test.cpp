@@ -34,7 +34,7 @@ TEST(DeviceNames, NodeIdMayBeOmittedWhenTheNameIsUnique) {
     EXPECT_EQ(find_device({"cbx-ao412@3", "ax188001@5"}, "ax188001"), 1U);
     EXPECT_EQ(find_device({"my@box@5"}, "my@box"), 0U);  // `my@box` is a device from the EDS file my@box.eds
     EXPECT_EQ(refusal({"ax188001@5", "ax188001@6", "ax130751"}, "ax188001"),
-              "`ax188001` may be ax188001@5, ax188001@6; name one of them");
+              "`ax188001` is the name of ax188001@5, ax188001@6; write one of these");
 }
 
 TEST(DeviceNames, UnknownNameIsRefusedWithTheRunningDevices) {

@@ -38,7 +38,7 @@ TEST(NodeIds, DevicesThatShareANodeIdAreReportedOnce) {
     const Nodes nodes{{"cbx-ao412@5", "ax188001@5", "ax060805@6"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all),
-                ElementsAre("warning: node-ID 5 is that of 2 devices: cbx-ao412@5, ax188001@5"));
+                ElementsAre("warning: node-ID 5 is used by 2 devices: cbx-ao412@5, ax188001@5"));
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());
 }
 
@@ -58,7 +58,7 @@ TEST(NodeIds, NodeIdGivenTwiceByLssIsReported) {
         nodes.all[1]->receive(parse_frame(frame, "test"), Instant{1000});
     }
     EXPECT_THAT(clashes.found(nodes.all),
-                ElementsAre("warning: node-ID 5 is that of 2 devices: ax060805@5, ax188001@255"));
+                ElementsAre("warning: node-ID 5 is used by 2 devices: ax060805@5, ax188001@255"));
 }
 
 }  // namespace canproof::host::test

@@ -25,8 +25,8 @@ export function nmtButtons(whose, node) {
   }, label));
 }
 
-const lentLamps = [{ signal: 'run', label: 'RUN', name: 'Run, lent by the panel', colour: 'green' },
-  { signal: 'error', label: 'ERR', name: 'Error, lent by the panel', colour: 'red' }];
+const lentLamps = [{ signal: 'run', label: 'RUN', name: 'Run, added by the panel', colour: 'green' },
+  { signal: 'error', label: 'ERR', name: 'Error, added by the panel', colour: 'red' }];
 
 export class Card {
   constructor(device) {
@@ -52,7 +52,7 @@ export class Card {
   unit() {
     const own = this.view.lamps;
     this.lamps = new Map();
-    const list = el('ul', { class: 'lamps', 'aria-label': own ? 'LEDs' : 'Lamps lent by the panel' });
+    const list = el('ul', { class: 'lamps', 'aria-label': own ? 'LEDs' : 'LEDs added by the panel' });
     for (const lamp of own ?? lentLamps) {
       if (!this.channels.has(lamp.signal)) continue;
       const one = new Lamp({ ...lamp, note: this.channels.get(lamp.signal).text });
@@ -68,7 +68,7 @@ export class Card {
     }
     this.dials = (this.view.dials ?? []).map(({ signal, label }) => new Dial(this.name, this.inputs.get(signal), label));
     const dials = this.dials.length ? el('div', { class: 'dials', title: this.view.dials_note }, ...this.dials.map((dial) => dial.element), el('p', { class: 'hint' }, this.view.dials_note)) : null;
-    const note = own ? null : el('p', { class: 'hint' }, 'The unit has no LEDs: the panel lends two.');
+    const note = own ? null : el('p', { class: 'hint' }, 'The unit has no LEDs: the panel adds two.');
     this.horizon = this.view.attitude ? attitude(this.name, this.view.attitude, Object.fromEntries(this.inputs)) : null;
     return el('section', { class: 'unit', 'aria-label': 'Unit' }, el('p', { class: 'caption' }, this.view.unit ?? 'No view of this device'),
       el('div', { class: 'bench' }, el('div', { class: 'face' }, list, note, dials), ...connectors.map((one) => one.element)),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LEDs, lit and dark as the outputs of the device. With reduced motion, the page shows the pattern in words instead.
+// LEDs, lit and dark as the outputs of the device. With reduced motion, a flashing LED is drawn half lit, and the words
+// below it name the pattern.
 import { calm, el, tell } from './dom.js';
 import { shownTime } from './clock.js';
 
