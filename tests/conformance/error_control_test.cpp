@@ -299,8 +299,8 @@ TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrest
 
 namespace {
 
-/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before it; `reaction`:
-/// the value of 1029h:1 (error behaviour).
+/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before the error;
+/// `reaction`: the value of 1029h:1 (error behaviour).
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();

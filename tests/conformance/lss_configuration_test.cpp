@@ -254,7 +254,7 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the error is not lost
 }
 
-// CiA 301, 7.2.8.2.2: node 31h, 100 ms, stops its heartbeat while the bit rate is switched
+// CiA 301, 7.2.8.2.2: node 31h is monitored with 100 ms; no heartbeat is received during the switch delays
 TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
     verifies<req::CO_LSS_015, req::CO_LSS_074>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},

@@ -30,7 +30,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4800000000000000", {}},  // all serial numbers
+          {"7E5#4800000000000000", {}},  // all revision numbers and all serial numbers
           {"7E5#49FFFFFFFF000000", {}},
           {"7E5#4A00000000000000", {}},
           {"7E5#4BFFFFFFFF000000", {"7E4#4F00000000000000"}}});

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device with the default settings of AX130751 3.1, AX188001 and AX060805.
+/// A device that resets itself, with node-ID 80 as in the screen capture, and the default bit rate (AX130751 3.1).
 class AxLss : public Lss {
   protected:
     AxLss() {

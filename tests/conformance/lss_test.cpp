@@ -135,7 +135,8 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// CO-T-LSS, cell by cell: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT operational
+// Each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
+// operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
     struct Row {
@@ -235,7 +236,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // -- frames -----------------------------------------------------------------------------------------------------------
 
-// Each service with one byte too few, with just enough, with seven and with eight bytes.
+// Requests with too few bytes, with just enough, with more and with all eight bytes.
 TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();

@@ -96,7 +96,7 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-// CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
+// Fields of table CO-T-SERVICES, shown by the behaviour of the node (CiA 301, 7.3.2.3)
 TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC

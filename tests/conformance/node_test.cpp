@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
-// delays.
+// Tests of the state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS
+// switch delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>

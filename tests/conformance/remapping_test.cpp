@@ -116,11 +116,11 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("01"), "08090020", subindex_missing},  // 2000h:9 is absent
         {line("01"), "10001710", cannot_be_mapped},  // 1017h is not mappable
         {line("01"), GetParam().foreign, cannot_be_mapped},
-        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 of the 8 bits of the entry
+        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 bits, but the entry has 8
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 is a BOOLEAN of one bit, and only an RPDO can carry it
-        {line("01"), "40000722", cannot_be_mapped},  // 64 of the 32 bits of 2207h
+        {line("01"), "40000722", cannot_be_mapped},  // 64 bits, but 2207h has 32
         {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},

@@ -228,7 +228,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
 
 TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
     verifies<req::CO_PDO_059>();
-    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2001h:3
+    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2000h:3
     talk(*this, {
                     {"605#2302140105020080", {"585#6002140100000000"}},
                     // 1402h:1 COB-ID of RPDO3: the identifier of RPDO1

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that cannot be read or written beyond their end (firmware/base/bytes.hpp).
+// Views of bytes, which cannot be read or written beyond their end (firmware/base/bytes.hpp).
 #include "firmware/base/bytes.hpp"
 
 #include <gtest/gtest.h>

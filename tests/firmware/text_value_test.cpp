@@ -11,7 +11,7 @@
 namespace canproof {
 namespace {
 
-constexpr std::size_t capacity = 20U;  // two whole eights and four bytes
+constexpr std::size_t capacity = 20U;  // two groups of eight bytes, and four bytes
 
 /// 2000h:0, a text. Factor 1 << 16 puts index i into slot i & 1.
 struct TextDictionary {

@@ -96,7 +96,7 @@ Faults chosen_faults(const Faults& all) {
     return chosen;
 }
 
-/// Returns the seed of run 0: CANPROOF_ZOO_SEED.
+/// Returns the seed of run 0: CANPROOF_ZOO_SEED, or 0 without it.
 std::uint64_t first_seed() {
     return wish("CANPROOF_ZOO_SEED").empty() ? 0 : std::stoull(wish("CANPROOF_ZOO_SEED"));
 }

@@ -38,7 +38,7 @@ TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
         {0, 1.0F, undefined}, {1, 1000.0F, 346},  // sin 20.25 = 0.34612
         {2, 1000.0F, 0},                          //
         {3, 1000.0F, -938},                       // -cos 20.25 = -0.93819
-        {4, 100.0F, -1275},                       // the angle before it is rounded is -12.75 degrees
+        {4, 100.0F, -1275},                       // the sensor temperature before rounding: -12.75
         {5, 100.0F, 2025},                        //
         {6, 100.0F, 0},                           //
         {7, 100.0F, 2025},                        //

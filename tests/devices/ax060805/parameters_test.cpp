@@ -93,7 +93,7 @@ class Parameters : public InclinometerTest {
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
 };
 
-/// Claims the sixty parameters of the ten functions.
+/// Links a test to the requirements of the sixty parameters of the ten functions.
 void verifies_every_function() {
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,

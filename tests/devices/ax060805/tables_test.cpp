@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision tables of the AX060805 manual, cell by cell, and constants of its angles and its plant.
+// Decision tables of the AX060805 manual, field by field, and constants of its angles and its plant.
 #include "generated/ax060805/tables.hpp"
 
 #include <gtest/gtest.h>

@@ -72,7 +72,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
 }
 
-/// The only direction so far is vertical in the new frame, except for a hundred-thousandth of a degree.
+/// The only direction of gravity so far is vertical in the new frame, except for a hundred-thousandth of a degree.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_008>();
     use_euler_angles();

@@ -54,7 +54,7 @@ TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
 // AX130751, 3.2.7
 TEST_F(Ax130751Dictionary, AllWritableEntriesExceptCommandsAreStored) {
     verifies<req::AOR_STORE_004>();
-    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h take no values; 5B50h and 5B51h lie where LSS stores
+    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h hold no settings; LSS stores 5B50h and 5B51h
     const std::set<unsigned> left_out{0x2500, 0x6220, 0x7300, 0x1003, 0x1010, 0x1011, 0x5B50, 0x5B51};
     const DictionaryTables& tables = objects_.tables();
     for (const ObjectRow& object : tables.objects) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FD1 to FD3: supply and temperature of the processor (AX188001, 1.4, 3.4.19 to 3.4.21).
+// FD1 to FD3: temperature of the processor and supply voltage (AX188001, 1.4, 3.4.19 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

@@ -70,7 +70,7 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
-/// The processor temperature equals the previous cold junction temperature.
+/// Processor temperature and supply stay at 25, which is the first temperature of the cold junction.
 TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;

@@ -21,7 +21,8 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Returns the temperature from which the voltage rises monotonically: type B falls up to 21.02 degC.
+/// Returns the temperature from which on each voltage belongs to one temperature only: the voltage of type B falls up
+/// to 21.02 degC and is 0 mV again at about 42 degC.
 long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
