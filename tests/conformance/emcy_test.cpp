@@ -58,7 +58,7 @@ TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
+TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
@@ -191,14 +191,14 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
-TEST_F(Errors, ErrorThatArisesInStoppedIsReportedAfterStopped) {
+TEST_F(Errors, OverrunInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
 }
 
-TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
+TEST_F(Errors, ErrorPassiveInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(can_state(2).empty());
@@ -292,7 +292,7 @@ TEST_F(Errors, HardwareFailureThatOutlastsAResetNodeIsReportedAgain) {
     EXPECT_EQ(listed(1), "00500000");
 }
 
-TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
+TEST_F(Errors, ErrorThatFlickersInStoppedSendsAtMostOneStartAndOneEnd) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {

@@ -79,7 +79,7 @@ TEST_F(AxLss, SwitchToWaitingInWaitingResetsNothing) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(Lss, DeviceWithoutDeclaredSelfResetIsNotReset) {
+TEST_F(Lss, DeviceWithoutSelfResetIsNotResetByLeavingLssConfiguration) {
     verifies<req::CO_LSS_018>();
     configure();
     talk({{"7E5#1107000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});

@@ -29,7 +29,7 @@ TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
 }
 
 // CiA 305, 6.3.3
-TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
+TEST_F(Lss, SwitchStateSelectiveSelectsTheSlaveByItsFourNumbers) {
     verifies<req::CO_LSS_002, req::CO_E_LSS_ANSWER, req::CO_E_LSS_COMMAND>();
     talk(own_address);
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
@@ -37,7 +37,7 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
           {"7E5#5E00000000000000", {}}});
 }
 
-TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
+TEST_F(Lss, SwitchStateSelectiveWithWrongMissingOrMisplacedNumbersSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
     const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // the number of another vendor
                                                      {"7E5#41010302AA000000", {}},
@@ -179,7 +179,7 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
 
-TEST_F(Lss, SelectiveFramesInLssConfigurationAreNotCounted) {
+TEST_F(Lss, SwitchStateSelectiveFramesInLssConfigurationHaveNoEffect) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
     // Each of the four in turn is sent while the slave is in LSS configuration, and is therefore missing.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
@@ -237,7 +237,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Requests with too few bytes, with just enough, with more and with all eight bytes.
-TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
+TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndOnly8ByteRequestsGet8ByteAnswers) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -283,7 +283,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
          {"7E5#4A21112620", {}},         {"7E5#4B21112620", {}}});
 }
 
-TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
+TEST_F(Unconfigured, FastscanRequestNeedsEightBytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     talk({{"7E5#51000000008000", {}},
           {"7E5#5100000000800000", {"7E4#4F00000000000000"}},
@@ -291,7 +291,7 @@ TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
 }
 
-TEST_F(Lss, FramesOfOtherIdentifiersOrFormatsAreNoLssRequests) {
+TEST_F(Lss, FramesOfOtherIdentifiersFormatsOrCommandsAreNoLssRequests) {
     verifies<req::CO_LSS_062, req::CO_K_LSS_REQUEST_ID>();
     talk({{"7E5#R", {}},
           {"7E5#R8", {}},

@@ -44,7 +44,7 @@ class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
+TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterAResetNode) {
     verifies<req::CO_NMT_007, req::CO_HB_004>();
     for (int round = 1; round <= 3; ++round) {
         lose_producer();
@@ -94,7 +94,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
+TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhen1029hIs2) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
@@ -125,7 +125,7 @@ TEST_F(SelfResetting, ResetByLssCancelsAPlannedSelfStart) {
 }
 
 /// The device was busy when the time-out ended: the time-out is handled before the frame.
-TEST_F(NodeService, DueWorkIsDoneBeforeALateFrameIsHandled) {
+TEST_F(NodeService, SdoTimeOutThatIsDueIsHandledBeforeTheNextFrame) {
     verifies<req::CO_SDO_014>();
     send("605#4008100000000000");
     now = now + milliseconds(1000);
@@ -166,7 +166,7 @@ TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
     EXPECT_EQ(pass(1000), Frames{});
 }
 
-TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
+TEST_F(NodeService, HeartbeatProducerThatFailsASecondTimeIsReportedAgain) {
     verifies<req::CO_HB_004>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     lose_producer();
@@ -191,7 +191,7 @@ TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
     }
 }
 
-TEST_F(NodeService, ProducerNoLongerMonitoredHasNoDeadline) {
+TEST_F(NodeService, HeartbeatProducerNoLongerMonitoredHasNoDeadline) {
     verifies<req::CO_HB_003>();
     EXPECT_EQ(device->next_deadline().us, never.us);
     send("605#2316100164001000");

@@ -128,7 +128,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
     });
 }
 
-TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
+TEST_P(Remapping, DummiesCanBeMappedInReceivePdosOnly) {
     verifies<req::CO_PDO_012, req::CO_PDO_057>();
     const std::string expected = GetParam().mapping == "0016" ? "" : cannot_be_mapped;
     hold({
@@ -150,7 +150,7 @@ TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
     });
 }
 
-TEST_P(Remapping, NumberOfMappedObjectsIsChecked) {
+TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntries) {
     verifies<req::CO_PDO_011>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -197,7 +197,7 @@ TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
     });
 }
 
-TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
+TEST_P(Remapping, RestrictedIdentifiersAreRefusedUnlessBit31IsSet) {
     verifies<req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     hold({{parameter("01"), not_valid(), ""}});
     // CiA 301, 7.3.5: 000h, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-77Fh, 780h-7FFh

@@ -116,7 +116,7 @@ TEST_F(SdoBlock, EmptyValueCanBeDownloaded) {
                 });
 }
 
-TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
+TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
     verifies<req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     const auto block_of = [](const std::string& object, const Bytes& bytes, const std::string& last) {
         return std::vector<Exchange>{
@@ -138,7 +138,7 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
     talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // not the signature
 }
 
-TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
+TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
     verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034>();
     talk(*this, {
                     {"605#C600100004000000", {"585#8000100002000106"}},
@@ -233,7 +233,7 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
     EXPECT_TRUE(held().empty());
 }
 
-TEST_F(SdoBlock, DeviceMayRefuseTheWholeValue) {
+TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
     verifies<req::CO_SDO_047>();
     hold({7});
     device->refuse_domains_with(AbortCode::hardware_error);

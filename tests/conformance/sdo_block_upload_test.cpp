@@ -144,7 +144,7 @@ TEST_F(SdoBlock, BlockSizesOtherThan1To127AreRefused) {
                 });
 }
 
-TEST_F(SdoBlock, SmallValuesSwitchToAPlainUpload) {
+TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
     verifies<req::CO_SDO_031>();
     hold(nine);
     talk(*this, {
@@ -259,7 +259,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
-TEST_F(SdoBlock, SegmentedUploadUsesTheSameMemory) {
+TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
     verifies<req::CO_SDO_032>();
     hold(counting(100));
     EXPECT_EQ(send("605#4000240000000000"), (Frames{"585#4100240064000000"}));
@@ -286,7 +286,7 @@ TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
                 });
 }
 
-TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
+TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
     verifies<req::CO_K_SDO_BUFFER, req::CO_SDO_034>();
     EXPECT_EQ(send("605#4002230000000000"), (Frames{"585#4102230048000000"}));  // 72 bytes
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"

@@ -57,7 +57,7 @@ TEST_F(SmallStore, MemoryOfExactlyTwoBanksIsEnough) {
     }
 }
 
-TEST_F(SmallStore, MemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
+TEST_F(SmallStore, SaveToAMemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
     verifies<req::CO_STORE_005>();
     memory.bytes().resize(2 * bank_size - 1);
     EXPECT_EQ(power_on(), Frames{"705#00"});

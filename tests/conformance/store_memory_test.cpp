@@ -80,7 +80,7 @@ TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
     }
 }
 
-TEST_F(Store, FailingMemoryIsReportedAndLosesNothing) {
+TEST_F(Store, SaveToAFailingMemoryIsReportedAndTheOldSetIsKept) {
     verifies<req::CO_STORE_005, req::CO_STORE_013>();
     set_values("1111");
     write("603#2310100173617665");
@@ -187,7 +187,7 @@ TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
     EXPECT_EQ(faulty.commits, 1U);
 }
 
-TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
+TEST_F(Store, MemoryThatIsTooSmallIsReportedAtPowerOnAndRefusesASave) {
     verifies<req::CO_STORE_005>();
     host::Memory small{64};
     EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
@@ -195,7 +195,7 @@ TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
+TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
     verifies<req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);

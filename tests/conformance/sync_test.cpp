@@ -98,7 +98,7 @@ TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));
 }
 
-TEST_F(SyncService, SyncSentLateDoesNotDelayTheNextOnes) {
+TEST_F(SyncService, SyncLateByLessThanAPeriodDoesNotDelayTheNextOnes) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");

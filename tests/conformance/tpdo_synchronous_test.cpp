@@ -49,7 +49,7 @@ TEST_F(Tpdo, TpdoOfTypeNIsSentAtEveryNthSync) {
                 });
 }
 
-TEST_F(Tpdo, Types1And240AreTheEndsOfTheSynchronousRange) {
+TEST_F(Tpdo, TpdosOfTypes1And240AreSentAtEverySyncAndEvery240thSync) {
     verifies<req::CO_PDO_014>();
     set_type("F0");
     send("000#0105");
@@ -161,7 +161,7 @@ TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, AtASyncTpdosSampleBeforeRpdosAreApplied) {
+TEST_F(Tpdo, TpdosSampleBeforeRpdosAreAppliedAtASync) {
     verifies<req::CO_PDO_029>();
     silence_tpdo2();
     // 2207h in RPDO3 and in TPDO3, both of type 1

@@ -42,7 +42,7 @@ TEST_F(Tpdo, NoTpdoIsSentOutsideOperational) {
     EXPECT_TRUE(pass(100).empty());
 }
 
-TEST_F(Tpdo, EventOutsideOperationalIsNotSentLater) {
+TEST_F(Tpdo, EventBeforeTheNodeEntersOperationalIsNotSentLater) {
     verifies<req::CO_PDO_052>();
     silence_tpdo2();
     set_type("00");
@@ -193,13 +193,13 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));
 }
 
-TEST_F(Tpdo, NineBitsTakeTwoBytes) {
+TEST_F(Tpdo, TpdoOfNineBitsHasTwoBytes) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"08030120", "01010320"});  // maps 2001h:3 (8 bits) and 2003h:1 (1 bit)
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 
-TEST_F(Tpdo, SixtyFourBitsCanBeSent) {
+TEST_F(Tpdo, TpdoOf64BitsCanBeSent) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     send("605#2106220008000000");

@@ -90,7 +90,7 @@ TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
 }
 
-TEST(Mapping, MappingContainsItsNamedValuesOnly) {
+TEST(Mapping, MappingContainsTheMappedValuesOnly) {
     verifies<req::CO_PDO_015>();
     const host::DictionaryRows rows{slave().rows};
     const DictionaryTables tables{rows.tables()};

@@ -49,7 +49,7 @@ TEST_F(Ax060805Errors, NanOrOutOfRangeAccelerationIsAnAccelerometerFault) {
     }
 }
 
-TEST_F(Ax060805Errors, SensorTemperatureOutsideItsRangeOf165DegreesIs4200h) {
+TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIs4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
              req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
     EXPECT_EQ(read(0x4020), 0U);
@@ -292,7 +292,7 @@ TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs1000h) {
+TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs10008130h) {
     verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
@@ -352,7 +352,7 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
 }
 
 // 4.2.13 applies to each of these faults.
-TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLasts) {
+TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms
     write(0x1400, 5, 100, 2);

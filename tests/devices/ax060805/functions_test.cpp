@@ -272,7 +272,7 @@ TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
-TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
+TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     verifies<req::INC_BIN_009, req::INC_BIN_016>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
@@ -320,7 +320,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
     }
 }
 
-TEST_F(Functions, BitsOfADiscreteConstantAreSources) {
+TEST_F(Functions, DiscreteAndContinuousConstantsCanBeCombinedBitByBit) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60.9 is cut to 60 = 3Ch

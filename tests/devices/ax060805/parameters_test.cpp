@@ -141,7 +141,7 @@ std::vector<Setting> communication_settings() {
 
 }  // namespace
 
-TEST_F(Parameters, EverySubIndexHasItsLimits) {
+TEST_F(Parameters, EveryManufacturerParameterAcceptsItsRangeAndRefusesValuesBeyond) {
     verifies<req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003, req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020,
              req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052,
              req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2501, req::INC_OD_2502>();

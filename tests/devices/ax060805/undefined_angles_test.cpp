@@ -23,7 +23,7 @@ using Row = std::vector<int>;
 
 }  // namespace
 
-TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaUpToTheVertical) {
+TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesFromTheVertical) {
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_016>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
@@ -33,7 +33,7 @@ TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaUpToTheVertical) {
     EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
 }
 
-TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfTheLastDirection) {
+TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_K_EXACT_ANGLE>();
     use_euler_angles();
     angles_of(60.0, 40.0);
@@ -202,7 +202,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // the sign is reversed
 }
 
-TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEveryInstallation) {
+TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

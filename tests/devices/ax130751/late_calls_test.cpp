@@ -69,7 +69,7 @@ TEST_F(Ax130751LateCalls, InputsTakeEffectInTheNextCycle) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0042010000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, LateRpdoHasTimedOut) {
+TEST_F(Ax130751LateCalls, RpdoThatComesAfterItsEventTimeIsReportedAsTimedOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);
     start();

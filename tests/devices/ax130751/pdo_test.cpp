@@ -47,7 +47,7 @@ TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
+TEST_F(Ax130751Pdo, Rpdo2And3SetNothingUntilTheyAreMadeValid) {
     verifies<req::AOR_PDO_003, req::AOR_PDO_010, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1601, req::AOR_OD_1602,
              req::AOR_OD_2500>();
     start();
@@ -83,7 +83,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
+TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidAndTimedAndTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
              req::AOR_OD_5030>();

@@ -188,7 +188,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, RelayDoesNotChangeAfterAReset) {
+TEST_F(Ax130751Pending, PendingChangeOfTheRelayIsDroppedByResetNode) {
     verifies<req::AOR_OUT_026>();
     connect_relay();
     command_relay(1);

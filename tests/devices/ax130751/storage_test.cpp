@@ -260,7 +260,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, ParameterGroupsAreStoredSeparately) {
+TEST_F(Ax130751Storage, SaveOfTheApplicationGroupStoresNoOtherGroup) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter
     EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter

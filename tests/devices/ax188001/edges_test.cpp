@@ -137,7 +137,7 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);

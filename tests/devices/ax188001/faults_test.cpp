@@ -68,7 +68,7 @@ TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
     EXPECT_EQ(told[0].substr(told[0].find(':') + 1), "0FF#0031010320000000");
 }
 
-TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
+TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;
     set_inputs();

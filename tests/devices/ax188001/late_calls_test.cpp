@@ -40,14 +40,14 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
 }
 
-TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
+TEST_F(LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::TCS_IN_015>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // the device was not called since 0
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingThatWasDueSeesTheInputsBeforeTheirChange) {
+TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // the device was not called since 0; a reading was due at 165

@@ -125,7 +125,7 @@ TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
     }
 }
 
-TEST_F(Ax188001Startup, EachUnitFaultPreventsTheSelfStartInMode1) {
+TEST_F(Ax188001Startup, EachSupplyOrTemperatureFaultPreventsTheSelfStartInMode1) {
     verifies<req::TCS_START_005>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);

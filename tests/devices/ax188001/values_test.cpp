@@ -71,7 +71,7 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
 }
 
 /// Processor temperature and supply stay at 25, which is the first temperature of the cold junction.
-TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
+TEST_F(Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
     inputs.supply = 25.0F;
@@ -183,7 +183,7 @@ TEST_F(Values, DisabledChannelReadsAsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
+TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);

@@ -270,7 +270,7 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
 }
 
 /// The supply is cut and returns: the same device restarts.
-TEST_F(Output, PowerOnStartsWithNoVoltage) {
+TEST_F(Output, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged

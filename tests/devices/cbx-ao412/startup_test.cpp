@@ -164,7 +164,7 @@ NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
 
 }  // namespace
 
-TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
+TEST(StartupInError, SelfStartWithBusOffLeadsToTheStateOf1029h) {
     verifies<req::CO_NMT_010, req::CO_NMT_011, req::AO4_START_004>();
     for (const bool before_boot_up : {false, true}) {
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);

@@ -176,7 +176,7 @@ TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     }
 }
 
-TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
+TEST(AngleFilter, RemaindersOfTheRunsOfALongWindowAreNotLost) {
     verifies<req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
@@ -196,7 +196,7 @@ TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
     }
 }
 
-TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
+TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
     verifies<req::INC_AVG_010>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {

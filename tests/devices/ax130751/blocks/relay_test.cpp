@@ -63,7 +63,7 @@ TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
     EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
 }
 
-TEST_F(RelayTest, TogglingRelayTogglesWhileOnStartingWithOn) {
+TEST_F(RelayTest, RelayWithTogglePolarityTogglesWhileItsControlIsOnStartingWithOn) {
     verifies<req::AOR_RELAY_008>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
@@ -166,7 +166,7 @@ TEST_F(RelayTest, DisabledRelayIsOffForEachPolarityOrKeepsItsState) {
     EXPECT_EQ(run("##", inverse, "", OutputDrive::keep), "##");
 }
 
-TEST_F(RelayTest, OverrideSetsItsState) {
+TEST_F(RelayTest, OverrideSetsTheStateOfTheRelay) {
     verifies<req::AOR_RELAY_010>();
     EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
     EXPECT_EQ(run("##", normal, "", OutputDrive::override_value, false), "..");
@@ -180,7 +180,7 @@ TEST_F(RelayTest, ErrorAndShutdownPutTheRelayOff) {
     EXPECT_EQ(run("#", inverse, "", OutputDrive::shutdown), ".");
 }
 
-TEST_F(RelayTest, DelaysApplyToOnAndOff) {
+TEST_F(RelayTest, DelaysApplyToSwitchingOnAndOff) {
     verifies<req::AOR_RELAY_012>();
     times = {milliseconds(3), milliseconds(2), milliseconds(2)};
     EXPECT_EQ(run(".#####.....", normal), "....####...");
