@@ -136,7 +136,7 @@ TEST_F(AlteredDictionary, AbsentSubIndexInADefaultTpdoMappingIsSentAsZeros) {
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#0011", "585#6001200100000000"}));
 }
 
-TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
+TEST_F(AlteredDictionary, DefaultTpdoMappingOfFewerBitsThanItsObjectCarriesTheLowBits) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 1, 0x22070010);  // maps 16 of the 32 bits of 2207h
     ship(0x1A00, 2, 0x20010108);
@@ -239,7 +239,7 @@ TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200155000000"});
 }
 
-TEST_F(AlteredDictionary, MappingObjectHasAtMost64Entries) {
+TEST_F(AlteredDictionary, PdoLinesCountsAtMost64EntriesOfAMappingObject) {
     shows_rule("work is bounded");
     EXPECT_EQ(pdo_lines(description.rows.tables()), 8U);
     entry(0x1A03, 8).subindex = 64;

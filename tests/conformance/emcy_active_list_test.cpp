@@ -199,7 +199,7 @@ TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
-TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
+TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
         // fills the queue

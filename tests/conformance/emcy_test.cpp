@@ -70,7 +70,7 @@ TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes)
 }
 
 // 7.9.4 lists 5000h beside 6110h: two separate failures
-TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
+TEST_F(Errors, HardwareAndSoftwareFailureAreReportedSeparatelyAs5000hAnd6110h) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -266,7 +266,7 @@ TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
-TEST_F(Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_012>();
     overrun(true);
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
@@ -283,7 +283,7 @@ TEST_F(Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
     EXPECT_EQ(error_register(), "01");
 }
 
-TEST_F(Errors, HardwareFailureThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Errors, HardwareFailureThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_018, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();

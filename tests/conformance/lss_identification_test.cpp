@@ -107,7 +107,7 @@ TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
           {"7E5#4C00000000000000", {}}});  // its active node-ID is still 5
 }
 
-TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
+TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfiguration) {
     verifies<req::CO_LSS_044, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#0401000000000000", {}},

@@ -53,7 +53,7 @@ TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
     EXPECT_EQ(start(device->stored()), (Frames{"750#00"}));
 }
 
-TEST_F(AxLss, LeavingLssConfigurationResetsEvenWhenNothingChanged) {
+TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationEvenWhenNothingChanged) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0401", {}}, {"7E5#0400", {"750#00"}}});
@@ -72,7 +72,7 @@ TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationOnly) {
           {"650#4000200100000000", {"5D0#4F002001AA000000"}}});
 }
 
-TEST_F(AxLss, SwitchToWaitingInWaitingResetsNothing) {
+TEST_F(AxLss, SwitchToLssWaitingInLssWaitingResetsNothing) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0400", {}}, {"7E5#0402", {}}});

@@ -44,7 +44,7 @@ class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterAResetNode) {
+TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterResetNode) {
     verifies<req::CO_NMT_007, req::CO_HB_004>();
     for (int round = 1; round <= 3; ++round) {
         lose_producer();
@@ -141,7 +141,7 @@ TEST_F(NodeService, LssSwitchDelayEndsAnSdoTransfer) {
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#8000000001000405"});
 }
 
-TEST_F(NodeService, WithoutANodeIdNoEmcyIsSentAfterAnLssSwitchDelay) {
+TEST_F(NodeService, NoEmcyIsSentAfterAnLssSwitchDelayWithoutANodeId) {
     verifies<req::CO_LSS_030>();
     send("000#0105");
     configure();
@@ -154,7 +154,7 @@ TEST_F(NodeService, WithoutANodeIdNoEmcyIsSentAfterAnLssSwitchDelay) {
     EXPECT_EQ(sent(), Frames{});
 }
 
-TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
+TEST_F(NodeService, NoTpdoIsSentWithoutANodeId) {
     verifies<req::CO_LSS_030, req::CO_PDO_018>();
     configure();
     talk({{"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});

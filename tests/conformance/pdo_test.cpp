@@ -82,7 +82,7 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     EXPECT_EQ(output(2), "0000");
 }
 
-TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
+TEST_F(Pdo, Bit31OfTheCobIdSwitchesTheRpdoOff) {
     verifies<req::CO_PDO_006>();
     disable_rpdo2();
     send("303#0100000000000000");

@@ -97,7 +97,7 @@ TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
     });
 }
 
-TEST_P(Remapping, RefusedStepChangesNothing) {
+TEST_P(Remapping, RefusedRemappingStepChangesNothing) {
     verifies<req::CO_PDO_009, req::CO_PDO_056, req::CO_SDO_011>();
     const std::string first = GetParam().mapping == "0016" ? "08010020" : "08010120";
     hold({{line("01"), GetParam().entry, present_state}, {line("00"), "01", present_state}});
@@ -211,7 +211,7 @@ TEST_P(Remapping, RestrictedIdentifiersAreRefusedUnlessBit31IsSet) {
     }
 }
 
-TEST_P(Remapping, TpdoIdentifierInUseByAnotherPdoIsRefused) {
+TEST_P(Remapping, IdentifierSharedByATpdoAndAnotherPdoIsRefused) {
     verifies<req::CO_PDO_026>();
     hold({
         {parameter("01"), not_valid(), ""},

@@ -35,7 +35,7 @@ TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
                 });
 }
 
-TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
+TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithTheCrcToo) {
     verifies<req::CO_SDO_020>();
     hold(nine);
     talk(*this, {

@@ -150,7 +150,7 @@ TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
     }
 }
 
-TEST_F(Store, MemoryThatDoesNotKeepWrittenBytesIsDetected) {
+TEST_F(Store, SaveToAMemoryThatDoesNotKeepWrittenBytesIsRefused) {
     verifies<req::CO_STORE_005>();
     FaultyMemory worn{1024};
     worn.worn = true;

@@ -215,7 +215,7 @@ TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, ReservedCounterValuesAreRefused) {
+TEST_F(SyncService, ReservedValuesOf1019hAreRefused) {
     verifies<req::CO_SYNC_007, req::AO4_OD_1019>();
     for (const char* value : {"01", "F1", "FF"}) {
         EXPECT_EQ(send(std::string{"603#2F191000"} + value + "000000"), (Frames{"583#8019100030000906"})) << value;

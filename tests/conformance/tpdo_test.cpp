@@ -96,7 +96,7 @@ TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
                 });
 }
 
-TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
+TEST_F(Tpdo, ValueChangedByTheDeviceIsSent) {
     verifies<req::CO_PDO_015>();
     start();
     device->objects().write(0x2001, 2, 0x77);
@@ -179,7 +179,7 @@ TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
                 });
 }
 
-TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
+TEST_F(Tpdo, TpdoBitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
     // 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});

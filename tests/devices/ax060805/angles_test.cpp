@@ -78,7 +78,7 @@ TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));  // no hysteresis
 }
 
-TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
+TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
     // The same attitude with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical, and a turn about the
@@ -204,7 +204,7 @@ TEST_F(Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
     EXPECT_EQ(accelerations(), (Row{250, -750, -500})) << "rolled by 90 degrees: y = -z, z = y of the unit";
 }
 
-TEST_F(Angles, AutoNullIsLostAtAResetUnlessStored) {
+TEST_F(Angles, AutoNullIsLostAtResetNodeUnlessStored) {
     verifies<req::INC_INSTALL_006, req::INC_OD_2300>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);

@@ -66,7 +66,7 @@ TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIs4200h) {
     EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
+TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
     heat(130.0F);
     fail_accelerometer();
@@ -190,7 +190,7 @@ TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10 ms with the sample, not at 7 ms with the filter
 }
 
-TEST_F(Ax060805Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
     fail_accelerometer();
     EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));
@@ -332,7 +332,7 @@ TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
     EXPECT_EQ(send("27F#010000000000"), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
+TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
     verifies<req::INC_ERR_010, req::INC_OD_1029>();
     const auto state_after_bus_off = [this](std::uint32_t reaction) {
         send("000#8000");

@@ -15,7 +15,7 @@ class Functions : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
+TEST_F(Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_006, req::INC_SIG_005, req::INC_OD_3010,
              req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
@@ -186,7 +186,7 @@ TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
     }
 }
 
-TEST_F(Functions, AsShippedNothingIsConnected) {
+TEST_F(Functions, NoInputIsConnectedAsShipped) {
     verifies<req::INC_BIN_010, req::INC_GLOBAL_003>();
     turn(30.0, 30.0);
     pass(10);

@@ -128,7 +128,7 @@ TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     EXPECT_EQ(merit(), 1U);  // the unit is level, the machine is upright
 }
 
-TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
+TEST_F(UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
     verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
     const Row before = angles_of(30.0, 0.0);
     acceleration_digits(1000);
@@ -143,7 +143,7 @@ TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
+TEST_F(UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2200, req::INC_OD_2210>();
     angles_of(30.0, 0.0);
     angles_at(0.0, 0.0, 0.0);
@@ -157,7 +157,7 @@ TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeAppliesAtOnce) {
+TEST_F(UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -168,7 +168,7 @@ TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeAppliesAtOnce) {
     EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityAfterAFailureAnglesFollowThePresentSettings) {
+TEST_F(UndefinedAngles, AnglesWithoutGravityAfterAFailureFollowThePresentSettings) {
     verifies<req::INC_ANGLE_011, req::INC_FV_007>();
     angles_of(30.0, 0.0);
     inputs.accelerometer_fault = true;
@@ -180,7 +180,7 @@ TEST_F(UndefinedAngles, WithoutGravityAfterAFailureAnglesFollowThePresentSetting
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravitySincePowerOnAnglesAreZero) {
+TEST_F(UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
     verifies<req::INC_ANGLE_011>();
     feel(0.0, 0.0, 0.0);
     power_on();

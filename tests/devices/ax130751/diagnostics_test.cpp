@@ -103,7 +103,7 @@ TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
     EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
+TEST_F(Ax130751Diagnostics, FaultEndsWhenItsDetectionIsSwitchedOff) {
     verifies<req::AOR_DIAG_005, req::AOR_DIAG_011>();
     supply(7.5F);
     EXPECT_TRUE(all_off());

@@ -115,7 +115,7 @@ TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
 
-TEST_F(Ax130751LateCalls, EmcyWithoutRoomInTheQueueDelaysNoTimeOut) {
+TEST_F(Ax130751LateCalls, EmcyThatAFullQueueRefusesDelaysNoTimeOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

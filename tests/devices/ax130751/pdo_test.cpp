@@ -40,7 +40,7 @@ TEST_F(Ax130751Pdo, Rpdo4SetsTheDigitalOutputs) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
+TEST_F(Ax130751Pdo, Rpdo1SetsNothingInPreOperational) {
     verifies<req::AOR_PDO_001>();
     send("27F#E80318FC01");
     EXPECT_EQ(read(0x7300, 1), 0U);
@@ -138,7 +138,7 @@ TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
     EXPECT_EQ(pass(50), Frames{});
 }
 
-TEST_F(Ax130751Pdo, RemoteFramesAreNotAnsweredAsShipped) {
+TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     verifies<req::AOR_OD_1800>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
@@ -290,7 +290,7 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
+TEST_F(Ax130751Pdo, EmcyWaitsWhileTheQueueIsFullWithoutDelayingTheOutputs) {
     verifies<req::CO_EMCY_022>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");

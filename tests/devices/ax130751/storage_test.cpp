@@ -326,7 +326,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
 }
 
 // AX130751, 3.2.11, 3.2.12
-TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
+TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);

@@ -52,7 +52,7 @@ TEST_F(Ax188001Errors, EachErrorHasItsCodeDescriptionAndChannel) {
     EXPECT_EQ(run(111.0F, 8.0F), (Frames{"165:0FF#0000010000000000", "165:0FF#0031010320000000"}));
 }
 
-TEST_F(Ax188001Errors, ErrorsAreReportedOnce) {
+TEST_F(Ax188001Errors, LimitFaultIsReportedOnceAtItsStartAndOnceAtItsEnd) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013>();
     heat(1, 130.0);
     EXPECT_EQ(read_once().size(), 1U);
@@ -201,7 +201,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Ax188001Errors, OverrunAndBusOffAreReported) {
+TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) {
     verifies<req::TCS_ERR_009, req::TCS_ERR_021, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN,
              req::TCS_T5>();
     inputs.can_overrun = true;

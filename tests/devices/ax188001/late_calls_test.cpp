@@ -59,7 +59,7 @@ TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
+TEST_F(LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms

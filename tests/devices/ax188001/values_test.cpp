@@ -18,7 +18,7 @@ int round_to_int(double value) {
 
 }  // namespace
 
-TEST_F(Values, AtPowerOnBothChannelsShowTheTemperatureOfTheirTerminals) {
+TEST_F(Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) {
     verifies<req::TCS_IN_001, req::TCS_VAL_002, req::TCS_OD_6100, req::TCS_OD_7130, req::TCS_S_COLD_JUNCTION>();
     EXPECT_NEAR(field_value(1).real(), 25.0F, 0.02F);
     EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
@@ -83,7 +83,7 @@ TEST_F(Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     }
 }
 
-TEST_F(Values, WithoutCompensationOnlyTheTerminalVoltageIsConverted) {
+TEST_F(Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
     EXPECT_EQ(read(0x2000, 1).value, 1U);
     EXPECT_EQ(write(0x2000, 1, 1, 0), 0U);
