@@ -151,7 +151,7 @@ TEST_F(Ax130751Diagnostics, HardwareProtectsOutside7To39VoltsEvenWithoutDetectio
     EXPECT_TRUE(hardware_off()) << "what cannot be measured protects too";
 }
 
-TEST_F(Ax130751Diagnostics, ShutdownPrecedesOverrideAndEnable) {
+TEST_F(Ax130751Diagnostics, ShutdownPrecedesTheOverrideOfOutputAndRelay) {
     verifies<req::AOR_OUT_007, req::AOR_RELAY_011, req::AOR_DIAG_006>();
     extra_as_percent(1);
     for (const std::uint16_t index : std::array<std::uint16_t, 2>{0x2360, 0x2290}) {

@@ -119,7 +119,7 @@ TEST_F(Ax130751Edges, OverTemperatureBeginsAbove85DegreesAndEndsAt60Degrees) {
     EXPECT_EQ(temperature(60.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToOneUnit) {
+TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToTheNextFloat) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);

@@ -264,7 +264,7 @@ TEST_F(Ax130751Relay, DelayOfADayIsExact) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverrideAndErrorsAreNotDelayed) {
+TEST_F(Ax130751Relay, OverrideAndShutdownAreNotDelayed) {
     verifies<req::AOR_RELAY_014, req::AOR_RELAY_023>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

@@ -209,7 +209,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     }
 }
 
-TEST_F(Edges, SupplyAndProcessorTemperatureAreRoundedToTenths) {
+TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC
