@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and its own EMCY service; two errors of two channels.
+/// A dictionary with the list and an EMCY service of its own; each of two channels has two errors.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;

@@ -236,8 +236,8 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent; they are sent first, with two in the
-    // list, then 8140h, the third, then the end of 8120h.
+    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent. They are sent first and tell of two
+    // errors in the list; 8140h, the third, follows, and then the end of 8120h.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
@@ -299,7 +299,7 @@ TEST_F(Errors, ErrorThatFlickersInStoppedSendsAtMostOneStartAndOneEnd) {
         overrun(true);
         overrun(false);
     }
-    // It began and ended: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
+    // The error began and ended: 8110h is sent, then its end. By now the list has its ten errors, and 1001h is 0.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

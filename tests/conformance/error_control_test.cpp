@@ -312,7 +312,7 @@ std::string state_after_error(const std::string& begin, const std::string& react
     return bench.send("703#R1").at(0).substr(4);
 }
 
-/// Returns the state after a guarding error with this value of 1029h:1, from operational.
+/// Returns the state of an operational node after a guarding error; `reaction` is the value of 1029h:1.
 NmtState state_after_guarding_error(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -327,7 +327,7 @@ NmtState state_after_guarding_error(const std::string& reaction) {
     return bench.device->state();
 }
 
-/// Returns the state after bus-off with this value of 1029h:1, from operational.
+/// Returns the state of an operational node after bus-off; `reaction` is the value of 1029h:1.
 NmtState state_after_bus_off(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -386,7 +386,7 @@ TEST_F(ErrorControlService, BusOffLeadsToPreOperationalByDefault) {
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    // Errors of bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    // The errors that arose while bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
     inputs.can_state = 0;
     EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

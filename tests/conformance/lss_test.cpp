@@ -181,7 +181,7 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
 
 TEST_F(Lss, SwitchStateSelectiveFramesInLssConfigurationHaveNoEffect) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
-    // Each of the four in turn is sent while the slave is in LSS configuration, and is therefore missing.
+    // In each round another one of the four frames is sent while the slave is in LSS configuration, and has no effect.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
         for (std::size_t i = 0; i < own_address.size(); ++i) {
             send(i == early ? "7E5#0401" : "7E5#0400");
@@ -218,7 +218,7 @@ TEST_F(Lss, LssConfiguresNothingInOperational) {
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(device->stored().node_id, 5);
-    // A request refused there is not executed later.
+    // A bit rate refused in operational is not used later.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
 }

@@ -19,7 +19,7 @@ namespace {
 class NodeService : public Lss {
   protected:
     NmtState state() const { return device->node().state(); }
-    /// Enters operational, then lets the heartbeat of node 10h, received once, stop for 100 ms.
+    /// Enters operational and receives one heartbeat of node 10h, and then none for 100 ms.
     void lose_producer() {
         EXPECT_EQ(send("605#2316100164001000"), Frames{"585#6016100100000000"});
         send("000#0105");

@@ -117,7 +117,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"}},
                     {"605#A2047F0000000000", {"585#8000240003000405"}},
                     {"605#A2037F0000000000", {stray}},
-                    // two of three were sent
+                    // two of the three segments were sent
                     {"605#A400240002000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A203020000000000", {"585#8000240003000405"}},
@@ -292,7 +292,7 @@ TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"
     EXPECT_EQ(send("605#A402230001000000"), (Frames{"585#C602230048000000"}));
     EXPECT_EQ(send("605#A300000000000000"), (Frames{"585#01412076616C7565"}));
-    // it cannot be downloaded in segments or blocks either
+    // the object cannot be downloaded, neither in segments nor in blocks
     EXPECT_EQ(send("605#2002230000000000"), (Frames{"585#8002230005000405"}));
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }

@@ -322,7 +322,7 @@ TEST_F(SlaveSdo, ValueOfEightBytesIsTransferredInSegments) {
 
 TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
-    // more than would overrun the buffer
+    // 300 segments are more than the buffer holds
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }

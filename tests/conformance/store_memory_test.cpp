@@ -36,7 +36,8 @@ TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
               size_of_save - 1);  // the last byte but one commits the new set, the last one invalidates the old set
 }
 
-/// The last byte but one commits a set; each number is higher than the previous one.
+/// The power fails after the last byte but one, which commits a set. Two sets are then valid; the later one has the
+/// higher number.
 TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");

@@ -29,7 +29,7 @@ class PlainApplication final : public Application {
     void booted(Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// The answers of the application; the default where empty.
+    /// The answers of the application; where one is empty, the answer is the default.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
     /// The objects that the node has reported to the device as written.

@@ -351,7 +351,7 @@ TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// 4.2.13 applies to each of these faults.
+// Each of these two faults leads to pre-operational by 4.2.13.
 TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms

@@ -109,7 +109,7 @@ void verifies_every_function() {
              req::INC_OD_30A4, req::INC_OD_30A5>();
 }
 
-/// Communication parameters: a value that is not the default, in an order in which they can be written.
+/// A communication parameter and a value for it that is not its default.
 struct Setting {
     std::uint16_t index;
     std::uint8_t sub;

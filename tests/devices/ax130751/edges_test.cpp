@@ -233,7 +233,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
 
 TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_017>();
-    // A frequency of 50 Hz and above with three digits of 6332h: 50 000 at least.
+    // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
     make(1, 500);
     set8(0x6332, 1, 3);
     command(1, 1000);

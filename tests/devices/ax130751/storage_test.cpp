@@ -363,7 +363,7 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     const std::size_t before = memory.written();
     store();
     const std::size_t of_a_save = memory.written() - before;
-    // The power fails when so many of the 20 bytes of node-ID and bit rate are written.
+    // The power fails after `more` of the 20 bytes of node-ID and bit rate are written.
     for (const std::size_t more : {0U, 1U, 19U}) {
         SCOPED_TRACE(more);
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");

@@ -48,7 +48,7 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 as type J without compensation and delay, with wide limits.
+/// Channel 1 is of type J, without compensation or delay, and has wide limits.
 class Edges : public TcsTest {
   protected:
     void SetUp() override {
