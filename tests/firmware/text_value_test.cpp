@@ -27,7 +27,7 @@ struct TextDictionary {
 TEST(TextValue, TextEndsBeforeItsFirstZeroByte) {
     test::shows_rule("a text is sent up to its first zero byte");
     TextDictionary dictionary;
-    // Before the zero byte and behind it: the lowest and highest values of a byte, a letter, and values around 80h.
+    // Before the zero byte and behind it: the byte values 1 and 255, a letter, and the values around 80h.
     const std::array<std::uint8_t, 6> letters{{0x01U, 0x41U, 0x7FU, 0x80U, 0x81U, 0xFFU}};
     for (const std::uint8_t before : letters) {
         for (const std::uint8_t behind : letters) {
