@@ -23,7 +23,7 @@ class AlteredDictionary : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
+TEST_F(AlteredDictionary, HeartbeatErrorEndsOperationalWhenObject1029hIsAbsent) {
     verifies<req::CO_HB_004>();
     renumber(0x1029, 0x102A);
     EXPECT_EQ(power_on(), Frames{"705#00"});
@@ -36,7 +36,7 @@ TEST_F(AlteredDictionary, CommunicationErrorWithoutObject1029hEndsOperational) {
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);
 }
 
-TEST_F(AlteredDictionary, EmergenciesAreSentWithoutAnErrorListToo) {
+TEST_F(AlteredDictionary, EmcyMessagesAreSentWhenObject1003hIsAbsent) {
     verifies<req::CO_EMCY_001>();
     renumber(0x1003, 0x1004);
     power_on();
@@ -58,7 +58,7 @@ TEST_F(AlteredDictionary, LongestErrorListHolds254Errors) {
     EXPECT_EQ(send("080#01"), Frames{"085#408211FE00000000"});
 }
 
-TEST_F(AlteredDictionary, FifthHeartbeatConsumerMonitorsNoNode) {
+TEST_F(AlteredDictionary, SubIndex5Of1016hMonitorsNoNode) {
     verifies<req::CO_HB_002, req::CO_HB_004>();
     entry(0x1016, 4).subindex = 5;
     power_on();
@@ -89,7 +89,7 @@ TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedEvenWithoutALimitO
     EXPECT_EQ(send("605#4019100000000000"), Frames{"585#4F191000F0000000"});
 }
 
-TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
+TEST_F(AlteredDictionary, MappingCountAboveTheNumberOfEntriesIsRefused) {
     verifies<req::CO_PDO_011>();
     entry(0x1602, 0).limit = no_limit;
     power_on();
@@ -100,7 +100,7 @@ TEST_F(AlteredDictionary, MoreEntriesThanAMappingObjectHasAreRefused) {
     EXPECT_EQ(send("605#2F02160008000000"), Frames{"585#6002160000000000"});
 }
 
-TEST_F(AlteredDictionary, NinthPdoIsServedAsAPlainObject) {
+TEST_F(AlteredDictionary, ObjectsOfANinthRpdoAreOrdinaryEntriesWithoutAPdo) {
     verifies<req::CO_PDO_001, req::CO_SDO_016>();
     renumber(0x1403, 0x1408);
     renumber(0x1603, 0x1608);
@@ -116,7 +116,7 @@ TEST_F(AlteredDictionary, NinthPdoIsServedAsAPlainObject) {
     EXPECT_EQ(send("605#4000200300000000"), Frames{"585#4F00200300000000"});
 }
 
-TEST_F(AlteredDictionary, AbsentObjectInADefaultMappingIsAGapOfZeros) {
+TEST_F(AlteredDictionary, AbsentObjectInADefaultTpdoMappingIsSentAsZeros) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
     ship(0x1A00, 0, 3);
     ship(0x1A00, 2, 0x29990008);  // 2999h is absent
@@ -127,7 +127,7 @@ TEST_F(AlteredDictionary, AbsentObjectInADefaultMappingIsAGapOfZeros) {
     EXPECT_EQ(send("605#2F01200222000000"), (Frames{"185#110022", "585#6001200200000000"}));
 }
 
-TEST_F(AlteredDictionary, AbsentSubindexInADefaultMappingIsAGapBesideItsObject) {
+TEST_F(AlteredDictionary, AbsentSubIndexInADefaultTpdoMappingIsSentAsZeros) {
     verifies<req::CO_PDO_028, req::CO_PDO_015>();
     ship(0x1A00, 1, 0x20016308);  // 2001h:99 is absent
     ship(0x1A00, 2, 0x20010108);
@@ -136,7 +136,7 @@ TEST_F(AlteredDictionary, AbsentSubindexInADefaultMappingIsAGapBesideItsObject) 
     EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#0011", "585#6001200100000000"}));
 }
 
-TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
+TEST_F(AlteredDictionary, DefaultTpdoMappingOfFewerBitsThanItsObjectCarriesTheLowBits) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 1, 0x22070010);  // maps 16 of the 32 bits of 2207h
     ship(0x1A00, 2, 0x20010108);
@@ -146,7 +146,7 @@ TEST_F(AlteredDictionary, DefaultMappingShorterThanItsObjectCarriesTheLowBits) {
     EXPECT_EQ(send("605#2F01200155000000"), (Frames{"185#112255", "585#6001200100000000"}));
 }
 
-TEST_F(AlteredDictionary, DefaultMappingOfAnEmptyEntryMapsNothing) {
+TEST_F(AlteredDictionary, DefaultTpdoMappingWhoseOnlyEntryIsZeroMapsNothing) {
     verifies<req::CO_PDO_053>();
     ship(0x1A00, 0, 1);
     ship(0x1A00, 1, 0);
@@ -154,7 +154,7 @@ TEST_F(AlteredDictionary, DefaultMappingOfAnEmptyEntryMapsNothing) {
     EXPECT_TRUE(send("000#0105").empty());
 }
 
-TEST_F(AlteredDictionary, EmptyEntryOfADefaultMappingTakesNoBits) {
+TEST_F(AlteredDictionary, ZeroEntryInADefaultTpdoMappingTakesNoBits) {
     verifies<req::CO_PDO_028>();
     ship(0x1A00, 0, 3);
     ship(0x1A00, 2, 0);
@@ -177,7 +177,7 @@ TEST_F(AlteredDictionary, DefaultMappingLongerThanAFrameIsNotUsed) {
     EXPECT_EQ(device->objects().read(0x2206, 0), 0U);
 }
 
-TEST_F(AlteredDictionary, DefaultCountBeyondTheMappingObjectUsesTheEntriesThatExist) {
+TEST_F(AlteredDictionary, DefaultMappingCount9UsesTheEightEntriesThatExist) {
     verifies<req::CO_PDO_001>();
     ship(0x1600, 0, 9);
     for (std::uint8_t line = 1; line <= 8; ++line) {
@@ -239,7 +239,7 @@ TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200155000000"});
 }
 
-TEST_F(AlteredDictionary, MappingObjectHasAtMost64Entries) {
+TEST_F(AlteredDictionary, PdoLinesCountsAtMost64EntriesOfAMappingObject) {
     shows_rule("work is bounded");
     EXPECT_EQ(pdo_lines(description.rows.tables()), 8U);
     entry(0x1A03, 8).subindex = 64;
@@ -248,7 +248,7 @@ TEST_F(AlteredDictionary, MappingObjectHasAtMost64Entries) {
     EXPECT_EQ(pdo_lines(description.rows.tables()), 64U);
 }
 
-TEST_F(AlteredDictionary, Real32MayHaveOneLimitOnly) {
+TEST_F(AlteredDictionary, Real32MayHaveOnlyAMaximumOrOnlyAMinimum) {
     verifies<req::CO_SDO_011, req::CO_SDO_016>();
     const std::uint32_t one_and_a_half = 0x3FC00000;
     entry(0x2207, 0).type = DataType::real32;
@@ -263,7 +263,7 @@ TEST_F(AlteredDictionary, Real32MayHaveOneLimitOnly) {
     EXPECT_EQ(send("605#23072200000000C0"), Frames{"585#8007220032000906"});  // 2207h = -2 is below the minimum
 }
 
-TEST_F(AlteredDictionary, OctetStringMayBeShorterAndMayContainZeros) {
+TEST_F(AlteredDictionary, ShorterOctetStringIsPaddedWithZerosToItsFixedSize) {
     verifies<req::CO_SDO_010, req::CO_SDO_002>();
     entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, default abc
     power_on();
@@ -381,7 +381,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200100000000"});
 }
 
-TEST_F(AlteredDictionary, ManufacturerParametersAreStoredBySubindex5Too) {
+TEST_F(AlteredDictionary, SubIndex5Of1010hStoresTheManufacturerParameters) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
     entry(0x1010, 3).subindex = 4;  // then sub-index 3 is not the last

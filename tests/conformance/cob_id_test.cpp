@@ -10,7 +10,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Starts as node 3 and uses the first RPDO of each device.
+/// Starts each device as node 3; the tests use its first RPDO.
 class CobIdOfTheDevice : public testing::TestWithParam<const char*> {
   protected:
     std::uint32_t cob_id() { return unit.read(index, 1); }

@@ -26,7 +26,8 @@ TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
     EXPECT_EQ(pass(1000), Frames{});
-    // 6300h and error passive (8120h) wait, both in the list and in 1001h; then 8140h, the third; then 8120h ends.
+    // 6300h and error passive (8120h) wait, both in the list and in 1001h; 8140h follows as the third error in the
+    // list, and last the end of 8120h.
     EXPECT_EQ(recover(),
               (Frames{"085#0063110200000000", "085#2081110200000000", "085#4081110300000000", "085#0000010300000000"}));
     EXPECT_EQ(pass(1000), Frames{});
@@ -62,7 +63,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
     EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
 }
 
-/// The same device is switched off in bus-off and on with a working bus.
+/// The same device is switched off while it is bus-off, and switched on with a working bus.
 TEST_F(ControllerAtPowerOn, PowerOnClearsTheBusOffOfThePreviousPowerCycle) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);

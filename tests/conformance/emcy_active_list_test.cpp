@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and its own EMCY service; two errors of two channels.
+/// A dictionary with the list and an EMCY service of its own; each of two channels has two errors.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;
@@ -199,7 +199,7 @@ TEST_F(ActiveList, ResetNodeDropsWaitingMessagesAndTheInhibitTime) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
 }
 
-TEST_F(ActiveList, MessageThatFindsNoRoomInTheQueueIsSentAMillisecondLater) {
+TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
     verifies<req::CO_EMCY_001>();
     while (queue.push(data_frame(0x701, 1))) {
         // fills the queue

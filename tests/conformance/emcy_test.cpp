@@ -58,7 +58,7 @@ TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
     EXPECT_EQ(error_register(), "00");
 }
 
-TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
+TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes) {
     verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
@@ -70,7 +70,7 @@ TEST_F(Errors, EachErrorHasItsOwnErrorCode) {
 }
 
 // 7.9.4 lists 5000h beside 6110h: two separate failures
-TEST_F(Errors, HardwareFailureIsReportedAs5000hDuringASoftwareFailureToo) {
+TEST_F(Errors, HardwareAndSoftwareFailureAreReportedSeparatelyAs5000hAnd6110h) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#0050010100000000"}));
@@ -191,14 +191,14 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
-TEST_F(Errors, ErrorThatArisesInStoppedIsReportedAfterStopped) {
+TEST_F(Errors, OverrunInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081110100000000"}));
 }
 
-TEST_F(Errors, ControllerErrorInStoppedIsReportedAfterStopped) {
+TEST_F(Errors, ErrorPassiveInStoppedIsReportedAfterStopped) {
     verifies<req::CO_EMCY_004>();
     send("000#0203");
     EXPECT_TRUE(can_state(2).empty());
@@ -236,8 +236,8 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent; they are sent first, with two in the
-    // list, then 8140h, the third, then the end of 8120h.
+    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent. They are sent first and tell of two
+    // errors in the list; 8140h, the third, follows, and then the end of 8120h.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
@@ -266,7 +266,7 @@ TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     EXPECT_EQ(can_state(0), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
 }
 
-TEST_F(Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_012>();
     overrun(true);
     EXPECT_EQ(send("000#8103"), (Frames{"703#00", "083#1081110100000000"}));
@@ -283,7 +283,7 @@ TEST_F(Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
     EXPECT_EQ(error_register(), "01");
 }
 
-TEST_F(Errors, HardwareFailureThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Errors, HardwareFailureThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::AO4_ERR_018, req::AO4_ERR_012>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -292,14 +292,14 @@ TEST_F(Errors, HardwareFailureThatOutlastsAResetNodeIsReportedAgain) {
     EXPECT_EQ(listed(1), "00500000");
 }
 
-TEST_F(Errors, FlickeringErrorIsReportedWithItsFinalState) {
+TEST_F(Errors, ErrorThatFlickersInStoppedSendsAtMostOneStartAndOneEnd) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     send("000#0203");
     for (int i = 0; i < 1000; ++i) {
         overrun(true);
         overrun(false);
     }
-    // It began and ended: 8110h, then its end; the list of ten is full and 1001h reads 0 by then.
+    // The error began and ended: 8110h is sent, then its end. By now the list has its ten errors, and 1001h is 0.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

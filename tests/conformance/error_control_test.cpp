@@ -35,7 +35,7 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
     EXPECT_EQ(pass(100), (Frames{"100:703#7F"}));
 }
 
-TEST_F(ErrorControlService, LateHeartbeatIsSentOnceAndThePeriodRestarts) {
+TEST_F(ErrorControlService, SeveralOverdueHeartbeatsAreSentAsOneAndThePeriodRestarts) {
     verifies<req::CO_HB_001>();
     write("603#2B17100064000000");  // 100 ms; heartbeats are due at 100, 200 and 300 ms at the next call
     now = now + milliseconds(350);
@@ -68,7 +68,7 @@ TEST_F(ErrorControlService, LifeGuardingContinuesWithANewTimeAndEndsWithTimeZero
     EXPECT_TRUE(pass(2000).empty());
 }
 
-TEST_F(ErrorControlService, HeartbeatSentLateDoesNotDelayTheNextOnes) {
+TEST_F(ErrorControlService, HeartbeatLateByLessThanAPeriodDoesNotDelayTheNextOnes) {
     verifies<req::CO_HB_001>();
     write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     now = now + milliseconds(130);
@@ -113,7 +113,7 @@ TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
     EXPECT_TRUE(pass(199).empty());
 }
 
-TEST_F(ErrorControlService, LowestAndHighestNodeIdAreMonitored) {
+TEST_F(ErrorControlService, HeartbeatsOfNodes1And127AreMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
     write("603#23161001C8000100");  // 1016h:1 consumer heartbeat time: node 1, 200 ms
     send("701#05");
@@ -263,7 +263,7 @@ TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
     EXPECT_EQ(pass(600), (Frames{"500:703#7F"}));
 }
 
-TEST_F(ErrorControlService, GuardingUsesTheIdentifierOf100Eh) {
+TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheIdentifierOf100Eh) {
     verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
     write("603#230E100020070000");  // 100Eh node guarding identifier: 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
@@ -285,7 +285,7 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
 }
 
-TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrestrictedOnes) {
+TEST_F(ErrorControlService, Object100EhRefusesRestrictedIdentifiersExceptForErrorControl) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
     // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
@@ -299,8 +299,8 @@ TEST_F(ErrorControlService, Object100EhAcceptsIdentifiersOfErrorControlAndUnrest
 
 namespace {
 
-/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before it; `reaction`:
-/// the value of 1029h:1 (error behaviour).
+/// Returns the NMT state after a heartbeat error. `begin`: the NMT command that sets the state before the error;
+/// `reaction`: the value of 1029h:1 (error behaviour).
 std::string state_after_error(const std::string& begin, const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -312,7 +312,7 @@ std::string state_after_error(const std::string& begin, const std::string& react
     return bench.send("703#R1").at(0).substr(4);
 }
 
-/// Returns the state after a guarding error with this value of 1029h:1, from operational.
+/// Returns the state of an operational node after a guarding error; `reaction` is the value of 1029h:1.
 NmtState state_after_guarding_error(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -327,7 +327,7 @@ NmtState state_after_guarding_error(const std::string& reaction) {
     return bench.device->state();
 }
 
-/// Returns the state after bus-off with this value of 1029h:1, from operational.
+/// Returns the state of an operational node after bus-off; `reaction` is the value of 1029h:1.
 NmtState state_after_bus_off(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -359,7 +359,7 @@ TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheStateBy1029h) {
     }
 }
 
-TEST_F(ErrorControlService, EachErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
+TEST_F(ErrorControlService, EachErrorLeadsToPreOperationalAlsoWhileAnotherErrorLasts) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     write("603#2B0C100064000000");  // guard time 100 ms …
@@ -380,13 +380,13 @@ TEST_F(ErrorControlService, EachErrorChangesTheStateBy1029hAlsoWhileAnotherLasts
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(ErrorControlService, BusOffChangesTheStateBy1029h) {
+TEST_F(ErrorControlService, BusOffLeadsToPreOperationalByDefault) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     send("000#0103");
     inputs.can_state = 3;
     EXPECT_TRUE(set_inputs().empty());
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    // Errors of bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
+    // The errors that arose while bus-off are reported as soon as it ends: 8120h, 8140h, and the end of 8120h.
     inputs.can_state = 0;
     EXPECT_EQ(set_inputs(), (Frames{"083#2081110100000000", "083#4081110200000000", "083#0000000200000000"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 29-bit identifiers (CiA 301, 7.2): a frame whose 29-bit identifier has the number of a service does not reach it.
+// 29-bit identifiers (CiA 301, 7.2): a frame whose 29-bit identifier is the number of a service does not reach it.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -16,14 +16,14 @@ class IdentifierFormat : public CbxTest {
         CbxTest::SetUp();
         send("000#0103");
     }
-    /// Sends a frame with its identifier as one of 29 bits.
+    /// Sends a frame with the same identifier, but in 29 bits.
     Frames send_as_29_bits(const std::string& frame) { return send("00000" + frame); }
 };
 
 }  // namespace
 
 /// The reset comes last, because it ends operational.
-TEST_F(IdentifierFormat, NoServiceAnswersA29BitFrameOfItsNumber) {
+TEST_F(IdentifierFormat, SdoPdoGuardingAndNmtIgnore29BitFrames) {
     verifies<req::CO_FRAME_001>();
     for (const char* const request : {"603#4000100000000000", "303#R8", "703#R1", "000#8203"}) {
         EXPECT_EQ(send_as_29_bits(request), Frames{}) << request;

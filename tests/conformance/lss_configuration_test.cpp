@@ -7,7 +7,7 @@
 namespace canproof::test {
 
 // CiA 305, 6.4.2
-TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
+TEST_F(Lss, ConfigureNodeIdChecksTheBoundsOfItsRange) {
     verifies<req::CO_LSS_010, req::CO_LSS_071, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID,
              req::CO_E_LSS_ERROR>();
     configure();
@@ -23,7 +23,7 @@ TEST_F(Lss, ConfigureNodeIdAccepts1To127And255) {
           {"7E5#11FE000000000000", {"7E4#1101000000000000"}}});
 }
 
-TEST_F(Lss, ConfigureNodeIdAcceptsOrRefusesEachOf256Values) {
+TEST_F(Lss, ConfigureNodeIdAccepts1To127And255AndNoOtherValue) {
     verifies<req::CO_LSS_010, req::CO_LSS_071, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     configure();
     for (int node = 0; node <= 255; ++node) {
@@ -124,7 +124,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
 }
 
 // 6.4.4; heartbeats every 30 ms show whether the node may send
-TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
+TEST_F(Lss, NodeIsSilentForBothSwitchDelaysAndSwitchesTheBitRateBetweenThem) {
     verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     talk({{"605#2B1710001E000000", {"585#6017100000000000"}},
           {"7E5#0401000000000000", {}},
@@ -139,7 +139,7 @@ TEST_F(Lss, ActivateBitTimingSendsNothingForBothDelaysAndSwitchesBetweenThem) {
     EXPECT_EQ(pass(41), (Frames{"6:705#7F", "36:705#7F"}));  // from 199 ms on: heartbeats at 205 ms and 235 ms
 }
 
-TEST_F(Lss, SwitchDelayIsSixteenBitsOfMilliseconds) {
+TEST_F(Lss, SwitchDelayMayBe65535Milliseconds) {
     verifies<req::CO_LSS_014>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#15FFFF0000000000", {}}});
@@ -230,7 +230,7 @@ TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
     EXPECT_EQ(sent(), (Frames{"085#1081110100000000"}));
 }
 
-TEST_F(Lss, EndOfTheSwitchDelaysReportsNoErrorInStopped) {
+TEST_F(Lss, NodeInStoppedReportsNoErrorAfterTheSwitchDelays) {
     verifies<req::CO_LSS_015, req::CO_EMCY_004>();
     configure();
     talk({{"000#0205", {}}, {"7E5#150A000000000000", {}}});
@@ -254,8 +254,8 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the error is not lost
 }
 
-// CiA 301, 7.2.8.2.2: node 31h, 100 ms, stops its heartbeat while the bit rate is switched
-TEST_F(Lss, HeartbeatsAreMonitoredDuringTheSwitchDelays) {
+// CiA 301, 7.2.8.2.2: node 31h is monitored with 100 ms; no heartbeat is received during the switch delays
+TEST_F(Lss, HeartbeatMissedDuringTheSwitchDelaysIsReportedAtTheirEnd) {
     verifies<req::CO_LSS_015, req::CO_LSS_074>();
     talk({{"605#2316100164003100", {"585#6016100100000000"}},
           {"731#05", {}},
@@ -305,7 +305,7 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
 }
 
 // CiA 305, 6.4.5
-TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
+TEST_F(Lss, StoreConfigurationStoresTheNodeIdAndBitRateForTheNextStart) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},
@@ -319,7 +319,7 @@ TEST_F(Lss, StoreConfigurationKeepsNodeIdAndBitRate) {
     EXPECT_EQ(bit_rate(), 500000U);
 }
 
-TEST_F(Lss, StoreConfigurationReportsAFailedMemory) {
+TEST_F(Lss, StoreConfigurationReportsThatItFailedOrIsNotSupported) {
     verifies<req::CO_LSS_075, req::CO_LSS_076, req::CO_LSS_017, req::CO_E_LSS_ERROR>();
     configure();
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}}});

@@ -30,14 +30,14 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4800000000000000", {}},  // all serial numbers
+          {"7E5#4800000000000000", {}},  // all revision numbers and all serial numbers
           {"7E5#49FFFFFFFF000000", {}},
           {"7E5#4A00000000000000", {}},
           {"7E5#4BFFFFFFFF000000", {"7E4#4F00000000000000"}}});
     EXPECT_FALSE(is_configuring());  // identified, not selected
 }
 
-TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredByOtherSlaves) {
+TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitInOrder) {
     verifies<req::CO_LSS_043>();
     const std::vector<Exchange> fitting{{"7E5#465F000000000000", {}}, {"7E5#47010302AA000000", {}},
                                         {"7E5#4801000100000000", {}}, {"7E5#4903000100000000", {}},
@@ -107,7 +107,7 @@ TEST_F(Lss, IdentifyNonConfiguredIsIgnoredByASlaveWithANodeId) {
           {"7E5#4C00000000000000", {}}});  // its active node-ID is still 5
 }
 
-TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInBothStates) {
+TEST_F(Unconfigured, IdentifyNonConfiguredIsAnsweredInLssWaitingAndLssConfiguration) {
     verifies<req::CO_LSS_044, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#0401000000000000", {}},
@@ -235,7 +235,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
     EXPECT_FALSE(is_configuring());  // product code and revision are cleared
 }
 
-TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
+TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
     verifies<req::CO_LSS_004, req::CO_LSS_054>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<Exchange> three{
@@ -251,7 +251,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterAResetAndAfterCompletion) {
     EXPECT_FALSE(is_configuring());
 }
 
-TEST_F(Unconfigured, FastscanInterruptedByAResetRestarts) {
+TEST_F(Unconfigured, FastscanInterruptedByResetCommunicationRestarts) {
     verifies<req::CO_LSS_004>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},

@@ -28,7 +28,7 @@ TEST_F(Unconfigured, ErrorPassiveAtBootUpIsReported) {
     EXPECT_EQ(sent(), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Unconfigured, WithoutANodeIdOnlyLssIsServed) {
+TEST_F(Unconfigured, OnlyLssIsServedWithoutANodeId) {
     verifies<req::CO_LSS_030, req::CO_K_LSS_UNCONFIGURED>();
     EXPECT_EQ(first_frames, Frames{});
     EXPECT_EQ(pass(5000), Frames{});

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A device with the default settings of AX130751 3.1, AX188001 and AX060805.
+/// A device that resets itself, with node-ID 80 as in the screen capture, and the default bit rate (AX130751 3.1).
 class AxLss : public Lss {
   protected:
     AxLss() {
@@ -53,7 +53,7 @@ TEST_F(AxLss, StepsOfTheManualChangeTheNodeId) {
     EXPECT_EQ(start(device->stored()), (Frames{"750#00"}));
 }
 
-TEST_F(AxLss, LeavingLssConfigurationResetsEvenWhenNothingChanged) {
+TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationEvenWhenNothingChanged) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0401", {}}, {"7E5#0400", {"750#00"}}});
@@ -72,14 +72,14 @@ TEST_F(AxLss, LeavingLssConfigurationResetsCommunicationOnly) {
           {"650#4000200100000000", {"5D0#4F002001AA000000"}}});
 }
 
-TEST_F(AxLss, SwitchToWaitingInWaitingResetsNothing) {
+TEST_F(AxLss, SwitchToLssWaitingInLssWaitingResetsNothing) {
     verifies<req::CO_LSS_018>();
     send("000#0150");
     talk({{"7E5#0400", {}}, {"7E5#0402", {}}});
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(Lss, DeviceWithoutDeclaredSelfResetIsNotReset) {
+TEST_F(Lss, DeviceWithoutSelfResetIsNotResetByLeavingLssConfiguration) {
     verifies<req::CO_LSS_018>();
     configure();
     talk({{"7E5#1107000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});

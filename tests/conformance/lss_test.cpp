@@ -29,7 +29,7 @@ TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
 }
 
 // CiA 305, 6.3.3
-TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
+TEST_F(Lss, SwitchStateSelectiveSelectsTheSlaveByItsFourNumbers) {
     verifies<req::CO_LSS_002, req::CO_E_LSS_ANSWER, req::CO_E_LSS_COMMAND>();
     talk(own_address);
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
@@ -37,7 +37,7 @@ TEST_F(Lss, SwitchStateSelectiveNeedsAllFourNumbers) {
           {"7E5#5E00000000000000", {}}});
 }
 
-TEST_F(Lss, WrongNumberInSwitchStateSelectiveSelectsNoSlave) {
+TEST_F(Lss, SwitchStateSelectiveWithWrongMissingOrMisplacedNumbersSelectsNoSlave) {
     verifies<req::CO_LSS_003>();
     const std::vector<std::vector<Exchange>> others{{{"7E5#4060000000000000", {}},  // the number of another vendor
                                                      {"7E5#41010302AA000000", {}},
@@ -135,7 +135,8 @@ TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
     EXPECT_FALSE(is_configuring());
 }
 
-// CO-T-LSS, cell by cell: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT operational
+// Each field of table CO-T-LSS: services in LSS waiting, in LSS configuration, and in LSS configuration with NMT
+// operational
 TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     verifies<req::CO_LSS_005, req::CO_LSS_006, req::CO_LSS_070, req::CO_T_LSS>();
     struct Row {
@@ -178,9 +179,9 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
 
-TEST_F(Lss, SelectiveFramesInLssConfigurationAreNotCounted) {
+TEST_F(Lss, SwitchStateSelectiveFramesInLssConfigurationHaveNoEffect) {
     verifies<req::CO_LSS_005, req::CO_T_LSS>();
-    // Each of the four in turn is sent while the slave is in LSS configuration, and is therefore missing.
+    // In each round another one of the four frames is sent while the slave is in LSS configuration, and has no effect.
     for (std::size_t early = 0; early < own_address.size(); ++early) {
         for (std::size_t i = 0; i < own_address.size(); ++i) {
             send(i == early ? "7E5#0401" : "7E5#0400");
@@ -217,7 +218,7 @@ TEST_F(Lss, LssConfiguresNothingInOperational) {
           {"7E5#1700000000000000", {}}});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(device->stored().node_id, 5);
-    // A request refused there is not executed later.
+    // A bit rate refused in operational is not used later.
     talk({{"000#8005", {}}, {"7E5#1500000000000000", {}}, {"000#8205", {"705#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);
 }
@@ -235,8 +236,8 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 
 // -- frames -----------------------------------------------------------------------------------------------------------
 
-// Each service with one byte too few, with just enough, with seven and with eight bytes.
-TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndTheAnswerHasAsMany) {
+// Requests with too few bytes, with just enough, with more and with all eight bytes.
+TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndOnly8ByteRequestsGet8ByteAnswers) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},
@@ -282,7 +283,7 @@ TEST_F(Lss, ShortFramesOfASequenceAreIgnored) {
          {"7E5#4A21112620", {}},         {"7E5#4B21112620", {}}});
 }
 
-TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
+TEST_F(Unconfigured, FastscanRequestNeedsEightBytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     talk({{"7E5#51000000008000", {}},
           {"7E5#5100000000800000", {"7E4#4F00000000000000"}},
@@ -290,7 +291,7 @@ TEST_F(Unconfigured, FastscanRequestHasEightBytes) {
           {"7E5#4C00000000000000", {"7E4#5000000000000000"}}});
 }
 
-TEST_F(Lss, FramesOfOtherIdentifiersOrFormatsAreNoLssRequests) {
+TEST_F(Lss, FramesOfOtherIdentifiersFormatsOrCommandsAreNoLssRequests) {
     verifies<req::CO_LSS_062, req::CO_K_LSS_REQUEST_ID>();
     talk({{"7E5#R", {}},
           {"7E5#R8", {}},

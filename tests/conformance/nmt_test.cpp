@@ -59,7 +59,7 @@ TEST_F(Nmt, NodeObeysACommandToAllAndIgnoresOneToAnotherNode) {
     EXPECT_EQ(state(), "operational");
 }
 
-TEST_F(Nmt, WrongLengthRemoteFramesAndUnknownCommandsAreIgnored) {
+TEST_F(Nmt, UnknownNmtCommandsWrongLengthsAndRemoteFramesAreIgnored) {
     verifies<req::CO_NMT_004>();
     for (const char* frame : {"000#01", "000#010300", "000#", "000#R2", "000#0303", "000#7F03", "000#0003"}) {
         EXPECT_TRUE(send(frame).empty()) << frame;
@@ -96,8 +96,8 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-// CO-T-SERVICES, each cell by the behaviour of the node (CiA 301, 7.3.2.3)
-TEST_F(Nmt, EachServiceWorksInItsNmtStatesOnly) {
+// Fields of table CO-T-SERVICES, shown by the behaviour of the node (CiA 301, 7.3.2.3)
+TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC
     write("603#2306100010270000");  // 1006h communication cycle period: 10 ms

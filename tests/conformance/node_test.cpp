@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS switch
-// delays.
+// Tests of the state that the node keeps between frames: after a reset, while a deadline is pending, and during LSS
+// switch delays.
 #include "firmware/canopen/node.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 class NodeService : public Lss {
   protected:
     NmtState state() const { return device->node().state(); }
-    /// Enters operational, then lets the heartbeat of node 10h, received once, stop for 100 ms.
+    /// Enters operational and receives one heartbeat of node 10h, and then none for 100 ms.
     void lose_producer() {
         EXPECT_EQ(send("605#2316100164001000"), Frames{"585#6016100100000000"});
         send("000#0105");
@@ -44,7 +44,7 @@ class AlteredNode : public testing::Test, public AlteredSlaveBench {};
 
 }  // namespace
 
-TEST_F(NodeService, CommunicationErrorChangesTheStateBy1029hAfterAResetToo) {
+TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterResetNode) {
     verifies<req::CO_NMT_007, req::CO_HB_004>();
     for (int round = 1; round <= 3; ++round) {
         lose_producer();
@@ -94,7 +94,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(NodeService, BusOffAtPowerOnChangesTheStateBy1029hAtOnce) {
+TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhen1029hIs2) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
@@ -125,7 +125,7 @@ TEST_F(SelfResetting, ResetByLssCancelsAPlannedSelfStart) {
 }
 
 /// The device was busy when the time-out ended: the time-out is handled before the frame.
-TEST_F(NodeService, DueWorkIsDoneBeforeALateFrameIsHandled) {
+TEST_F(NodeService, SdoTimeOutThatIsDueIsHandledBeforeTheNextFrame) {
     verifies<req::CO_SDO_014>();
     send("605#4008100000000000");
     now = now + milliseconds(1000);
@@ -141,7 +141,7 @@ TEST_F(NodeService, LssSwitchDelayEndsAnSdoTransfer) {
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#8000000001000405"});
 }
 
-TEST_F(NodeService, WithoutANodeIdNoEmcyIsSentAfterAnLssSwitchDelay) {
+TEST_F(NodeService, NoEmcyIsSentAfterAnLssSwitchDelayWithoutANodeId) {
     verifies<req::CO_LSS_030>();
     send("000#0105");
     configure();
@@ -154,7 +154,7 @@ TEST_F(NodeService, WithoutANodeIdNoEmcyIsSentAfterAnLssSwitchDelay) {
     EXPECT_EQ(sent(), Frames{});
 }
 
-TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
+TEST_F(NodeService, NoTpdoIsSentWithoutANodeId) {
     verifies<req::CO_LSS_030, req::CO_PDO_018>();
     configure();
     talk({{"7E5#11FF000000000000", {"7E4#1100000000000000"}}, {"7E5#0400000000000000", {}}});
@@ -166,7 +166,7 @@ TEST_F(NodeService, WithoutANodeIdNoTpdoIsSent) {
     EXPECT_EQ(pass(1000), Frames{});
 }
 
-TEST_F(NodeService, ProducerThatFailsASecondTimeIsReportedAgain) {
+TEST_F(NodeService, HeartbeatProducerThatFailsASecondTimeIsReportedAgain) {
     verifies<req::CO_HB_004>();
     send("605#2F29100101000000");  // 1029h:1: no change of state
     lose_producer();
@@ -191,7 +191,7 @@ TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
     }
 }
 
-TEST_F(NodeService, ProducerNoLongerMonitoredHasNoDeadline) {
+TEST_F(NodeService, HeartbeatProducerNoLongerMonitoredHasNoDeadline) {
     verifies<req::CO_HB_003>();
     EXPECT_EQ(device->next_deadline().us, never.us);
     send("605#2316100164001000");

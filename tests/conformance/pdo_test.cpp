@@ -55,7 +55,7 @@ TEST_F(Pdo, SynchronousRpdosWaitForTheSyncAndUseTheLastValues) {
     }
 }
 
-TEST_F(Pdo, PreOperationalAppliesNoRpdoAndDropsWaitingOnes) {
+TEST_F(Pdo, PreOperationalAppliesNoRpdoAndDropsWaitingRpdos) {
     verifies<req::CO_PDO_003, req::CO_PDO_036>();
     send("000#8003");
     send("303#0100000000000000");
@@ -82,7 +82,7 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     EXPECT_EQ(output(2), "0000");
 }
 
-TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
+TEST_F(Pdo, Bit31OfTheCobIdSwitchesTheRpdoOff) {
     verifies<req::CO_PDO_006>();
     disable_rpdo2();
     send("303#0100000000000000");
@@ -92,7 +92,7 @@ TEST_F(Pdo, Bit31OfTheCobIdSwitchesThePdoOff) {
     EXPECT_EQ(output(1), "0100");
 }
 
-TEST_F(Pdo, IdentifierChangesOnlyWhileThePdoIsNotValid) {
+TEST_F(Pdo, RpdoIdentifierChangesOnlyWhileNotValidAndMayNotBeRestricted) {
     verifies<req::CO_PDO_007, req::CO_PDO_054, req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     EXPECT_EQ(send("603#2301140104030000"), (Frames{"583#8001140122000008"}));
     EXPECT_EQ(send("603#2301140103030020"), (Frames{"583#8001140130000906"}));  // 1401h:1 COB-ID of RPDO2 with bit 29
@@ -148,7 +148,7 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
     EXPECT_EQ(send("603#2301160108011164"), (Frames{"583#8001160141000406"}));  // 8 of the 16 bits of 6411h:1
 }
 
-TEST_F(Pdo, MappingHoldsAtMost64Bits) {
+TEST_F(Pdo, MappingHoldsAtMost64BitsAndNoEmptyEntry) {
     verifies<req::CO_PDO_011>();
     disable_rpdo2();
     write("603#2F01160000000000");

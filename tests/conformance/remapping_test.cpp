@@ -97,7 +97,7 @@ TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
     });
 }
 
-TEST_P(Remapping, RefusedStepChangesNothing) {
+TEST_P(Remapping, RefusedRemappingStepChangesNothing) {
     verifies<req::CO_PDO_009, req::CO_PDO_056, req::CO_SDO_011>();
     const std::string first = GetParam().mapping == "0016" ? "08010020" : "08010120";
     hold({{line("01"), GetParam().entry, present_state}, {line("00"), "01", present_state}});
@@ -116,11 +116,11 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("01"), "08090020", subindex_missing},  // 2000h:9 is absent
         {line("01"), "10001710", cannot_be_mapped},  // 1017h is not mappable
         {line("01"), GetParam().foreign, cannot_be_mapped},
-        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 of the 8 bits of the entry
+        {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 bits, but the entry has 8
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "00" + GetParam().entry.substr(2), cannot_be_mapped},
         {line("01"), "08010220", cannot_be_mapped},  // 2002h:1 is a BOOLEAN of one bit, and only an RPDO can carry it
-        {line("01"), "40000722", cannot_be_mapped},  // 64 of the 32 bits of 2207h
+        {line("01"), "40000722", cannot_be_mapped},  // 64 bits, but 2207h has 32
         {line("01"), "00000000", ""},                // an empty entry
         {line("01"), GetParam().entry, ""},
         {line("08"), "20000722", ""},
@@ -128,7 +128,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
     });
 }
 
-TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
+TEST_P(Remapping, DummiesCanBeMappedInReceivePdosOnly) {
     verifies<req::CO_PDO_012, req::CO_PDO_057>();
     const std::string expected = GetParam().mapping == "0016" ? "" : cannot_be_mapped;
     hold({
@@ -150,7 +150,7 @@ TEST_P(Remapping, DummiesFillGapsInReceivePdosOnly) {
     });
 }
 
-TEST_P(Remapping, NumberOfMappedObjectsIsChecked) {
+TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntries) {
     verifies<req::CO_PDO_011>();
     hold({
         {parameter("01"), not_valid(), ""},
@@ -197,7 +197,7 @@ TEST_P(Remapping, ReservedBitsOfTheCobIdAreRefused) {
     });
 }
 
-TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
+TEST_P(Remapping, RestrictedIdentifiersAreRefusedUnlessBit31IsSet) {
     verifies<req::CO_PDO_055, req::CO_T_RESTRICTED_COB_ID>();
     hold({{parameter("01"), not_valid(), ""}});
     // CiA 301, 7.3.5: 000h, 001h-07Fh, 101h-180h, 581h-5FFh, 601h-67Fh, 6E0h-6FFh, 701h-77Fh, 780h-7FFh
@@ -211,7 +211,7 @@ TEST_P(Remapping, IdentifiersOfOtherServicesAreRefused) {
     }
 }
 
-TEST_P(Remapping, TpdoIdentifierInUseByAnotherPdoIsRefused) {
+TEST_P(Remapping, IdentifierSharedByATpdoAndAnotherPdoIsRefused) {
     verifies<req::CO_PDO_026>();
     hold({
         {parameter("01"), not_valid(), ""},

@@ -47,7 +47,7 @@ TEST_F(Rpdo, RpdosOfTypes0To240WaitForTheSyncAndUseTheLastValues) {
     }
 }
 
-TEST_F(Rpdo, OutsideOperationalRpdosAreNeitherAppliedNorKept) {
+TEST_F(Rpdo, RpdosOutsideOperationalAreNeitherAppliedNorKept) {
     verifies<req::CO_PDO_003, req::CO_PDO_036>();
     talk(*this, {
                     {"605#2F00140201000000", {"585#6000140200000000"}},  // 1400h:2 transmission type of RPDO1: 1
@@ -101,7 +101,7 @@ TEST_F(Rpdo, LengthErrorLastsWhileAnyRpdoIsTooShort) {
                 });
 }
 
-TEST_F(Rpdo, LongerFrameSetsTheMappedPart) {
+TEST_F(Rpdo, RpdoLongerThanItsMappingSetsTheMappedObjects) {
     verifies<req::CO_PDO_037>();
     talk(*this, {
                     {"205#112233", {}},
@@ -151,7 +151,7 @@ TEST_F(Rpdo, Real32MustNotBeNanAndMustLieWithinItsLimits) {
                 });
 }
 
-TEST_F(Rpdo, BitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
+TEST_F(Rpdo, RpdoBitsAreCountedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_001>();
     // 2002h:1, 2002h:2 (bits 0, 1), a gap of one bit (2), 2100h:1 (bits 3 … 18), 2002h:3 (19)
     map_rpdo3({"01010220", "01020220", "01000100", "10010021", "01030220"});
@@ -181,7 +181,7 @@ TEST_F(Rpdo, DummyEntriesSkipTheirBits) {
                 });
 }
 
-TEST_F(Rpdo, SixtyFourBitsCanBeOneValueOrEight) {
+TEST_F(Rpdo, RpdoOf64BitsCanCarryOneValueOrEight) {
     verifies<req::CO_PDO_001>();
     map_rpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     talk(*this, {
@@ -228,7 +228,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
 
 TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
     verifies<req::CO_PDO_059>();
-    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2001h:3
+    map_rpdo3({"08000500", "08030020"});  // maps a gap of 8 bits, then 2000h:3
     talk(*this, {
                     {"605#2302140105020080", {"585#6002140100000000"}},
                     // 1402h:1 COB-ID of RPDO3: the identifier of RPDO1
@@ -334,7 +334,7 @@ TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 
-TEST_F(Rpdo, ParameterWriteEndsTheErrorsAndRestartsTheRpdo) {
+TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
     verifies<req::CO_PDO_022, req::CO_PDO_039>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");

@@ -116,7 +116,7 @@ TEST_F(SdoBlock, EmptyValueCanBeDownloaded) {
                 });
 }
 
-TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
+TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
     verifies<req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     const auto block_of = [](const std::string& object, const Bytes& bytes, const std::string& last) {
         return std::vector<Exchange>{
@@ -138,7 +138,7 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOthers) {
     talk(*this, block_of("101001", {'s', 'a', 'v', 'x'}, "585#8010100120000008"));  // not the signature
 }
 
-TEST_F(SdoBlock, BlockDownloadToAnUnwritableEntryIsRefusedAtOnce) {
+TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
     verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034>();
     talk(*this, {
                     {"605#C600100004000000", {"585#8000100002000106"}},
@@ -186,7 +186,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
 
 TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
-    // each pair ends a sub-block with one segment in order
+    // each pair makes a sub-block of which only the first segment is in order
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
     for (int pair = 0; pair < 6; ++pair) {
         talk(*this, {{"605#0141414141414141", {}}, {"605#7F42424242424242", {"585#A2017F0000000000"}}});
@@ -195,7 +195,7 @@ TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
                     {"605#0141414141414141", {"585#8000230012000706"}},
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
-    // the same on 64 KiB: 9,363 pairs are 65,541 bytes
+    // the same with 64 KiB of memory: 9,363 pairs are 65,541 bytes
     ASSERT_EQ(send("605#C400240000000000"), (Frames{"585#A40024007F000000"}));
     for (int pair = 0; pair < 9363; ++pair) {
         ASSERT_TRUE(send("605#0141414141414141").empty());
@@ -226,14 +226,14 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
                     {"605#2F01220008000000", {}},                        // segment number 47, out of order
                     {"605#C600240009000000", {"585#A2017F0000000000"}},  // number 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
-                    // the last one was received: from here on an initiate counts as an initiate
+                    // the last segment was received: from here on an initiate counts as an initiate
                     {"605#4000100000000000", {"585#4300100078563412"}},
                     {"605#D5C3310000000000", {stray}},
                 });
     EXPECT_TRUE(held().empty());
 }
 
-TEST_F(SdoBlock, DeviceMayRefuseTheWholeValue) {
+TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
     verifies<req::CO_SDO_047>();
     hold({7});
     device->refuse_domains_with(AbortCode::hardware_error);

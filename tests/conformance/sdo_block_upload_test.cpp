@@ -35,7 +35,7 @@ TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
                 });
 }
 
-TEST_F(SdoBlock, UploadToAClientWithoutCrcSendsNoCrc) {
+TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithTheCrcToo) {
     verifies<req::CO_SDO_020>();
     hold(nine);
     talk(*this, {
@@ -117,7 +117,7 @@ TEST_F(SdoBlock, AcknowledgementOfAnUnsentSegmentIsRefused) {
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E", "585#830F101112131415"}},
                     {"605#A2047F0000000000", {"585#8000240003000405"}},
                     {"605#A2037F0000000000", {stray}},
-                    // two of three were sent
+                    // two of the three segments were sent
                     {"605#A400240002000000", {"585#C600240015000000"}},
                     {"605#A300000000000000", {"585#0101020304050607", "585#0208090A0B0C0D0E"}},
                     {"605#A203020000000000", {"585#8000240003000405"}},
@@ -144,7 +144,7 @@ TEST_F(SdoBlock, BlockSizesOtherThan1To127AreRefused) {
                 });
 }
 
-TEST_F(SdoBlock, SmallValuesSwitchToAPlainUpload) {
+TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
     verifies<req::CO_SDO_031>();
     hold(nine);
     talk(*this, {
@@ -259,7 +259,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
-TEST_F(SdoBlock, SegmentedUploadUsesTheSameMemory) {
+TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
     verifies<req::CO_SDO_032>();
     hold(counting(100));
     EXPECT_EQ(send("605#4000240000000000"), (Frames{"585#4100240064000000"}));
@@ -286,13 +286,13 @@ TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
                 });
 }
 
-TEST_F(SdoBlock, ValueOfMoreThan64BytesIsReadInPlace) {
+TEST_F(SdoBlock, ValueOfMoreThan64BytesCanBeUploadedButNotDownloaded) {
     verifies<req::CO_K_SDO_BUFFER, req::CO_SDO_034>();
     EXPECT_EQ(send("605#4002230000000000"), (Frames{"585#4102230048000000"}));  // 72 bytes
     EXPECT_EQ(send("605#6000000000000000"), (Frames{"585#00412076616C7565"}));  // "A value"
     EXPECT_EQ(send("605#A402230001000000"), (Frames{"585#C602230048000000"}));
     EXPECT_EQ(send("605#A300000000000000"), (Frames{"585#01412076616C7565"}));
-    // it cannot be downloaded in segments or blocks either
+    // the object cannot be downloaded, neither in segments nor in blocks
     EXPECT_EQ(send("605#2002230000000000"), (Frames{"585#8002230005000405"}));
     EXPECT_EQ(send("605#C002230000000000"), (Frames{"585#8002230005000405"}));
 }

@@ -119,7 +119,7 @@ TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
     EXPECT_EQ(send("603#210810000D000000"), (Frames{"583#8008100002000106"}));
 }
 
-TEST_F(Sdo, WrongLengthsAreRefused) {
+TEST_F(Sdo, DownloadsOfWrongLengthAreRefused) {
     verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes for an entry of two
     // 1017h producer heartbeat time: one byte instead of two
@@ -142,7 +142,7 @@ TEST_F(Sdo, NewInitiateEndsTheRunningTransfer) {
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100100000000"}));
 }
 
-TEST_F(Sdo, ClientAbortIsNotAnswered) {
+TEST_F(Sdo, ClientAbortEndsTheTransferAndIsNotAnswered) {
     verifies<req::CO_SDO_013>();
     send("603#4008100000000000");
     EXPECT_TRUE(send("603#8008100000000405").empty());
@@ -304,7 +304,7 @@ TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
                 });
 }
 
-TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
+TEST_F(SlaveSdo, ValueOfEightBytesIsTransferredInSegments) {
     verifies<req::CO_SDO_002, req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_016>();
     talk(*this, {
                     {"605#2106220008000000", {"585#6006220000000000"}},
@@ -322,7 +322,7 @@ TEST_F(SlaveSdo, EightByteValuesAreSegmented) {
 
 TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
-    // more than would overrun the buffer
+    // 300 segments are more than the buffer holds
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
     }

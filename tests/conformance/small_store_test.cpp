@@ -41,7 +41,7 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
     static constexpr std::size_t bank_size = 24;
     static constexpr const char* saved = "585#6010100100000000";
     static constexpr const char* hardware_error = "585#8010100100000606";
-    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one in 1003h
+    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one entry in 1003h
 };
 
 }  // namespace
@@ -57,7 +57,7 @@ TEST_F(SmallStore, MemoryOfExactlyTwoBanksIsEnough) {
     }
 }
 
-TEST_F(SmallStore, MemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
+TEST_F(SmallStore, SaveToAMemoryOneByteTooSmallIsRefusedBeforeAnyWrite) {
     verifies<req::CO_STORE_005>();
     memory.bytes().resize(2 * bank_size - 1);
     EXPECT_EQ(power_on(), Frames{"705#00"});
@@ -183,7 +183,7 @@ TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
 }
 
-// The value equals the node-ID of the node that saved by chance; its default has no node-ID in it.
+// By chance, the value equals the node-ID of the node that saved it; its default does not depend on the node-ID.
 TEST_F(SmallStore, StoredValueWhoseDefaultHasNoNodeIdDoesNotFollowTheNodeId) {
     verifies<req::CO_PDO_030, req::CO_NMT_005>();
     power_on();

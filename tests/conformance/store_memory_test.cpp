@@ -36,7 +36,8 @@ TEST_F(Store, PowerCutAtAnyByteLeavesTheOldSetOrTheNewSet) {
               size_of_save - 1);  // the last byte but one commits the new set, the last one invalidates the old set
 }
 
-/// The last byte but one commits a set; each number is higher than the previous one.
+/// The power fails after the last byte but one, which commits a set. Two sets are then valid; the later one has the
+/// higher number.
 TEST_F(Store, LaterOfTwoCommittedSetsIsLoaded) {
     verifies<req::CO_STORE_004>();
     set_values("0000");
@@ -80,7 +81,7 @@ TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
     }
 }
 
-TEST_F(Store, FailingMemoryIsReportedAndLosesNothing) {
+TEST_F(Store, SaveToAFailingMemoryIsReportedAndTheOldSetIsKept) {
     verifies<req::CO_STORE_005, req::CO_STORE_013>();
     set_values("1111");
     write("603#2310100173617665");
@@ -150,7 +151,7 @@ TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
     }
 }
 
-TEST_F(Store, MemoryThatDoesNotKeepWrittenBytesIsDetected) {
+TEST_F(Store, SaveToAMemoryThatDoesNotKeepWrittenBytesIsRefused) {
     verifies<req::CO_STORE_005>();
     FaultyMemory worn{1024};
     worn.worn = true;
@@ -187,7 +188,7 @@ TEST_F(Store, RestoreThatTheMemoryDoesNotCommitIsRefused) {
     EXPECT_EQ(faulty.commits, 1U);
 }
 
-TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
+TEST_F(Store, MemoryThatIsTooSmallIsReportedAtPowerOnAndRefusesASave) {
     verifies<req::CO_STORE_005>();
     host::Memory small{64};
     EXPECT_EQ(power_on_with(small), (Frames{"703#00", "083#1061010200000000"}));
@@ -195,7 +196,7 @@ TEST_F(Store, MemoryThatIsTooSmallIsReportedWhenUsed) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, FailedReadGivesTheStoredSetOrDefaultsAndNeverASave) {
+TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
     verifies<req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);

@@ -15,7 +15,7 @@ TEST_F(Store, SaveAllStoresEachGroup) {
     EXPECT_EQ(values(), "3412 3412 3412 ");
 }
 
-TEST_F(Store, WithoutASaveNothingIsStored) {
+TEST_F(Store, NothingIsStoredWithoutASave) {
     verifies<req::CO_STORE_001>();
     set_values("3412");
     power_on();

@@ -98,7 +98,7 @@ TEST_F(SyncService, MissedSyncsAreNotSentLater) {
     EXPECT_EQ(pass(6), (Frames{"5:080#"}));
 }
 
-TEST_F(SyncService, SyncSentLateDoesNotDelayTheNextOnes) {
+TEST_F(SyncService, SyncLateByLessThanAPeriodDoesNotDelayTheNextOnes) {
     verifies<req::CO_SYNC_003>();
     write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     write("603#2305100080000040");
@@ -215,7 +215,7 @@ TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, ReservedCounterValuesAreRefused) {
+TEST_F(SyncService, ReservedValuesOf1019hAreRefused) {
     verifies<req::CO_SYNC_007, req::AO4_OD_1019>();
     for (const char* value : {"01", "F1", "FF"}) {
         EXPECT_EQ(send(std::string{"603#2F191000"} + value + "000000"), (Frames{"583#8019100030000906"})) << value;

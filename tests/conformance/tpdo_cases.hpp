@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slave of the tests of transmit PDOs: the conformance slave, node 5. It has
 //   TPDO1 on 185h, type 254: 2001h:1, 2001h:2 (UNSIGNED8);  TPDO2 on 285h, type 1: 2101h:1…4 (INTEGER16);
-//   TPDO3 on 385h and TPDO4 on 485h: not valid. Its event is a change of value.
+//   TPDO3 on 385h and TPDO4 on 485h: not valid. A change of value is an event.
 #pragma once
 
 #include "tests/support/exchange.hpp"

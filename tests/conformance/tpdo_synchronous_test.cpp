@@ -28,7 +28,7 @@ TEST_F(Tpdo, TpdoOfType0IsSentAtTheSyncAfterAChange) {
                 });
 }
 
-TEST_F(Tpdo, TpdoOfTypeNIsSentAtEveryNthSync) {
+TEST_F(Tpdo, TpdoOfType3IsSentAtEveryThirdSync) {
     verifies<req::CO_PDO_014, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("03");
@@ -51,7 +51,7 @@ TEST_F(Tpdo, TpdoOfTypeNIsSentAtEveryNthSync) {
                 });
 }
 
-TEST_F(Tpdo, Types1And240AreTheEndsOfTheSynchronousRange) {
+TEST_F(Tpdo, TpdosOfTypes1And240AreSentAtEverySyncAndEvery240thSync) {
     verifies<req::CO_PDO_014>();
     set_type("F0");
     send("000#0105");
@@ -115,7 +115,7 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
     }
 }
 
-TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
+TEST_F(Tpdo, FirstSyncCountsWithoutASyncStartValue) {
     verifies<req::CO_PDO_019, req::CO_PDO_014>();
     send("605#2F1910000A000000");  // 1019h synchronous counter overflow value: counter 1 … 10
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
@@ -123,7 +123,7 @@ TEST_F(Tpdo, WithoutASyncStartValueTheFirstSyncCounts) {
     EXPECT_EQ(send("080#08"), (Frames{"285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, WithoutASyncCounterTheStartValueHasNoEffect) {
+TEST_F(Tpdo, StartValueHasNoEffectWithoutASyncCounter) {
     verifies<req::CO_PDO_050>();
     silence_tpdo2();
     talk(*this, {
@@ -185,7 +185,7 @@ TEST_F(Tpdo, SyncOfWrongLengthTriggersNoTpdo) {
     EXPECT_EQ(send("080#"), (Frames{"085#0000000100000000", "285#0000000000000000"}));
 }
 
-TEST_F(Tpdo, AtASyncTpdosSampleBeforeRpdosAreApplied) {
+TEST_F(Tpdo, TpdosSampleBeforeRpdosAreAppliedAtASync) {
     verifies<req::CO_PDO_029>();
     silence_tpdo2();
     // 2207h in RPDO3 and in TPDO3, both of type 1
@@ -252,7 +252,7 @@ TEST_F(Tpdo, TpdoOfType252CarriesTheValuesOfTheLastSync) {
                 });
 }
 
-TEST_F(Tpdo, SynchronousTypesAnswerRequestsWithTheValuesOfTheLastSync) {
+TEST_F(Tpdo, SynchronousTpdosAnswerRequestsWithTheValuesOfTheLastSync) {
     verifies<req::CO_PDO_043, req::CO_PDO_044>();
     silence_tpdo2();
     for (const char* type : {"00", "05", "F0"}) {
@@ -281,7 +281,7 @@ TEST_F(Tpdo, EventDrivenTpdoAnswersARequestAfterTheInhibitTime) {
     EXPECT_EQ(send("185#R2"), (Frames{"185#0000"}));
 }
 
-TEST_F(Tpdo, Bit30OfTheCobIdForbidsRequests) {
+TEST_F(Tpdo, Bit30OfTheCobIdForbidsRemoteRequests) {
     verifies<req::CO_PDO_016>();
     silence_tpdo2();
     for (const char* type : {"FE", "FD", "FC", "01", "00"}) {

@@ -42,7 +42,7 @@ TEST_F(Tpdo, NoTpdoIsSentOutsideOperational) {
     EXPECT_TRUE(pass(100).empty());
 }
 
-TEST_F(Tpdo, EventOutsideOperationalIsNotSentLater) {
+TEST_F(Tpdo, EventBeforeTheNodeEntersOperationalIsNotSentLater) {
     verifies<req::CO_PDO_052>();
     silence_tpdo2();
     set_type("00");
@@ -96,7 +96,7 @@ TEST_F(Tpdo, ValuesThatChangeTogetherAreSentTogether) {
                 });
 }
 
-TEST_F(Tpdo, ChangeByTheDeviceItselfIsSent) {
+TEST_F(Tpdo, ValueChangedByTheDeviceIsSent) {
     verifies<req::CO_PDO_015>();
     start();
     device->objects().write(0x2001, 2, 0x77);
@@ -179,7 +179,7 @@ TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
                 });
 }
 
-TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
+TEST_F(Tpdo, TpdoBitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     verifies<req::CO_PDO_028>();
     // 2003h:1, 2003h:2 (bits 0, 1), 2101h:1 (2 … 17), 2003h:3 (18), 2001h:3 (19 … 26)
     map_tpdo3({"01010320", "01020320", "10010121", "01030320", "08030120"});
@@ -193,13 +193,13 @@ TEST_F(Tpdo, BitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));
 }
 
-TEST_F(Tpdo, NineBitsTakeTwoBytes) {
+TEST_F(Tpdo, TpdoOfNineBitsHasTwoBytes) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"08030120", "01010320"});  // maps 2001h:3 (8 bits) and 2003h:1 (1 bit)
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#0000"}));
 }
 
-TEST_F(Tpdo, SixtyFourBitsCanBeSent) {
+TEST_F(Tpdo, TpdoOf64BitsCanBeSent) {
     verifies<req::CO_PDO_028>();
     map_tpdo3({"40000622"});  // maps 2206h: UNSIGNED64
     send("605#2106220008000000");

@@ -83,7 +83,7 @@ TEST_F(TimeDriven, InhibitTimeDelaysTheDeadline) {
     EXPECT_EQ(service.next_deadline(), now + milliseconds(8));
 }
 
-TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
+TEST_F(TimeDriven, ThereIsNoDeadlineWithoutTpdos) {
     verifies<req::CO_PDO_027>();
     TransmitPdos unused{{}, {}, device->objects(), own_queue, TpdoTrigger::value_change};
     unused.start(now);  // before reset() no TPDO exists
@@ -94,7 +94,7 @@ TEST_F(TimeDriven, WithoutTpdosThereIsNoDeadline) {
     EXPECT_EQ(unused.next_deadline(), never);
 }
 
-TEST_F(Tpdo, TransmissionsAreAtLeastTheInhibitTimeApart) {
+TEST_F(Tpdo, TpdosAreSentAtLeastTheInhibitTimeApart) {
     verifies<req::CO_PDO_017, req::CO_PDO_048>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
     start();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that cannot be read or written beyond their end (firmware/base/bytes.hpp).
+// Views of bytes, which cannot be read or written beyond their end (firmware/base/bytes.hpp).
 #include "firmware/base/bytes.hpp"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ TEST(Bytes, PartOfAViewEndsWithTheView) {
     EXPECT_EQ(open_four.part(6U, 2U).size(), 0U);
 }
 
-TEST(Bytes, NumberReadAcrossTheEndHasZerosThere) {
+TEST(Bytes, NumberReadAcrossTheEndOfAViewHasZerosThere) {
     shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 8> room{{0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88}};
     const ByteView four{room.data(), 4U};
@@ -141,7 +141,7 @@ TEST(Bytes, NumberReadAcrossTheEndHasZerosThere) {
     EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
 
-TEST(Bytes, NumberTakesAsManyBytesAsItsType) {
+TEST(Bytes, NumberTakesTheGivenBytesAndNoneBeyondTheEnd) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{9, 9, 9, 9, 9, 9, 9, 9}};
     MutableBytes six{room.data(), 6U};

@@ -16,7 +16,7 @@ constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets 1001h a
 constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets 1001h and is listed
 constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h, is listed and sent
 
-/// An EMCY service on the dictionary of the slave, without emergencies of the slave itself.
+/// An EMCY service on the dictionary of the slave; the slave itself reports no errors.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {
   protected:
     void SetUp() override {
@@ -30,7 +30,7 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
         power_on();
         keep(ErrorList::active);
     }
-    /// Starts with a list of that kind.
+    /// Starts the service with a list of this kind.
     void keep(ErrorList list) {
         emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, list, EmcyContent::detail);
         emcy_->set_node_id(5);

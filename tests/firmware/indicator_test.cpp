@@ -73,7 +73,7 @@ TEST(Indicator, PatternWithoutFlashesIsSteadyDespiteItsPause) {
     }
 }
 
-TEST(Indicator, PatternWithoutDurationIsSteady) {
+TEST(Indicator, PatternWithoutDurationIsSteadilyDark) {
     shows_rule("work is bounded");
     const IndicatorPattern instant{1U, Duration{}, Duration{}, Duration{}};
     EXPECT_FALSE(indicator_phase(instant, Instant{} + milliseconds(7), Duration{}).lit);

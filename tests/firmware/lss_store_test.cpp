@@ -38,7 +38,7 @@ TEST(LssStore, LatestStoredConfigurationIsLoaded) {
     }
 }
 
-TEST(LssStore, StoreNeedsNoMoreBytesThanItsSize) {
+TEST(LssStore, LssStoreWorksInAMemoryOfExactlyItsSize) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();
     host::Memory memory{LssStore::size};
     for (int node_id = 1; node_id < 4; ++node_id) {
@@ -76,7 +76,7 @@ TEST(LssStore, PowerCutAtAnyByteLeavesTheOldOrTheNewConfiguration) {
     }
 }
 
-TEST(LssStore, PowerCutNeverDamagesTheSlotInUse) {
+TEST(LssStore, PowerCutAfterTenBytesKeepsTheConfigurationOfTheSlotInUse) {
     verifies<req::CO_LSS_016>();
     for (const int before : {1, 2, 3, 4}) {
         host::Memory memory{64};

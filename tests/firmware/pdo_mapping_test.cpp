@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mapping objects, resolved (firmware/canopen/pdo_mapping.hpp).
+// Mapping objects that are resolved to the places of their values (firmware/canopen/pdo_mapping.hpp).
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "generated/canopen/requirements.hpp"
@@ -90,7 +90,7 @@ TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
 }
 
-TEST(Mapping, MappingContainsItsNamedValuesOnly) {
+TEST(Mapping, MappingContainsTheMappedValuesOnly) {
     verifies<req::CO_PDO_015>();
     const host::DictionaryRows rows{slave().rows};
     const DictionaryTables tables{rows.tables()};

@@ -29,7 +29,7 @@ class PlainApplication final : public Application {
     void booted(Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// The answers of the application; the default where empty.
+    /// The answers of the application; where one is empty, the answer is the default.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
     /// The objects that the node has reported to the device as written.
@@ -148,7 +148,7 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
 }
 
-TEST_F(ByHand, ConstantEntryIsNeverOverwritten) {
+TEST_F(ByHand, PutDoesNotOverwriteAConstantEntry) {
     verifies<req::CO_SDO_009>();
     ObjectDictionary& objects = device->objects();
     const EntryRef name = objects.lookup(0x1008, 0);  // "Conformance slave", in flash
@@ -160,7 +160,7 @@ TEST_F(ByHand, ConstantEntryIsNeverOverwritten) {
     EXPECT_EQ(objects.value(name).size(), 17U);
 }
 
-TEST_F(ByHand, SelfStartNeedsCommunicationUnless1029hSelectsNoChange) {
+TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
     verifies<req::CO_NMT_011, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {

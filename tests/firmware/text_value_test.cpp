@@ -11,7 +11,7 @@
 namespace canproof {
 namespace {
 
-constexpr std::size_t capacity = 20U;  // two whole eights and four bytes
+constexpr std::size_t capacity = 20U;  // two groups of eight bytes, and four bytes
 
 /// 2000h:0, a text. Factor 1 << 16 puts index i into slot i & 1.
 struct TextDictionary {
@@ -27,7 +27,7 @@ struct TextDictionary {
 TEST(TextValue, TextEndsBeforeItsFirstZeroByte) {
     test::shows_rule("a text is sent up to its first zero byte");
     TextDictionary dictionary;
-    // Bytes at the ends of what a byte can be and around its highest bit, before the zero byte and behind it.
+    // Before the zero byte and behind it: the byte values 1 and 255, a letter, and the values around 80h.
     const std::array<std::uint8_t, 6> letters{{0x01U, 0x41U, 0x7FU, 0x80U, 0x81U, 0xFFU}};
     for (const std::uint8_t before : letters) {
         for (const std::uint8_t behind : letters) {

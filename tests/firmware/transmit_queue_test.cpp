@@ -59,7 +59,7 @@ TEST(TransmitQueueOrder, FrontShowsTheFrameThatPopReturns) {
     EXPECT_EQ(queue.front()->data[0], 1);
 }
 
-TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
+TEST(TransmitQueueOrder, BootUpMessageDropsEarlierFramesAndIsNotOvertaken) {
     verifies<req::CO_FRAME_003, req::CO_NMT_001>();
     TransmitQueue queue;
     queue.push(numbered(0x583, 1));

@@ -14,12 +14,13 @@ using FrameChange = std::function<Frame(WrongSlave&, const Frame&)>;
 using ObjectTest = std::function<bool(std::uint16_t index, std::uint8_t subindex)>;
 using ValueChange = std::function<std::uint32_t(std::uint32_t value)>;
 
+/// Return distortions of the received frames (`hear`), of the sent frames (`say`), of both, or of the dictionary.
 Distortion hears(FrameHook hear);
 Distortion says(FrameHook say);
 Distortion hears_and_says(FrameHook hear, FrameHook say);
 Distortion has_dictionary(std::function<void(host::Part&)> alter);
 
-/// Drops frames to the slave, or frames of the slave.
+/// Drop frames to the slave (is_deaf_to), or frames of the slave (keeps_back).
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
 /// Changes an answer of the SDO server. Segments of a block upload stay unchanged.

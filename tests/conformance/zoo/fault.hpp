@@ -15,8 +15,8 @@ class WrongSlave;
 
 using FrameHook = std::function<void(WrongSlave&, const Frame&)>;
 
-/// The hooks with which a fault changes a correct slave. An empty hook changes nothing. A copy has its own state: the
-/// state of a hook is in WrongSlave::notes.
+/// The hooks with which a fault changes a correct slave. An empty hook changes nothing. A hook has
+/// no state of its own; its state is in WrongSlave::notes.
 struct Distortion {
     std::function<void(host::Part&)> part;  ///< alters the dictionary before the slave is made
     FrameHook hear;                         ///< replaces WrongSlave::pass, which gets each frame of the bus
@@ -26,7 +26,7 @@ struct Distortion {
 /// One fault of the zoo.
 struct Fault {
     std::string id;       ///< kebab-case, unique
-    std::string service;  ///< the group of the cases that must name it: "sdo", "lss"
+    std::string service;  ///< group of the conformance cases that must notice the fault, as "sdo"
     std::string what;     ///< the fault of the slave; begins with a verb
     /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
     std::string talk;

@@ -24,7 +24,7 @@ Faults lss_faults();
 Faults lss_setting_faults();
 Faults store_faults();
 
-/// Returns all faults, in that order.
+/// Returns all faults, in the order of the functions above.
 const Faults& all_faults();
 
 }  // namespace canproof::test::zoo

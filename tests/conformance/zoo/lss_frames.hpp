@@ -33,7 +33,7 @@ constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;
 }
-/// Updates is_configuring() around the hooks of `distortion`, which see the mode before their frame.
+/// Makes `distortion` also update is_configuring(). Its hooks see the state that applied before their frame.
 Distortion follows_lss(Distortion distortion);
 
 /// Serves an LSS request differently. `serve` returns false for a request that the correct slave shall serve.

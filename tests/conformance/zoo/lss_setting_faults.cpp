@@ -31,7 +31,7 @@ bool ignore_activation(WrongSlave&, const Frame& frame) {
     return frame.data[0] == 0x15;
 }
 
-/// Makes the slave use the node-ID set by LSS also at reset node, where the stored one applies.
+/// Makes the slave store each node-ID that LSS sets, although no master asked it to store.
 Distortion stores_unasked() {
     return serves_lss([](WrongSlave& slave, const Frame& frame) {
         slave.pass(frame);
@@ -43,7 +43,7 @@ Distortion stores_unasked() {
     });
 }
 
-/// Drops the answer to a store request that no master made.
+/// As stores_unasked(), but the slave sends no answer to the store request that no master made.
 Distortion stores_silently() {
     Distortion both = stores_unasked();
     const auto say = [inner = both.say](WrongSlave& slave, const Frame& frame) {

@@ -27,7 +27,7 @@ void complete_short(WrongSlave& slave, const Frame& frame) {
     slave.pass(is_too_short(slave, frame) ? with_length(frame, 8) : frame);
 }
 
-/// Makes the slave apply RPDOs in a state without RPDOs.
+/// Makes the slave apply RPDOs in `state`, in which a correct slave applies none.
 Distortion applies_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const auto number = rpdo_of(slave, frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of SDO block transfer: ways in which a wrong slave breaks its rules.
+// Faults of SDO block transfer.
 #include "firmware/base/crc16.hpp"
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
@@ -87,7 +87,7 @@ Distortion repeats_nothing() {
     return hears_and_says(hear, say);
 }
 
-/// Makes the slave number the segments of an upload on from block to block. A correct slave begins each block at 1.
+/// Makes the slave continue the segment numbers of an upload in the next block. A correct slave begins each block at 1.
 Distortion counts_on() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         if (is_sdo_request(slave, frame) && command_of(frame) == 0xA3) {
@@ -110,8 +110,8 @@ void say_without_last_mark(WrongSlave& slave, const Frame& frame) {
     slave.say(slave.says_segment() ? with_command(frame, command_of(frame) & 0x7FU) : frame);
 }
 
-/// Makes the slave acknowledge the newest segment of a download even when an earlier one was lost. notes[1] is not 0
-/// while a download is open.
+/// Makes the slave acknowledge the newest segment of a download even when an earlier one was lost. notes[0] is the
+/// number of the newest segment.
 Distortion misses_no_segment() {
     const auto hear = [](WrongSlave& slave, const Frame& frame) {
         slave.notes[0] = command_of(frame) & 0x7FU;

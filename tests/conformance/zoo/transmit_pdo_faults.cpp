@@ -28,7 +28,8 @@ void say_tpdos(WrongSlave& slave, bool synchronous, bool valid = true) {
     }
 }
 
-/// Makes the slave send TPDOs in a state without TPDOs: at SYNC and when a mapped value is written.
+/// Makes the slave send TPDOs in `state`, in which a correct slave sends none: at SYNC and when an object from 2000h on
+/// is written.
 Distortion sends_in(NmtState state) {
     return hears([state](WrongSlave& slave, const Frame& frame) {
         const bool is_state = slave.state() == state;

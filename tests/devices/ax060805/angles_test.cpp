@@ -40,7 +40,7 @@ TEST_F(Angles, AccelerationsArePositiveAlongTheirAxes) {
     EXPECT_EQ(accelerations(), (Row{250, -500, 750}));
 }
 
-TEST_F(Angles, AnglesComeFromTheAccelerationReversed) {
+TEST_F(Angles, AnglesComeFromTheReversedAcceleration) {
     verifies<req::INC_ANGLE_002, req::INC_ANGLE_003, req::INC_ANGLE_004>();
     // gx = -0.5: pitch atan2(0.5, 0.866) = 30
     EXPECT_EQ(angles_at(0.5, 0.0, -0.8660254), (Row{3000, 0, 3000}));
@@ -59,7 +59,7 @@ TEST_F(Angles, AngleTypeIsTiltAsShippedAnd2100hSelectsEulerAtOnce) {
     EXPECT_EQ(refusal(0x2100, 0, 2, 1), "06090031");
 }
 
-TEST_F(Angles, AnglesCoverTheWholeTurn) {
+TEST_F(Angles, TiltAnglesAndEulerRollCoverTheWholeTurnAndEulerPitchHalfATurn) {
     verifies<req::INC_ANGLE_013, req::INC_ANGLE_018, req::INC_ANGLE_003, req::INC_ANGLE_005>();
     EXPECT_EQ(angles_at(0.5, 0.0, 0.8660254), (Row{15000, 18000, 15000}));
     EXPECT_EQ(angles_at(-0.5, 0.0, 0.8660254), (Row{-15000, 18000, 15000}));
@@ -78,7 +78,7 @@ TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));  // no hysteresis
 }
 
-TEST_F(Angles, TurningAboutTheVerticalChangesNoAngle) {
+TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     verifies<req::INC_ANGLE_010>();
     const Row straight = angles_of(20.0, -50.0);
     // The same attitude with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical, and a turn about the
@@ -92,7 +92,7 @@ TEST_F(Angles, TiltRollIsMeasuredInGimbalLock) {
     EXPECT_EQ(angles_at(0.99995, -0.01, 0.0)[1], 57);  // atan2(0.01, sqrt(1)) = 0.573
 }
 
-TEST_F(Angles, InitialAnglesTurnTheUnitIntoTheMachinesFrame) {
+TEST_F(Angles, InitialAnglesGiveAnglesAndAccelerationsInTheFrameOfTheMachine) {
     verifies<req::INC_INSTALL_001, req::INC_INSTALL_002, req::INC_OD_2200, req::INC_OD_2210>();
     // A level machine whose unit has pitch 30 and roll 90: gravity (-0.5, 0.866, 0) in the unit.
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0), (Row{3000, 6000, 9000}));
@@ -157,7 +157,7 @@ TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     EXPECT_EQ(pitch(), 2000);
 }
 
-TEST_F(Angles, AutoNullWorksBehindTheInputFilter) {
+TEST_F(Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     verifies<req::INC_INSTALL_003>();
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
@@ -167,7 +167,7 @@ TEST_F(Angles, AutoNullWorksBehindTheInputFilter) {
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
 
-TEST_F(Angles, AutoNullIsRefusedWithoutADefinedRollOrDirection) {
+TEST_F(Angles, AutoNullIsRefusedInGimbalLockWithoutGravityAndAtAnAccelerometerError) {
     verifies<req::INC_INSTALL_005>();
     const auto expect_refused = [this](const char* why) {
         EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022") << why;
@@ -204,7 +204,7 @@ TEST_F(Angles, FailedSensorKeepsItsAccelerationsWhenTheInitialAnglesChange) {
     EXPECT_EQ(accelerations(), (Row{250, -750, -500})) << "rolled by 90 degrees: y = -z, z = y of the unit";
 }
 
-TEST_F(Angles, AutoNullIsLostAtAResetUnlessStored) {
+TEST_F(Angles, AutoNullIsLostAtResetNodeUnlessStored) {
     verifies<req::INC_INSTALL_006, req::INC_OD_2300>();
     angles_of(20.0, 10.0);
     write(0x2300, 0, 1, 1);
@@ -234,7 +234,7 @@ TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
 
-TEST_F(Angles, NewInitialAnglesRestartTheAdditionalFilters) {
+TEST_F(Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
     verifies<req::INC_INSTALL_008>();
     write(0x2050, 1, 1, 1);
     write(0x2051, 1, 100, 2);
@@ -297,7 +297,7 @@ TEST_F(Angles, ResolutionFollowsTheDecimalDigits) {
     }
 }
 
-TEST_F(Angles, FieldValuesAreScaledOffsetRoundedAndSaturated) {
+TEST_F(Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
     verifies<req::INC_FV_001, req::INC_FV_002, req::INC_FV_005, req::INC_OD_2020, req::INC_OD_2040>();
     angle_digits(10);
     angles_of(20.04, 0.0);

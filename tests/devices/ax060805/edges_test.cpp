@@ -48,7 +48,7 @@ TEST_F(InclinometerEdges, GimbalLockBeginsOneDegreeFromTheVertical) {
     EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
 }
 
-TEST_F(InclinometerEdges, AutoNullNeedsATenthOfTheGravity) {
+TEST_F(InclinometerEdges, AutoNullNeedsAtLeastATenthOfG) {
     verifies<req::INC_INSTALL_005>();
     angles_at(0.0, 0.0, 0.0998);
     EXPECT_EQ(refusal(0x2300, 0, 1, 1), "08000022");
@@ -56,7 +56,7 @@ TEST_F(InclinometerEdges, AutoNullNeedsATenthOfTheGravity) {
     EXPECT_EQ(refusal(0x2300, 0, 1, 1), "");
 }
 
-TEST_F(InclinometerEdges, VerticalIsExactWithinHalfATenThousandthOfADegree) {
+TEST_F(InclinometerEdges, EulerRollIsKeptWithin0Point00005DegreesOfTheVertical) {
     verifies<req::INC_K_EXACT_ANGLE, req::INC_ANGLE_008, req::INC_ANGLE_016>();
     turn(60.0, 40.0);
     pass(5);

@@ -49,7 +49,7 @@ TEST_F(Ax060805Errors, NanOrOutOfRangeAccelerationIsAnAccelerometerFault) {
     }
 }
 
-TEST_F(Ax060805Errors, SensorTemperatureOutsideItsRangeOf165DegreesIs4200h) {
+TEST_F(Ax060805Errors, SensorTemperatureOutsideMinus40To125DegreesIs4200h) {
     verifies<req::INC_ERR_005, req::INC_FOM_001, req::INC_T5, req::INC_T22, req::INC_K_TEMPERATURE_LOW,
              req::INC_K_TEMPERATURE_HIGH, req::INC_S_SENSOR_TEMPERATURE, req::INC_OD_4020>();
     EXPECT_EQ(read(0x4020), 0U);
@@ -66,7 +66,7 @@ TEST_F(Ax060805Errors, SensorTemperatureOutsideItsRangeOf165DegreesIs4200h) {
     EXPECT_EQ(heat(20.0F), (Frames{"5:0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, WorstConditionDeterminesTheFigureOfMerit) {
+TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     verifies<req::INC_FOM_001, req::INC_T5, req::INC_OD_4020>();
     heat(130.0F);
     fail_accelerometer();
@@ -190,7 +190,7 @@ TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10 ms with the sample, not at 7 ms with the filter
 }
 
-TEST_F(Ax060805Errors, ErrorThatOutlastsAResetNodeIsReportedAgain) {
+TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_011>();
     fail_accelerometer();
     EXPECT_EQ(send("000#8100"), (Frames{"77F#00", "0FF#00FF010000000000"}));
@@ -292,7 +292,7 @@ TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     EXPECT_EQ(listed(), (List{}));
 }
 
-TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs1000h) {
+TEST_F(Ax060805Errors, MissingGuardingRequestIsListedAs10008130h) {
     verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_T22, req::INC_OD_100C, req::INC_OD_100D>();
     write(0x100C, 0, 100, 2);
     write(0x100D, 0, 3, 1);
@@ -332,7 +332,7 @@ TEST_F(Ax060805Errors, TooShortRpdoIs8210h) {
     EXPECT_EQ(send("27F#010000000000"), (Frames{"0FF#0000000000000000"}));
 }
 
-TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
+TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
     verifies<req::INC_ERR_010, req::INC_OD_1029>();
     const auto state_after_bus_off = [this](std::uint32_t reaction) {
         send("000#8000");
@@ -351,8 +351,8 @@ TEST_F(Ax060805Errors, CommunicationFaultsChangeTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// 4.2.13 applies to each of these faults.
-TEST_F(Ax060805Errors, EachCommunicationFaultChangesTheStateAlsoWhileAnotherLasts) {
+// Each of these two faults leads to pre-operational by 4.2.13.
+TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms
     write(0x1400, 5, 100, 2);

@@ -327,7 +327,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
     EXPECT_EQ(read(0x4010), 150U);  // 10 / 2 * 30
 }
 
-TEST_F(Filters, LateCallTakesOneSampleAndRestartsThePeriod) {
+TEST_F(Filters, LateCallRestartsTheSamplePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
     now = now + milliseconds(52);  // the call is ten samples late
@@ -345,7 +345,7 @@ TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     EXPECT_EQ(device->next_deadline().us, 14000U);
 }
 
-TEST_F(Filters, FrameSeesTheSampleThatWasDueBeforeIt) {
+TEST_F(Filters, SampleThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::INC_FILTER_001>();
     switch_filter_off();
     turn(10.0, 0.0);

@@ -15,7 +15,7 @@ class Functions : public InclinometerFunctions {};
 
 }  // namespace
 
-TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
+TEST_F(Functions, EverySourceOfTable1ExceptTheFunctionsCanBeConnected) {
     verifies<req::INC_T1, req::INC_SIG_001, req::INC_SIG_006, req::INC_SIG_005, req::INC_OD_3010,
              req::INC_GLOBAL_003>();
     inputs.sensor_temperature = -12.75F;
@@ -38,7 +38,7 @@ TEST_F(Functions, EverySourceOfTable1CanBeConnected) {
         {0, 1.0F, undefined}, {1, 1000.0F, 346},  // sin 20.25 = 0.34612
         {2, 1000.0F, 0},                          //
         {3, 1000.0F, -938},                       // -cos 20.25 = -0.93819
-        {4, 100.0F, -1275},                       // the angle before it is rounded is -12.75 degrees
+        {4, 100.0F, -1275},                       // the sensor temperature before rounding: -12.75
         {5, 100.0F, 2025},                        //
         {6, 100.0F, 0},                           //
         {7, 100.0F, 2025},                        //
@@ -186,7 +186,7 @@ TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
     }
 }
 
-TEST_F(Functions, AsShippedNothingIsConnected) {
+TEST_F(Functions, NoInputIsConnectedAsShipped) {
     verifies<req::INC_BIN_010, req::INC_GLOBAL_003>();
     turn(30.0, 30.0);
     pass(10);
@@ -272,7 +272,7 @@ TEST_F(Functions, OutputsAreRoundedButPassedOnUnrounded) {
     EXPECT_EQ(refusal(0x3000, 1, 5, 2), "06010002");
 }
 
-TEST_F(Functions, FunctionsAreEvaluatedFrom1To10AtEachSample) {
+TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     verifies<req::INC_BIN_009, req::INC_BIN_016>();
     for (const int function : {1, 2, 3}) {
         operate(function, 1);
@@ -320,7 +320,7 @@ TEST_F(Functions, OneSourceServesManyInputs) {
     }
 }
 
-TEST_F(Functions, BitsOfADiscreteConstantAreSources) {
+TEST_F(Functions, DiscreteAndContinuousConstantsCanBeCombinedBitByBit) {
     verifies<req::INC_SIG_003, req::INC_SIG_004, req::INC_OD_4080, req::INC_OD_4070, req::INC_GLOBAL_003>();
     write(0x4080, 0, 0xF0, 4);
     write_real(0x4070, 0, 60.9F);  // 60.9 is cut to 60 = 3Ch

@@ -118,7 +118,7 @@ TEST_F(Network, PdoIsRemappedInFiveSteps) {
     EXPECT_EQ(value(0x2500, 3), 42);
 }
 
-TEST_F(Network, OnlyTheNamedObjectsCanBeMapped) {
+TEST_F(Network, OnlyTheObjectsNamedInTheManualCanBeMapped) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000, req::INC_OD_4010,
              req::INC_OD_4020, req::INC_OD_4030, req::INC_OD_4040, req::INC_OD_4050, req::INC_OD_4060, req::INC_OD_4070,
              req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030>();

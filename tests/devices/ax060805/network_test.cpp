@@ -180,7 +180,7 @@ TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     EXPECT_EQ(read(0x2500, 2), 0U);
 }
 
-TEST_F(Network, IdentityIsThatOfTheUnit) {
+TEST_F(Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     verifies<req::INC_ID_001, req::INC_ID_002, req::INC_OD_1018, req::INC_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA060805U);
@@ -214,7 +214,7 @@ TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
     EXPECT_EQ(pass(100), (Frames{}));
 }
 
-TEST_F(Network, HeartbeatConsumerAcceptsNodeIdsUpTo127AndNoReservedBits) {
+TEST_F(Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits) {
     verifies<req::INC_OD_1016>();
     EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
@@ -222,7 +222,7 @@ TEST_F(Network, HeartbeatConsumerAcceptsNodeIdsUpTo127AndNoReservedBits) {
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");
 }
 
-TEST_F(Network, AutomaticUpdateSettingHasNoEffect) {
+TEST_F(Network, OnlyTheWrittenParametersChangeWithAutomaticUpdates) {
     verifies<req::INC_AUTO_001, req::INC_OD_5550>();
     EXPECT_EQ(read(0x5550), 1U);
     write(0x2031, 1, 1, 1);
@@ -305,7 +305,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
-TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasured) {
+TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasuredAndKeptOutsideTheirRanges) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005, req::INC_FV_006,
              req::INC_FV_010, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_4060, req::INC_S_SUPPLY,
              req::INC_S_PROCESSOR_TEMPERATURE, req::INC_S_SENSOR_TEMPERATURE>();

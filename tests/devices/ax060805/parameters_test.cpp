@@ -93,7 +93,7 @@ class Parameters : public InclinometerTest {
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
 };
 
-/// Claims the sixty parameters of the ten functions.
+/// Links a test to the requirements of the sixty parameters of the ten functions.
 void verifies_every_function() {
     verifies<req::INC_OD_3010, req::INC_OD_3011, req::INC_OD_3012, req::INC_OD_3013, req::INC_OD_3014, req::INC_OD_3015,
              req::INC_OD_3020, req::INC_OD_3021, req::INC_OD_3022, req::INC_OD_3023, req::INC_OD_3024, req::INC_OD_3025,
@@ -109,7 +109,7 @@ void verifies_every_function() {
              req::INC_OD_30A4, req::INC_OD_30A5>();
 }
 
-/// Communication parameters: a value that is not the default, in an order in which they can be written.
+/// A communication parameter and a value for it that is not its default.
 struct Setting {
     std::uint16_t index;
     std::uint8_t sub;
@@ -141,7 +141,7 @@ std::vector<Setting> communication_settings() {
 
 }  // namespace
 
-TEST_F(Parameters, EverySubIndexHasItsLimits) {
+TEST_F(Parameters, EveryManufacturerParameterAcceptsItsRangeAndRefusesValuesBeyond) {
     verifies<req::INC_OD_2000, req::INC_OD_2002, req::INC_OD_2003, req::INC_OD_2010, req::INC_OD_2011, req::INC_OD_2020,
              req::INC_OD_2030, req::INC_OD_2031, req::INC_OD_2040, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052,
              req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2501, req::INC_OD_2502>();

@@ -128,7 +128,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedAgainAfterATimeout) {
     EXPECT_EQ(taken_from(20, 1.0F), 2000);
 }
 
-TEST_F(ReceivedValues, EachOverdueRpdoInvalidatesItsOwnValues) {
+TEST_F(ReceivedValues, ValueReceivedWhileAnotherRpdoIsLateIsUsedUntilItsOwnRpdoIsLate) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 100, 2);
     write(0x1601, 1, 0x25000210, 4);

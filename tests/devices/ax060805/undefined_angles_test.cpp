@@ -23,7 +23,7 @@ using Row = std::vector<int>;
 
 }  // namespace
 
-TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaUpToTheVertical) {
+TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaDownTo0Point01DegreesFromTheVertical) {
     verifies<req::INC_ANGLE_005, req::INC_ANGLE_016>();
     use_euler_angles();
     EXPECT_EQ(angles_of(60.0, 40.0), (Row{6000, 4000, 6748}));  // acos(cos 60 cos 40) = 67.48
@@ -33,7 +33,7 @@ TEST_F(UndefinedAngles, EulerRollFollowsTheFormulaUpToTheVertical) {
     EXPECT_EQ(angles_of(-89.99, 70.0)[1], 7000);
 }
 
-TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfTheLastDirection) {
+TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_K_EXACT_ANGLE>();
     use_euler_angles();
     angles_of(60.0, 40.0);
@@ -72,7 +72,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
 }
 
-/// The only direction so far is vertical in the new frame, except for a hundred-thousandth of a degree.
+/// The only direction of gravity so far is vertical in the new frame, except for a hundred-thousandth of a degree.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_008>();
     use_euler_angles();
@@ -128,7 +128,7 @@ TEST_F(UndefinedAngles, FigureOfMeritUsesTheMachineFrame) {
     EXPECT_EQ(merit(), 1U);  // the unit is level, the machine is upright
 }
 
-TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
+TEST_F(UndefinedAngles, AnglesWithoutGravityKeepTheirLastValue) {
     verifies<req::INC_ANGLE_011, req::INC_K_LEAST_GRAVITY, req::INC_T5, req::INC_FOM_001>();
     const Row before = angles_of(30.0, 0.0);
     acceleration_digits(1000);
@@ -143,7 +143,7 @@ TEST_F(UndefinedAngles, WithoutGravityAnglesKeepTheirLastValue) {
     EXPECT_EQ(merit(), 0U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
+TEST_F(UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2200, req::INC_OD_2210>();
     angles_of(30.0, 0.0);
     angles_at(0.0, 0.0, 0.0);
@@ -157,7 +157,7 @@ TEST_F(UndefinedAngles, WithoutGravityNewInitialAnglesApplyAtOnce) {
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeAppliesAtOnce) {
+TEST_F(UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     verifies<req::INC_ANGLE_011, req::INC_OD_2100>();
     // g = (0.5, 0.5, 0.7071): tilt -30 and 30; Euler roll atan2(0.5, 0.7071) = 35.26; gravity angle 45
     EXPECT_EQ(angles_at(-0.5, -0.5, -0.70710678), (Row{-3000, 3000, 4500}));
@@ -168,7 +168,7 @@ TEST_F(UndefinedAngles, WithoutGravityANewAngleTypeAppliesAtOnce) {
     EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
 }
 
-TEST_F(UndefinedAngles, WithoutGravityAfterAFailureAnglesFollowThePresentSettings) {
+TEST_F(UndefinedAngles, AnglesWithoutGravityAfterAFailureFollowThePresentSettings) {
     verifies<req::INC_ANGLE_011, req::INC_FV_007>();
     angles_of(30.0, 0.0);
     inputs.accelerometer_fault = true;
@@ -180,7 +180,7 @@ TEST_F(UndefinedAngles, WithoutGravityAfterAFailureAnglesFollowThePresentSetting
     EXPECT_EQ(merit(), 1U);
 }
 
-TEST_F(UndefinedAngles, WithoutGravitySincePowerOnAnglesAreZero) {
+TEST_F(UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
     verifies<req::INC_ANGLE_011>();
     feel(0.0, 0.0, 0.0);
     power_on();
@@ -202,7 +202,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // the sign is reversed
 }
 
-TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEveryInstallation) {
+TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {
     verifies<req::INC_ANGLE_014, req::INC_INSTALL_004>();
     for (const double pitch_of_unit : {-80.0, -35.0, 0.0, 20.0, 66.0}) {
         for (const double roll_of_unit : {-170.0, -135.0, -10.0, 0.0, 50.0, 170.0}) {

@@ -276,7 +276,7 @@ TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
     EXPECT_EQ(device->next_deadline(), never) << "a voltage does not blink";
 }
 
-TEST_F(Ax130751Channels, DigitalOutputWithoutAControlHasItsFaultState) {
+TEST_F(Ax130751Channels, DigitalOutputWithoutControlHasItsFaultStateAtAnOverrideError) {
     verifies<req::AOR_DO_005, req::AOR_OUT_029, req::AOR_OUT_033>();
     set16(0x6310, 2, 1020);
     set8(0x2340, 2, not_used);

@@ -103,7 +103,7 @@ TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
     EXPECT_TRUE(all_run());
 }
 
-TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
+TEST_F(Ax130751Diagnostics, FaultEndsWhenItsDetectionIsSwitchedOff) {
     verifies<req::AOR_DIAG_005, req::AOR_DIAG_011>();
     supply(7.5F);
     EXPECT_TRUE(all_off());
@@ -120,7 +120,7 @@ TEST_F(Ax130751Diagnostics, WithoutDetectionThereIsNoFault) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Diagnostics, OutputsKeepRunningWithoutShutdown) {
+TEST_F(Ax130751Diagnostics, OutputsKeepRunningAtAFaultWithoutShutdown) {
     verifies<req::AOR_DIAG_006>();
     set8(0x5025, 0, 0);
     supply(7.5F);
@@ -134,7 +134,7 @@ TEST_F(Ax130751Diagnostics, OutputsKeepRunningWithoutShutdown) {
     EXPECT_TRUE(all_off());
 }
 
-TEST_F(Ax130751Diagnostics, HardwareProtectionOverridesSwitchedOffDetection) {
+TEST_F(Ax130751Diagnostics, HardwareProtectsOutside7To39VoltsEvenWithoutDetection) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     supply(7.0F);
@@ -151,7 +151,7 @@ TEST_F(Ax130751Diagnostics, HardwareProtectionOverridesSwitchedOffDetection) {
     EXPECT_TRUE(hardware_off()) << "what cannot be measured protects too";
 }
 
-TEST_F(Ax130751Diagnostics, ShutdownPrecedesOverrideAndEnable) {
+TEST_F(Ax130751Diagnostics, ShutdownPrecedesTheOverrideOfOutputAndRelay) {
     verifies<req::AOR_OUT_007, req::AOR_RELAY_011, req::AOR_DIAG_006>();
     extra_as_percent(1);
     for (const std::uint16_t index : std::array<std::uint16_t, 2>{0x2360, 0x2290}) {
@@ -218,7 +218,7 @@ TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeTemperatureInOneCycle) {
+TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeATemperatureFaultOfTheSameCycle) {
     verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003>();
     inputs.supply = 7.5F;
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0031010000000000", "1:0FF#0042010000000000"}));
@@ -274,7 +274,7 @@ TEST_F(Ax130751Diagnostics, EntriesOfTheErrorListFollowTable23) {
 }
 
 // 3.4.86 with 1.8: such a fault affects the outputs, not the NMT state
-TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheNmtState) {
+TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);

@@ -52,9 +52,9 @@ TEST_F(Ax130751Dictionary, ErrorListHasFourEntriesAndTakesOnlyZero) {
 }
 
 // AX130751, 3.2.7
-TEST_F(Ax130751Dictionary, AllWritableEntriesExceptCommandsAreStored) {
+TEST_F(Ax130751Dictionary, WritableEntriesExceptCommandsErrorListAndLssSettingsAreStored) {
     verifies<req::AOR_STORE_004>();
-    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h take no values; 5B50h and 5B51h lie where LSS stores
+    // 2500h, 6220h and 7300h are commands; 1003h, 1010h and 1011h hold no settings; LSS stores 5B50h and 5B51h
     const std::set<unsigned> left_out{0x2500, 0x6220, 0x7300, 0x1003, 0x1010, 0x1011, 0x5B50, 0x5B51};
     const DictionaryTables& tables = objects_.tables();
     for (const ObjectRow& object : tables.objects) {
@@ -365,7 +365,7 @@ TEST_F(Ax130751Dictionary, SystemObjectsMatchTheManual) {
     EXPECT_EQ(objects_.find(0x5B50, 1).error(), AbortCode::subindex_missing);
 }
 
-TEST_F(Ax130751Dictionary, OnlyTheObjectsOfTheManualExist) {
+TEST_F(Ax130751Dictionary, NumberOfObjectsAndEntriesIsThatOfTheManual) {
     verifies<req::AOR_OD_1000>();
     // 13 objects of 3.2.1 to 3.2.13, 16 PDO objects. 7 of digital outputs, 16 of the relay, 11 and 14 of analogue
     // outputs, 4 of extra values. 10 tables of 9; 3 and 3 blocks of 11 of logic; 5 and 4 blocks of 8 of math. 11 of

@@ -119,7 +119,7 @@ TEST_F(Ax130751Edges, OverTemperatureBeginsAbove85DegreesAndEndsAt60Degrees) {
     EXPECT_EQ(temperature(60.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToOneUnit) {
+TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToTheNextFloat) {
     verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);
@@ -140,7 +140,7 @@ TEST_F(Ax130751Edges, ConfiguredThresholdsAreExactToOneUnit) {
     EXPECT_EQ(temperature(99.0F), "0000");
 }
 
-TEST_F(Ax130751Edges, HardwareRunsFrom7To39VoltsWithoutHysteresis) {
+TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenDetectionIsOff) {
     verifies<req::AOR_DIAG_008, req::AOR_K_SUPPLY_SHUTDOWN_LOW, req::AOR_K_SUPPLY_SHUTDOWN_HIGH>();
     set8(0x5021, 0, 0);
     command(1, 2000);
@@ -157,7 +157,7 @@ TEST_F(Ax130751Edges, HardwareRunsFrom7To39VoltsWithoutHysteresis) {
     EXPECT_TRUE(runs(39.0F));
 }
 
-TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesInTenths) {
+TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesRoundedToTenths) {
     verifies<req::AOR_SRC_008>();
     // Table 1: Y = X in tenths, from -300.0 to 300.0.
     set8(0x3013, 0, 2);
@@ -185,7 +185,7 @@ TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesInTenths) {
 
 // --- outputs (1.2, 1.3, chapter 4) ---------------------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, CurrentIsDrivenByFourteenVolts) {
+TEST_F(Ax130751Edges, CurrentIsLimitedByALoopVoltageOf14Volts) {
     verifies<req::AOR_OUT_019, req::AOR_K_COMPLIANCE, req::AOR_K_RESISTOR_SCALE>();
     for (int output = 1; output <= 2; ++output) {
         make(output, 20);
@@ -204,7 +204,7 @@ TEST_F(Ax130751Edges, CurrentIsDrivenByFourteenVolts) {
     }
 }
 
-TEST_F(Ax130751Edges, EachTypeIsDrivenWithinItsRange) {
+TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03>();
     struct Case {
         int type;
@@ -233,7 +233,7 @@ TEST_F(Ax130751Edges, EachTypeIsDrivenWithinItsRange) {
 
 TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_017>();
-    // A frequency of 50 Hz and above with three digits of 6332h: 50 000 at least.
+    // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
     make(1, 500);
     set8(0x6332, 1, 3);
     command(1, 1000);
@@ -270,7 +270,7 @@ TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
     }
 }
 
-TEST_F(Ax130751Edges, AnalogueControlSwitchesAtItsScalings) {
+TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
@@ -290,7 +290,7 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesAtItsScalings) {
     EXPECT_FALSE(is_on_at(1001));
 }
 
-TEST_F(Ax130751Edges, TimesAreExactToAMillisecond) {
+TEST_F(Ax130751Edges, RampAndBlinkTimesAreExactToAMillisecond) {
     verifies<req::AOR_OUT_012, req::AOR_DO_010, req::AOR_K_CYCLE>();
     set16(0x2330, 2, 2000);
     set16(0x2331, 2, 500);
@@ -316,7 +316,7 @@ TEST_F(Ax130751Edges, TimesAreExactToAMillisecond) {
 
 // --- blocks (1.5 to 1.7) -------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Edges, TableLimitsFrom0To100ArePercent) {
+TEST_F(Ax130751Edges, TableLimitsWithin0To100CountAsPercent) {
     verifies<req::AOR_LT_007, req::AOR_K_PERCENT_LOW, req::AOR_K_PERCENT_HIGH>();
     // Table 1 gives 50.00; logic block 1 shows it as a part of its limits.
     extra_as_percent(1);

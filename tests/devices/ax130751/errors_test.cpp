@@ -128,7 +128,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 0), 1U);
 }
 
-TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
+TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
     verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
     struct Case {
         int behaviour;
@@ -161,7 +161,7 @@ TEST_F(Ax130751Errors, ErrorBehaviour1029hDeterminesTheState) {
 }
 
 // 3.2.9: each of the four modules that falls silent changes the state.
-TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
+TEST_F(Ax130751Errors, EachCommunicationErrorLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     for (int slot = 1; slot <= 4; ++slot) {
@@ -183,7 +183,7 @@ TEST_F(Ax130751Errors, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnot
     }
 }
 
-TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAnError) {
+TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
     verifies<req::AOR_ERR_006>();
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
     EXPECT_EQ(write(0x1016, 1, 0x00200064, 4), "");
@@ -247,7 +247,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
 }
 
 // 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h
-TEST_F(Ax130751Errors, BusOffAtPowerOnPreventsTheSelfStart) {
+TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
     verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
         {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};

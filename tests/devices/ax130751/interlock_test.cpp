@@ -113,7 +113,7 @@ TEST_F(Ax130751Interlock, OverrideWithoutAValuePutsTheOutputOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, ValidEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
+TEST_F(Ax130751Interlock, DisablingEnableKeepsADigitalOutputOffWhenItsControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_OUT_007, req::AOR_DO_005>();
     make_digital();
     connect(0x2350, 1, 1);
@@ -126,7 +126,7 @@ TEST_F(Ax130751Interlock, ValidEnableKeepsADigitalOutputOffWhenItsControlIsLost)
     EXPECT_TRUE(is_on(1)) << "enabled: the fault state applies";
 }
 
-TEST_F(Ax130751Interlock, ValidEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
+TEST_F(Ax130751Interlock, DisablingEnableShutsOffAnAnalogueOutputWhoseControlIsLost) {
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     connect(0x2350, 1, 1);
@@ -218,7 +218,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Interlock, InputInErrorPutsAnOverriddenRelayOff) {
+TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
     watch_extra();
     set8(0x2293, 1, 1);

@@ -69,7 +69,7 @@ TEST_F(Ax130751LateCalls, InputsTakeEffectInTheNextCycle) {
     EXPECT_EQ(pass(1), (Frames{"1:0FF#0042010000000000"}));
 }
 
-TEST_F(Ax130751LateCalls, LateRpdoHasTimedOut) {
+TEST_F(Ax130751LateCalls, RpdoThatComesAfterItsEventTimeIsReportedAsTimedOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);
     start();
@@ -115,7 +115,7 @@ TEST_F(Ax130751LateCalls, TimeOutDuringALateCallRunsTheBlocks) {
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
 }
 
-TEST_F(Ax130751LateCalls, EmcyWithoutRoomInTheQueueDelaysNoTimeOut) {
+TEST_F(Ax130751LateCalls, EmcyThatAFullQueueRefusesDelaysNoTimeOut) {
     verifies<req::AOR_OUT_027, req::AOR_SRC_004, req::AOR_OUT_011>();
     no_ramps(1);
     set16(0x7341, 1, 3000);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables 16 to 19 of the AX130751 manual as their printed expressions; no two rows of a table match together.
+// Compares Tables 16 to 19 of the AX130751 manual with the expressions that it prints. No two rows match the same
+// inputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

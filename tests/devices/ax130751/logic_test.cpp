@@ -40,7 +40,7 @@ class Ax130751Logic : public Ax130751Blocks {
     int output(int block) { return get16(0x3320, block); }
 };
 
-TEST_F(Ax130751Logic, DisabledLogicBlockGivesNothing) {
+TEST_F(Ax130751Logic, DisabledLogicBlockSelectsNoTableAndGives0) {
     verifies<req::AOR_LOGIC_009>();
     connect_table(3, 1);
     extra(1, 60);
@@ -99,7 +99,7 @@ TEST_F(Ax130751Logic, ComparisonsFollowTable16) {
     EXPECT_EQ(holds(5), "##.");
 }
 
-TEST_F(Ax130751Logic, ComparisonIgnoresTheDecimalDigits) {
+TEST_F(Ax130751Logic, ValuesWithDifferentDecimalDigitsAreComparedByTheirPhysicalValue) {
     verifies<req::AOR_LOGIC_001>();
     set8(0x3300, 1, 1);
     condition(1, 1, 1, 1, 0, 2);
@@ -166,7 +166,7 @@ TEST_F(Ax130751Logic, ConditionInErrorNeverSelects) {
     EXPECT_EQ(selected(1), 1);
 }
 
-TEST_F(Ax130751Logic, TableAIsSelectedWithoutADefault) {
+TEST_F(Ax130751Logic, TableAIsSelectedWhenNoFunctionSelectsItsTable) {
     verifies<req::AOR_LOGIC_005>();
     set8(0x3300, 2, 1);
     set8(0x3502, 3, 1);
@@ -176,7 +176,7 @@ TEST_F(Ax130751Logic, TableAIsSelectedWithoutADefault) {
     EXPECT_EQ(selected(2), 4);
 }
 
-TEST_F(Ax130751Logic, FunctionWithoutConditionsSelectsAsTheDefault) {
+TEST_F(Ax130751Logic, FunctionWithTheDefaultOperatorSelectsItsTableWhenReached) {
     verifies<req::AOR_LOGIC_003>();
     set8(0x3300, 2, 1);
     set8(0x3502, 2, 0);

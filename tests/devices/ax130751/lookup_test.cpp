@@ -294,7 +294,7 @@ TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     EXPECT_EQ(write_x(10, 2, 1), "");
     EXPECT_EQ(write_x(10, 2, 86'400'000), "") << "above the next: intervals have no order";
     EXPECT_EQ(write_x(10, 2, 86'400'001), "06090031");
-    // Point 1 counts as (0, 0 ms) with another Y too, and X as milliseconds with other digits too.
+    // Point 1 counts as (0, 0 ms) even if its Y is not 0, and X is in milliseconds even with other decimal digits.
     connect(10, 1);
     set16(0x3107, 1, 60);
     set8(0x3103, 0, 3);

@@ -259,7 +259,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     EXPECT_EQ(output(1), 3000);
 }
 
-TEST_F(Ax130751Math, DisabledBlockClearsItsSum) {
+TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
     verifies<req::AOR_MATH_008, req::AOR_MATH_015>();
     make(1, 3);
     set8(0x4150, 2, 3);  // (function 1 of the previous cycle + 2500h:2) >= 2500h:3

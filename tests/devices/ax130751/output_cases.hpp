@@ -8,7 +8,7 @@ namespace canproof::test {
 
 class Ax130751Output : public Ax130751Blocks {
   protected:
-    /// Makes output 1 of a type, without ramps, with its profile extended outside (2342h = 0).
+    /// Gives output 1 this type, without ramps; outside its scaling it keeps the values of the ends (2342h = 0).
     void make(int type) {
         set16(0x6310, 1, type);
         no_ramps(1);

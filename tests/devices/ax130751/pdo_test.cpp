@@ -40,14 +40,14 @@ TEST_F(Ax130751Pdo, Rpdo4SetsTheDigitalOutputs) {
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, RpdosSetNothingOutsideOperational) {
+TEST_F(Ax130751Pdo, Rpdo1SetsNothingInPreOperational) {
     verifies<req::AOR_PDO_001>();
     send("27F#E80318FC01");
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x6220, 3), 0U);
 }
 
-TEST_F(Ax130751Pdo, Rpdo2And3DoNotExistUntilTheyAreMadeValid) {
+TEST_F(Ax130751Pdo, Rpdo2And3SetNothingUntilTheyAreMadeValid) {
     verifies<req::AOR_PDO_003, req::AOR_PDO_010, req::AOR_OD_1401, req::AOR_OD_1402, req::AOR_OD_1601, req::AOR_OD_1602,
              req::AOR_OD_2500>();
     start();
@@ -83,7 +83,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, Tpdos2To4AreSentOnceValidAndTimed) {
+TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidAndTimedAndTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
              req::AOR_OD_5030>();
@@ -138,7 +138,7 @@ TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
     EXPECT_EQ(pass(50), Frames{});
 }
 
-TEST_F(Ax130751Pdo, RemoteFramesAreNotAnsweredAsShipped) {
+TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     verifies<req::AOR_OD_1800>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
@@ -290,7 +290,7 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
     EXPECT_EQ(read(0x1003, 0), 0U);
 }
 
-TEST_F(Ax130751Pdo, EmcyWaitsForRoomInTheQueueWithoutDelayingTheOutputs) {
+TEST_F(Ax130751Pdo, EmcyWaitsWhileTheQueueIsFullWithoutDelayingTheOutputs) {
     verifies<req::CO_EMCY_022>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");

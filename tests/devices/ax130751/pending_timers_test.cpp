@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pending activities of an AX130751 - delays of the relay, blinking, ramps - and each event that can end, keep, force
-// or restart them (1.2, 1.3, 1.4). Cycles run every millisecond and use the values written before.
+// Pending activities of an AX130751, which are the delays and the blinking of the relay, and each event that can end,
+// keep, force or restart them (1.4). Cycles run every millisecond and use the values written before.
 #include <functional>
 
 #include "generated/ax130751/requirements.hpp"
@@ -15,8 +15,8 @@ class Ax130751Pending : public Ax130751Blocks {
   protected:
     static constexpr int never_changes = -1;
 
-    /// An event while a change of the relay is pending, the state of the relay then, and the time until it changes:
-    /// milliseconds after the end of the event.
+    /// An event while a change of the relay is pending, the state of the relay meanwhile, and the time until it
+    /// changes: milliseconds after the end of the event.
     struct Case {
         std::string name;
         std::function<void()> begins;
@@ -188,7 +188,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, RelayDoesNotChangeAfterAReset) {
+TEST_F(Ax130751Pending, PendingChangeOfTheRelayIsDroppedByResetNode) {
     verifies<req::AOR_OUT_026>();
     connect_relay();
     command_relay(1);

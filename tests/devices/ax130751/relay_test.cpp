@@ -183,7 +183,7 @@ TEST_F(Ax130751Relay, OverridePrecedesEnable) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, InputInErrorPutsTheRelayOff) {
+TEST_F(Ax130751Relay, ControlInErrorPutsTheRelayOff) {
     verifies<req::AOR_RELAY_011, req::AOR_SRC_004>();
     set16(0x1400, 5, 50);  // event timer of RPDO1, which maps 6220h:3: 50 ms
     start();
@@ -228,7 +228,7 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
     }
 }
 
-TEST_F(Ax130751Relay, DelaysApplyToOnAndOff) {
+TEST_F(Ax130751Relay, DelaysApplyToSwitchingOnAndOff) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_013, req::AOR_RELAY_022>();
     set32(0x22A1, 1, 30);
     set32(0x22A2, 1, 20);
@@ -264,7 +264,7 @@ TEST_F(Ax130751Relay, DelayOfADayIsExact) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverrideAndErrorsAreNotDelayed) {
+TEST_F(Ax130751Relay, OverrideAndShutdownAreNotDelayed) {
     verifies<req::AOR_RELAY_014, req::AOR_RELAY_023>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
@@ -307,7 +307,7 @@ TEST_F(Ax130751Relay, DelaysShiftTogglingAsAWhole) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Relay, UnusedInputsAreIgnoredAndAnUnusedControlIsOff) {
+TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
     verifies<req::AOR_RELAY_016, req::AOR_RELAY_024>();
     EXPECT_TRUE(control(1));
     set8(0x2260, 1, not_used);

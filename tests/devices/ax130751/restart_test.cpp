@@ -56,7 +56,7 @@ class Ax130751Restart : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfOutputInputs) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfOutputInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     for (const int output : {1, 2}) {
         set16(0x6310, output, 1020);
@@ -77,7 +77,7 @@ TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfOutputInputs) {
     }
 }
 
-TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfRelayInputs) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfRelayInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
@@ -200,7 +200,7 @@ TEST_F(Ax130751Restart, ResetNodeEndsFaultsWithinTheirHysteresis) {
 }
 
 // Table 1 and logic block 1 are evaluated before the blocks that they read here.
-TEST_F(Ax130751Restart, BlocksAreNotAvailableAfterAReset) {
+TEST_F(Ax130751Restart, BlockIsNotAvailableAfterAResetUntilItIsEvaluated) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_026, req::AOR_LT_015, req::AOR_LOGIC_008>();
     extra_as_percent(1);
     set16(0x3017, 1, 50);  // 50 at X = 0
@@ -287,7 +287,7 @@ TEST_F(Ax130751Restart, ResetRestartsProfilesAndRestoresStoredPoints) {
     }
 }
 
-TEST_F(Ax130751Restart, SumIs0AfterAReset) {
+TEST_F(Ax130751Restart, SumOfAMathBlockIs0AfterAReset) {
     verifies<req::AOR_MATH_015, req::AOR_OUT_026>();
     // Function 1 adds 2500h:1 percent to itself.
     extra_as_percent(1);

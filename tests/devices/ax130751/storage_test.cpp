@@ -260,7 +260,7 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, ParameterGroupsAreStoredSeparately) {
+TEST_F(Ax130751Storage, SaveOfTheApplicationGroupStoresNoOtherGroup) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
     EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter
     EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter
@@ -326,7 +326,7 @@ TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
 }
 
 // AX130751, 3.2.11, 3.2.12
-TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreRead) {
+TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     verifies<req::AOR_ID_001, req::AOR_ID_002, req::AOR_OD_1018, req::AOR_OD_1020>();
     EXPECT_EQ(read(0x1018, 1), 0x55U);
     EXPECT_EQ(read(0x1018, 2), 0xAA130751U);
@@ -363,7 +363,7 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     const std::size_t before = memory.written();
     store();
     const std::size_t of_a_save = memory.written() - before;
-    // The power fails when so many of the 20 bytes of node-ID and bit rate are written.
+    // The power fails after `more` of the 20 bytes of node-ID and bit rate are written.
     for (const std::size_t more : {0U, 1U, 19U}) {
         SCOPED_TRACE(more);
         EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");

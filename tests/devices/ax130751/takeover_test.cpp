@@ -96,7 +96,7 @@ TEST_F(Ax130751Takeover, ProfileContinuesWhileItsPointsAreWritten) {
     EXPECT_EQ(table_1(), 200);
 }
 
-TEST_F(Ax130751Takeover, TwoTablesFollowTheMinimumOfOneSource) {
+TEST_F(Ax130751Takeover, ThreeTablesFollowTheMinimumOfOneSource) {
     verifies<req::AOR_LT_018>();
     connect(0x3010, 0, 1);
     connect(0x3070, 0, 1);

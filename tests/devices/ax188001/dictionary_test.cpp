@@ -145,7 +145,7 @@ TEST_F(Ax188001Dictionary, SerialNumberAndRevisionAreThoseOfTheUnit) {
     EXPECT_EQ(read(0x1018, 3).value, 0x00010002U);
 }
 
-TEST_F(Ax188001Dictionary, CommunicationObjectsOfOneValueMatchTheManual) {
+TEST_F(Ax188001Dictionary, GuardingAndHeartbeatConsumerObjectsMatchTheManual) {
     verifies<req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_OD_1016, req::TCS_OD_1017>();
     EXPECT_EQ(read(0x100C).value, 0U);
     EXPECT_EQ(read(0x100C).size, 2);

@@ -48,7 +48,7 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 as type J without compensation and delay, with wide limits.
+/// Channel 1 is of type J, without compensation or delay, and has wide limits.
 class Edges : public TcsTest {
   protected:
     void SetUp() override {
@@ -137,7 +137,7 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, InputRangeEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -209,7 +209,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     }
 }
 
-TEST_F(Edges, SupplyAndProcessorTemperatureAreRoundedToTenths) {
+TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC

@@ -52,7 +52,7 @@ TEST_F(Ax188001Errors, EachErrorHasItsCodeDescriptionAndChannel) {
     EXPECT_EQ(run(111.0F, 8.0F), (Frames{"165:0FF#0000010000000000", "165:0FF#0031010320000000"}));
 }
 
-TEST_F(Ax188001Errors, ErrorsAreReportedOnce) {
+TEST_F(Ax188001Errors, LimitFaultIsReportedOnceAtItsStartAndOnceAtItsEnd) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013>();
     heat(1, 130.0);
     EXPECT_EQ(read_once().size(), 1U);
@@ -151,7 +151,7 @@ TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80328130}));
 }
 
-TEST_F(Ax188001Errors, LifeGuardingErrorIsDistinguishedFromAHeartbeatErrorByItsField) {
+TEST_F(Ax188001Errors, LifeGuardingErrorIsListedAs10008130h) {
     verifies<req::TCS_ERR_020, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);
@@ -201,7 +201,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008100}));
 }
 
-TEST_F(Ax188001Errors, OverrunAndBusOffAreReported) {
+TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) {
     verifies<req::TCS_ERR_009, req::TCS_ERR_021, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN,
              req::TCS_T5>();
     inputs.can_overrun = true;
@@ -293,7 +293,7 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     expect_state(NmtState::stopped);  // it does not return by itself
 }
 
-TEST_F(Ax188001Errors, EachCommunicationErrorHasItsReactionAlsoWhileAnotherLasts) {
+TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLasts) {
     verifies<req::TCS_ERR_010>();
     for (int slot = 1; slot <= 4; ++slot) {
         write(0x1016, slot, 4, 0x00300064U + (static_cast<std::uint32_t>(slot) << 16U));  // nodes 31h to 34h, 100 ms
@@ -320,7 +320,7 @@ TEST_F(Ax188001Errors, MasterMayStartANodeWhoseErrorLasts) {
     expect_state(NmtState::operational);
 }
 
-TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtAnError) {
+TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtALimitFault) {
     verifies<req::TCS_ERR_010>();
     write(0x1029, 2, 1, 0);
     send("000#027F");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FD1 to FD3: supply and temperature of the processor (AX188001, 1.4, 3.4.19 to 3.4.21).
+// FD1 to FD3: temperature of the processor and supply voltage (AX188001, 1.4, 3.4.19 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -68,7 +68,7 @@ TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
     EXPECT_EQ(told[0].substr(told[0].find(':') + 1), "0FF#0031010320000000");
 }
 
-TEST_F(Faults, UnderVoltageThresholdIs12VoltsAsShipped) {
+TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;
     set_inputs();

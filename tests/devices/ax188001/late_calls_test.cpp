@@ -40,14 +40,14 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
 }
 
-TEST_F(LateCalls, FrameSeesTheReadingThatWasDueBeforeIt) {
+TEST_F(LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::TCS_IN_015>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // the device was not called since 0
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingThatWasDueSeesTheInputsBeforeTheirChange) {
+TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
     now = now + milliseconds(200);  // the device was not called since 0; a reading was due at 165
@@ -59,7 +59,7 @@ TEST_F(LateCalls, ReadingThatWasDueSeesTheInputsBeforeTheirChange) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(LateCalls, ReadingsStayOnTheirSchedule) {
+TEST_F(LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
     come_late(600);
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms

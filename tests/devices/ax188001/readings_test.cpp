@@ -34,7 +34,7 @@ TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
     EXPECT_EQ(process_value(1), 50 * 16 + 4368);
 }
 
-TEST_F(Values, TypeJIsReadToAHundredthOfADegreeAtItsHighestGain) {
+TEST_F(Values, TypeJIsReadToWithin0Point014DegreesAtTheHighestGain) {
     verifies<req::TCS_IN_002, req::TCS_K_CODES, req::TCS_T_GAIN>();
     // Half a step of 0.596 uV at 50 uV/K is 0.006 degC.
     for (double celsius = -200.0; celsius < 330.0; celsius += 17.3) {
@@ -142,8 +142,8 @@ TEST_F(Values, HumAddsAndSubtractsInTurn) {
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
     power_on();
-    // J at the 25 degC of the cold junction: 1277 uV. The first of the nine conversions of the start sees the upper
-    // side, so that the ninth does too.
+    // J at the 25 degC of the cold junction: 1277 uV. The start makes nine conversions. The hum adds to the first, and
+    // therefore to the ninth too.
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
     read_once();
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);

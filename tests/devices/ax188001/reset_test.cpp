@@ -51,7 +51,7 @@ TEST_F(Ax188001Resets, HumHasTheSameSignInTheFirstReadingAfterEachReset) {
     EXPECT_EQ(read(0x2010, 2).value, first);
 }
 
-/// The readings of before the reset would be due at 165 ms.
+/// Without the reset, the next reading would be due at 165 ms.
 TEST_F(Ax188001Resets, NextReadingComes165MillisecondsAfterAReset) {
     verifies<req::TCS_IN_001, req::CO_NMT_005>();
     pass(100);

@@ -123,7 +123,7 @@ TEST_F(Ax188001Startup, ChannelFaultPreventsTheSelfStart) {
     }
 }
 
-TEST_F(Ax188001Startup, EachUnitFaultPreventsTheSelfStartInMode1) {
+TEST_F(Ax188001Startup, EachSupplyOrTemperatureFaultPreventsTheSelfStartInMode1) {
     verifies<req::TCS_START_005>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);
@@ -271,7 +271,7 @@ TEST_F(LssSession, StoredBitRateAppliesAtTheNextPowerOn) {
     EXPECT_EQ(device->bit_rate(), 250000U);
 }
 
-TEST_F(LssSession, WithoutANodeIdTheDeviceMeasuresAndSendsNothing) {
+TEST_F(LssSession, DeviceWithoutANodeIdMeasuresButSendsNothing) {
     verifies<req::TCS_LSS_002>();
     talk({{"7E5#0401", {}}, {"7E5#11FF", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}});
     write(0x4030, 1, 2, 0);

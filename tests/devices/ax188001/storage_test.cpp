@@ -79,7 +79,7 @@ TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
     }
 }
 
-TEST_F(Storage, SavedParametersAreKept) {
+TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
     verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();

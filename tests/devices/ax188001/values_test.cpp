@@ -18,7 +18,7 @@ int round_to_int(double value) {
 
 }  // namespace
 
-TEST_F(Values, AtPowerOnBothChannelsShowTheTemperatureOfTheirTerminals) {
+TEST_F(Values, BothChannelsShowTheTemperatureOfTheirTerminalsAtPowerOn) {
     verifies<req::TCS_IN_001, req::TCS_VAL_002, req::TCS_OD_6100, req::TCS_OD_7130, req::TCS_S_COLD_JUNCTION>();
     EXPECT_NEAR(field_value(1).real(), 25.0F, 0.02F);
     EXPECT_NEAR(field_value(2).real(), 25.0F, 0.02F);
@@ -70,8 +70,8 @@ TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     EXPECT_NEAR(field_value(1).real(), 1062.5F, 2.0F);
 }
 
-/// The processor temperature equals the previous cold junction temperature.
-TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
+/// Processor temperature and supply stay at 25, which is the first temperature of the cold junction.
+TEST_F(Values, ChangeOfTheColdJunctionTemperatureAloneIsCompensated) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009>();
     inputs.cpu_temperature = 25.0F;
     inputs.supply = 25.0F;
@@ -83,7 +83,7 @@ TEST_F(Values, NewColdJunctionTemperatureAppliesAtEqualProcessorTemperature) {
     }
 }
 
-TEST_F(Values, WithoutCompensationOnlyTheTerminalVoltageIsConverted) {
+TEST_F(Values, OnlyTheTerminalVoltageIsConvertedWithoutCompensation) {
     verifies<req::TCS_IN_010, req::TCS_OD_2000, req::TCS_IN_011>();
     EXPECT_EQ(read(0x2000, 1).value, 1U);
     EXPECT_EQ(write(0x2000, 1, 1, 0), 0U);
@@ -183,7 +183,7 @@ TEST_F(Values, DisabledChannelReadsAsNan) {
     EXPECT_EQ(write(0x6112, 1, 1, 2), too_high);
 }
 
-TEST_F(Values, OpenCircuitIsShownAtOnceAndTheLastVoltageIsKept) {
+TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     verifies<req::TCS_VAL_006, req::TCS_K_PV_OPEN, req::TCS_IN_006, req::TCS_IN_019, req::TCS_S_OPEN>();
     const auto before = read(0x2010, 1).value;
     cut(1);

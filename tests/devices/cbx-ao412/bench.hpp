@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CAN-CBX-AO412 in a test.
+// The bench of the tests of the CAN-CBX-AO412.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -91,7 +91,7 @@ TEST_F(Dictionary, ReadOnlyEntriesRefuseWrites) {
     }
 }
 
-TEST_F(Dictionary, OnlyTheObjectsOfTheManualExist) {
+TEST_F(Dictionary, NumberOfObjectsIsThatOfTheManual) {
     verifies<req::AO4_OD_1000>();
     std::size_t found = 0;
     for (std::uint32_t index = 0x1000; index <= 0xFFFF; ++index) {

@@ -73,7 +73,7 @@ TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     EXPECT_TRUE(device->outputs().led_s);
 }
 
-TEST_F(Leds, CanErrorLedShowsTheWorstCondition) {
+TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
     verifies<req::AO4_LED_002, req::AO4_LED_008, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 1;

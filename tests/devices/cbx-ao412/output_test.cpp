@@ -247,7 +247,7 @@ TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {
     }
 }
 
-TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
+TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013>();
     write("603#2B11640100200000");
     write("603#2B11640200200000");
@@ -270,7 +270,7 @@ TEST_F(Output, ResetDuringAnInternalFailureKeepsTheErrorMode) {
 }
 
 /// The supply is cut and returns: the same device restarts.
-TEST_F(Output, PowerOnStartsWithNoVoltage) {
+TEST_F(Output, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
@@ -346,7 +346,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_steps(1, 1024);
 }
 
-TEST_F(OutputInError, InternalFailureOutlastsACommunicationError) {
+TEST_F(OutputInError, InternalFailureKeepsTheErrorOutputsAfterACommunicationErrorEnded) {
     verifies<req::AO4_AOUT_006>();
     write("603#23161001C8003100");
     inputs.internal_fault = true;

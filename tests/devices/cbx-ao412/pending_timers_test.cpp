@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pending self-start of the CAN-CBX-AO412 (1F80h, 1F91h), its inhibit time of emergency messages, and each event
-// that can end, keep or restart them (7.9.15, 7.9.22, 7.9.23).
+// The pending self-start of the CAN-CBX-AO412 (1F80h, 1F91h) and the inhibit time of its emergency messages, with each
+// event that can end, keep or restart them (7.9.15, 7.9.22, 7.9.23).
 #include <functional>
 
 #include "generated/canopen/requirements.hpp"

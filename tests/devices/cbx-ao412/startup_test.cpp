@@ -145,8 +145,8 @@ TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
 
 namespace {
 
-/// Returns the state after the delay of the self-start when the controller went bus-off before, with this value of
-/// 1029h:1.
+/// Returns the state after the delay of the self-start, with this value of 1029h:1, when the controller is bus-off from
+/// the boot-up on, or from 50 ms after it.
 NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
     CbxBench bench;
     bench.power_on();
@@ -164,7 +164,7 @@ NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
 
 }  // namespace
 
-TEST(StartupInError, CommunicationErrorCancelsTheSelfStart) {
+TEST(StartupInError, SelfStartWithBusOffLeadsToTheStateOf1029h) {
     verifies<req::CO_NMT_010, req::CO_NMT_011, req::AO4_START_004>();
     for (const bool before_boot_up : {false, true}) {
         EXPECT_EQ(started_in_bus_off("00", before_boot_up), NmtState::pre_operational);

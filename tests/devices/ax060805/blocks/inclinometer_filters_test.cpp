@@ -176,7 +176,7 @@ TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     }
 }
 
-TEST(AngleFilter, RemaindersOfRunsAreNotLost) {
+TEST(AngleFilter, RemaindersOfTheRunsOfALongWindowAreNotLost) {
     verifies<req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
@@ -196,7 +196,7 @@ TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
     }
 }
 
-TEST(AngleFilter, WindowOf128FollowsARampWithinOneRun) {
+TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
     verifies<req::INC_AVG_010>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {
@@ -278,7 +278,7 @@ TEST(AngleFilter, EndlessTurnInEitherDirectionIsAveraged) {
 
 /// The filter must remove whole turns. Otherwise, after 1,400,000 samples of a third of a turn, the sum of a block of
 /// 60,000 would be 1.4e6 * 1.2e8 * 6e4 = 1e19 microdegrees, which exceeds 63 bits.
-TEST(AngleFilter, BlockOf60000IsRightAfterHalfAMillionTurns) {
+TEST(AngleFilter, BlockOf60000SamplesIsRightAfter480000Turns) {
     verifies<req::INC_AVG_003, req::INC_AVG_006>();
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);

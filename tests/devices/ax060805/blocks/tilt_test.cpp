@@ -82,7 +82,7 @@ TEST(Tilt, EulerAnglesFollowEquation3) {
     }
 }
 
-TEST(Tilt, GravityIsTheAccelerationReversed) {
+TEST(Tilt, GravityIsTheReversedAcceleration) {
     verifies<req::INC_ANGLE_002>();
     const Vector3 gravity = gravity_from(Vector3{0.25F, -0.5F, -1.0F});
     expect_near(gravity, Vector3{-0.25F, 0.5F, 1.0F});
@@ -125,7 +125,7 @@ TEST(Tilt, GimbalLockIsAConeAboutTheVertical) {
     EXPECT_FALSE(in_gimbal_lock({-1.0F, 0.0F, 0.0F}, 0.0F));     // a cone of 0 degrees contains nothing
 }
 
-TEST(Tilt, RollIsUndoneBeforePitch) {
+TEST(Tilt, UndoRotationUndoesRollBeforePitch) {
     verifies<req::INC_INSTALL_001>();
     // A level machine, its unit rolled by 90 and pitched by 30: gravity in the unit is (-sin 30, cos 30, 0).
     expect_near(undo_rotation({-0.5F, half_root_3, 0.0F}, {30.0F, 90.0F}), {0.0F, 0.0F, 1.0F});

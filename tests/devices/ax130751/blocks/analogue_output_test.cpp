@@ -26,7 +26,7 @@ OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool over
 
 }  // namespace
 
-TEST(OutputPriority, ShutdownPrecedesOverrideThenEnableThenError) {
+TEST(OutputPriority, ShutdownPrecedesOverrideWhichPrecedesEnableWhichPrecedesError) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_029, req::AOR_OUT_033>();
     const auto fault = FaultAction::fault_value;
     EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);

@@ -54,7 +54,7 @@ TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
     EXPECT_EQ(run("..##..#..#.", latched), "..####...##");
 }
 
-TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileOnStartingWithOn) {
+TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn) {
     verifies<req::AOR_DO_004, req::AOR_DO_010>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);

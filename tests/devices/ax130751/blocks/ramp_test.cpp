@@ -88,7 +88,7 @@ TEST(Ramp, RampDoesNotDependOnHowOftenItIsRead) {
     EXPECT_EQ(often.value_at(at(6000)), 60000.0 / 7000.0) << "to the last bit";
 }
 
-TEST(Ramp, RampWithoutTimeOrSpanSteps) {
+TEST(Ramp, RampWithoutTimeOrSpanReachesItsTargetAtOnce) {
     verifies<req::AOR_OUT_012>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(7.0, {10.0, milliseconds(0), milliseconds(500)}, at(0)), 7.0);

@@ -63,14 +63,14 @@ TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
     EXPECT_EQ(run("..##..#.##.#", inverse_latched), "####...###..");
 }
 
-TEST_F(RelayTest, TogglingRelayTogglesWhileOnStartingWithOn) {
+TEST_F(RelayTest, RelayWithTogglePolarityTogglesWhileItsControlIsOnStartingWithOn) {
     verifies<req::AOR_RELAY_008>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
     EXPECT_EQ(run(".####", toggle), ".####");
 }
 
-TEST_F(RelayTest, TogglingStartsWithOnForARelayThatIsOnToo) {
+TEST_F(RelayTest, TogglingStartsWithOnAlsoForARelayThatIsOn) {
     verifies<req::AOR_RELAY_008>();
     EXPECT_EQ(run("###", normal), "###");
     EXPECT_EQ(run("####", toggle), "##..");
@@ -82,7 +82,7 @@ TEST_F(RelayTest, UnlatchPutsALatchedRelayOff) {
     EXPECT_EQ(run("#......", latched, "...##.."), "###....");
 }
 
-TEST_F(RelayTest, AfterUnlatchingTheControlMustGoOffBeforeItLatchesAgain) {
+TEST_F(RelayTest, ControlMustGoOffAfterUnlatchingBeforeItLatchesAgain) {
     verifies<req::AOR_RELAY_020>();
     // ON since 0 ms; unlatched from 2 to 3 ms; the control is still ON: no change. OFF at 6 ms, ON at 7 ms: the relay
     // latches again.
@@ -155,7 +155,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, DisabledRelayIsOffForEachPolarityOrKeepsItsState) {
+TEST_F(RelayTest, ShutOffPutsTheRelayOffForEachPolarityAndKeepFreezesIt) {
     verifies<req::AOR_RELAY_009>();
     for (const RelayPolarity& polarity :
          {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
@@ -166,7 +166,7 @@ TEST_F(RelayTest, DisabledRelayIsOffForEachPolarityOrKeepsItsState) {
     EXPECT_EQ(run("##", inverse, "", OutputDrive::keep), "##");
 }
 
-TEST_F(RelayTest, OverrideSetsItsState) {
+TEST_F(RelayTest, OverrideSetsTheStateOfTheRelay) {
     verifies<req::AOR_RELAY_010>();
     EXPECT_EQ(run("..", normal, "", OutputDrive::override_value, true), "##");
     EXPECT_EQ(run("##", normal, "", OutputDrive::override_value, false), "..");
@@ -180,7 +180,7 @@ TEST_F(RelayTest, ErrorAndShutdownPutTheRelayOff) {
     EXPECT_EQ(run("#", inverse, "", OutputDrive::shutdown), ".");
 }
 
-TEST_F(RelayTest, DelaysApplyToOnAndOff) {
+TEST_F(RelayTest, DelaysApplyToSwitchingOnAndOff) {
     verifies<req::AOR_RELAY_012>();
     times = {milliseconds(3), milliseconds(2), milliseconds(2)};
     EXPECT_EQ(run(".#####.....", normal), "....####...");

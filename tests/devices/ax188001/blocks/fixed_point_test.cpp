@@ -15,7 +15,7 @@ namespace {
 
 using namespace ax188001;
 
-/// Has the length used by the firmware, so that the functions of the firmware are tested.
+/// An array of the length that the firmware uses, so that its own functions are tested.
 using Coefficients = std::array<double, InversePiece::size>;
 
 }  // namespace

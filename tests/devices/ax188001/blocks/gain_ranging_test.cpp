@@ -110,7 +110,7 @@ TEST_F(Converter, OverdriveIsEvaluatedOnlyAfterSettling) {
     EXPECT_EQ(adc.gain(circuit), 128);
 }
 
-TEST_F(Converter, NewFilterSettlesToo) {
+TEST_F(Converter, NewFilterSettlesForFourConversions) {
     verifies<req::TCS_IN_008>();
     convert(1000.0);
     adc.unsettle(circuit);

@@ -21,7 +21,8 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Returns the temperature from which the voltage rises monotonically: type B falls up to 21.02 degC.
+/// Returns the temperature from which on each voltage belongs to one temperature only: the voltage of type B falls up
+/// to 21.02 degC and is 0 mV again at about 42 degC.
 long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
@@ -113,7 +114,7 @@ TEST(Thermocouple, PublishedVoltagesGiveTheirTemperatures) {
             if (celsius < lowest_convertible(type)) {
                 continue;
             }
-            // Half a digit of the table, 0.0005 mV, in degrees here.
+            // Allow half a digit of the table, 0.0005 mV, converted to degrees at this point.
             const long double slope = (type.mv(celsius + 0.5L) - type.mv(celsius - 0.5L));
             EXPECT_NEAR(exact_celsius(curve_of(type), mv), celsius, static_cast<double>(0.0005L / slope) * 1.05 + 1e-6)
                 << type.letter << " at " << celsius;
@@ -258,8 +259,8 @@ TEST(Thermocouple, ReferenceFunctionOfTypeBContinuesBelowItsRange) {
 
 TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
-    // Not a constant, and as long as in the firmware: mutation does not alter code that the compiler evaluates or that
-    // is instantiated for a test only.
+    // The array is not constant and is as long as in the firmware, because mutation does not alter code that the
+    // compiler evaluates or that is instantiated for a test only.
     std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
     EXPECT_EQ(terms_of(coefficients), 2U);
     coefficients = {0.0, 0.0, 1e-30};
