@@ -5,13 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace canproof::host {
 
 namespace {
 
-/// Greatest difference between the two ends of a cell's range. A cell with a longer range contributes no values.
+/// Greatest difference between the two ends of a cell's range. A table with a longer range cannot give the values of an
+/// object.
 constexpr std::int64_t most_values = 0x10000;
 
 const Table* find_table(const Register& content, const Part& part, const std::string& id) {
@@ -28,7 +30,7 @@ const Table* find_table(const Register& content, const Part& part, const std::st
     return nullptr;
 }
 
-void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell& cell) {
+bool add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell& cell) {
     std::vector<Cell::Part> parts = cell.parts;
     if (cell.any() && column.minimum && column.maximum) {
         parts.emplace_back();
@@ -38,18 +40,22 @@ void add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell&
     for (const auto& part : parts) {
         const auto* first = std::get_if<std::int64_t>(&part.first);
         const auto* last = std::get_if<std::int64_t>(&part.last);
-        if (first == nullptr || last == nullptr || *last - *first > most_values) {
+        if (first == nullptr || last == nullptr) {
             continue;
+        }
+        if (*last - *first > most_values) {
+            return false;
         }
         for (std::int64_t value = *first; value <= *last; ++value) {
             numbers.insert(value);
         }
     }
+    return true;
 }
 
 /// Returns the numbers in a table's first input column. For a column with an enumeration, returns all numbers of the
-/// enumeration.
-std::set<std::int64_t> numbers_of(const Register& content, const Part& part, const Table& table) {
+/// enumeration. Returns nothing when a cell has a range that is too long.
+std::optional<std::set<std::int64_t>> numbers_of(const Register& content, const Part& part, const Table& table) {
     std::set<std::int64_t> numbers;
     if (table.inputs.empty()) {
         return numbers;
@@ -62,7 +68,9 @@ std::set<std::int64_t> numbers_of(const Register& content, const Part& part, con
         return numbers;
     }
     for (const auto& row : table.rows) {
-        add_cell(numbers, column, row.cells.front());
+        if (!add_cell(numbers, column, row.cells.front())) {
+            return std::nullopt;
+        }
     }
     return numbers;
 }
@@ -97,12 +105,19 @@ void resolve_ranges(const Register& content, Part& part, Faults& faults) {
                 continue;
             }
             const auto numbers = numbers_of(content, part, *table);
-            if (numbers.empty()) {
+            if (!numbers) {
+                faults.push_back(
+                    {range.place,
+                     fmt::format("table {} has a range of more than {} numbers", range.table, most_values + 1),
+                     "write the range of the object as `min` and `max`"});
+                continue;
+            }
+            if (numbers->empty()) {
                 faults.push_back({range.place, fmt::format("table {} has no numbers in its first column", range.table),
                                   "name a table whose first input is a number"});
                 continue;
             }
-            put(numbers, range);
+            put(*numbers, range);
         }
     }
 }

@@ -101,6 +101,11 @@ const std::vector<Broken> cases{
          "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
          "inputs = [\"a\"]\noutputs = [\"b\"]\nrows = [[\"on\", 1]]\n",
      8, "table AO4-T1 has no numbers in its first column", "whose first input is a number"},
+    {"RangeTableTooLong", items_file,
+     rw16 +
+         "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
+         "inputs = [{ name = \"a\", min = 0, max = 65537 }]\noutputs = [\"b\"]\nrows = [[\"*\", 1]]\n",
+     8, "table AO4-T1 has a range of more than 65537 numbers", "as `min` and `max`"},
     {"StringLongerThanLength", items_file,
      var + "type = \"VISIBLE_STRING\"\naccess = \"rw\"\nlength = 3\ndefault = \"four\"\n", 8,
      "2000h:0 default has 4 bytes, its length is 3", "shorten the default or raise `length`"},
