@@ -68,7 +68,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong != 0) {
-        throw InputError{fmt::format("cannot run {0}; build or install {0}", words.front())};
+        throw InputError{fmt::format("cannot run {0}: {1}; build or install {0}", words.front(), std::strerror(wrong))};
     }
     return process;
 }

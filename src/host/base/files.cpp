@@ -22,10 +22,10 @@ std::ifstream open_input(const std::string& path) {
 }
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {
-    if (const auto folder = path.parent_path(); !folder.empty()) {
-        std::filesystem::create_directories(folder);
-    }
     try {
+        if (const auto folder = path.parent_path(); !folder.empty()) {
+            std::filesystem::create_directories(folder);
+        }
         replace_file(path, bytes);
     } catch (const std::system_error& error) {
         throw InputError{fmt::format("cannot write {}: {}", path.string(), error.code().message())};

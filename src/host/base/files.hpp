@@ -10,8 +10,7 @@
 namespace canproof::host {
 
 std::ifstream open_input(const std::string& path);
-/// Replaces the whole file, or leaves it unchanged on an error. Creates missing folders; throws
-/// std::filesystem::filesystem_error when a folder cannot be created.
+/// Replaces the whole file, or leaves it unchanged on an error. Creates missing folders.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace canproof::host

@@ -21,7 +21,19 @@ std::string one_line(const std::string& text) {
 
 std::string brief(const std::string& text) {
     constexpr std::size_t longest = 90;
-    return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " …";
+    if (text.size() <= longest) {
+        return text;
+    }
+    std::size_t end = text.rfind(' ', longest);
+    if (end == std::string::npos) {
+        constexpr unsigned char kind_of_byte = 0xC0U;
+        constexpr unsigned char further_byte = 0x80U;  // of a character with several bytes
+        end = longest;
+        while (end > 0U && (static_cast<unsigned char>(text[end]) & kind_of_byte) == further_byte) {
+            --end;
+        }
+    }
+    return text.substr(0, end) + " …";
 }
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 std::string one_line(const std::string& text);
 
 /// Returns a text of at most 90 bytes unchanged. Otherwise returns the first words of the text, as many as fit in 90
-/// bytes, and ` …`. Does not shorten a text whose first word is longer.
+/// bytes, and ` …`. A first word of more than 90 bytes is cut after its last whole character (UTF-8).
 std::string brief(const std::string& text);
 
 }  // namespace canproof::host

@@ -35,6 +35,11 @@ void sync_all(const fs::path& folder) {
     }
 }
 
+/// Returns the name of the old folder during an exchange in three steps.
+fs::path old_of(const fs::path& fresh) {
+    return fresh.string() + ".old";
+}
+
 /// Exchanges the two folders in one step, or in three steps if the file system does not support that.
 void exchange(const fs::path& fresh, const fs::path& folder) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) {
@@ -43,10 +48,19 @@ void exchange(const fs::path& fresh, const fs::path& folder) {
     if (errno != EINVAL && errno != ENOSYS) {
         refuse_to_write(folder);
     }
-    const fs::path old = fresh.string() + ".old";
+    const fs::path old = old_of(fresh);
     fs::rename(folder, old);
     fs::rename(fresh, folder);
     fs::rename(old, fresh);
+}
+
+/// Restores the folder that an earlier call had moved to `old` when its program stopped between the steps of
+/// exchange().
+void restore(const fs::path& old, const fs::path& folder) {
+    if (fs::exists(old) && !fs::exists(folder)) {
+        fs::rename(old, folder);
+    }
+    fs::remove_all(old);
 }
 
 }  // namespace
@@ -55,6 +69,7 @@ void replace_folder(const fs::path& folder, const std::map<std::string, std::str
     const fs::path named = fs::weakly_canonical(fs::absolute(folder));
     const fs::path target = named.has_filename() ? named : named.parent_path();
     const fs::path fresh = target.parent_path() / ("." + target.filename().string() + ".new");
+    restore(old_of(fresh), target);
     fs::remove_all(fresh);
     fs::create_directories(fresh);
     try {

@@ -40,6 +40,17 @@ TEST(ChildProcess, DeathBySignalIs128PlusItsNumber) {
     EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", "kill -TERM $$"}, {}, {})), 128 + SIGTERM);
 }
 
+TEST(ChildProcess, ProgramThatCannotRunIsNamedWithTheReason) {
+    try {
+        host::start_process({"/nonexistent/program"}, {}, {});
+        FAIL() << "the program does not exist";
+    } catch (const host::InputError& error) {
+        EXPECT_STREQ(
+            error.what(),
+            "cannot run /nonexistent/program: No such file or directory; build or install /nonexistent/program");
+    }
+}
+
 TEST(ChildProcess, WaitForAProcessThatIsNoChildIsRefused) {
     EXPECT_THROW(host::wait_for_process(1), host::InputError);
 }

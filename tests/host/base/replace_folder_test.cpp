@@ -41,6 +41,28 @@ TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
+// Such a program stops on a file system that cannot exchange two folders in one step.
+TEST(ReplaceFolder, FolderThatAKilledProgramMovedAwayIsRestored) {
+    const ScratchFolder folder;
+    std::filesystem::create_directories(folder / ".pack.new.old");
+    ScratchFolder::fill(folder / ".pack.new.old/a", "old");
+    EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "old");
+    EXPECT_EQ(folder.names(), Names{"pack"});
+    replace_folder(folder / "pack", {{"a", "2"}});
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "2");
+}
+
+TEST(ReplaceFolder, OldFolderOfAKilledProgramIsRemovedWhenTheNewOneIsThere) {
+    const ScratchFolder folder;
+    replace_folder(folder / "pack", {{"a", "1"}});
+    std::filesystem::create_directories(folder / ".pack.new.old");
+    ScratchFolder::fill(folder / ".pack.new.old/a", "old");
+    EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
+    EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "1");
+    EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
 TEST(ReplaceFolder, LeftoversOfAKilledProgramAreRemoved) {
     const ScratchFolder folder;
     std::filesystem::create_directories(folder / ".pack.new");

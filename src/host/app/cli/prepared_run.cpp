@@ -45,14 +45,10 @@ std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
 const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string>& names,
                               const std::vector<ChosenDevice>& devices) {
     try {
-        const ChosenDevice& device = devices[find_device(names, one.signal.substr(0, one.signal.rfind('.')))];
-        if (device.part != nullptr) {
-            return device;
-        }
+        return devices[find_device(names, one.signal.substr(0, one.signal.rfind('.')))];
     } catch (const InputError& error) {
         throw InputError{fmt::format("{}: {}", one.where, error.what())};
     }
-    throw InputError{fmt::format("{}: {} has no signals", one.where, one.signal)};
 }
 
 /// Checks each stimulus against the devices of the run. In `device.signal`, replaces a short device name by the
