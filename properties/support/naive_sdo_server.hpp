@@ -312,6 +312,7 @@ class Server {
         done_ = 0;
         out_ = 0;
         block_size_ = m[4];
+        with_crc_ = (m[0] & 4) != 0;
         doing_ = Doing::block_start;
         progress_ = now_;
         Message answer = with_object(0xC6);
@@ -340,7 +341,7 @@ class Server {
             return;
         }
         Message end{static_cast<std::uint8_t>(0xC1 + 4 * (7 - pieces_.back().size()))};
-        put(end, 1, crc16(data_), 2);
+        put(end, 1, with_crc_ ? crc16(data_) : 0, 2);
         say(end);
         doing_ = Doing::block_end;
     }

@@ -35,13 +35,20 @@ TEST_F(SdoBlock, UploadOfNineBytesReturnsThem) {
                 });
 }
 
-TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithTheCrcToo) {
-    verifies<req::CO_SDO_020>();
+TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithZeroAsCrc) {
+    verifies<req::CO_SDO_020, req::CO_SDO_054>();
     hold(nine);
     talk(*this, {
                     {"605#A00024007F000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637", "585#8238390000000000"}},
-                    {"605#A2027F0000000000", {"585#D5C3310000000000"}},
+                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // with CRC: C331h, see above
+                    {"605#A100000000000000", {}},
+                });
+    talk(*this, {
+                    {"605#A400240001000000", {"585#C600240009000000"}},  // the next transfer has the CRC again
+                    {"605#A300000000000000", {"585#0131323334353637"}},
+                    {"605#A201010000000000", {"585#8138390000000000"}},
+                    {"605#A2017F0000000000", {"585#D5C3310000000000"}},
                     {"605#A100000000000000", {}},
                 });
 }

@@ -29,10 +29,11 @@ AbortCode SdoBlockDownload::finish(const std::uint8_t unused, const std::uint16_
     return (checks_crc_ && (std::uint32_t{crc} != crc_.value())) ? AbortCode::crc_error : AbortCode::none;
 }
 
-void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size) noexcept {
+void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size, const bool has_crc) noexcept {
     *this = SdoBlockUpload{};
     value_ = value;
     block_size_ = block_size;
+    has_crc_ = has_crc;
 }
 
 /// Adds the bytes of a segment that begins at `from` to the CRC. A repeated segment does not count again.

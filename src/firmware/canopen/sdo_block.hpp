@@ -81,7 +81,8 @@ class SdoBlockUpload {
     }
 
     /// Begins a transfer. `value` must remain until the transfer ends. `block_size` must satisfy is_block_size().
-    void start(ByteView value, std::uint8_t block_size) noexcept;
+    /// `has_crc` says whether the transfer ends with the CRC of the data.
+    void start(ByteView value, std::uint8_t block_size, bool has_crc) noexcept;
     /// Returns whether the present sub-block has another segment and the queue, with `queued` waiting frames, has room
     /// for it.
     bool can_send(const std::size_t queued) const noexcept {
@@ -98,8 +99,9 @@ class SdoBlockUpload {
     bool complete() const noexcept { return complete_; }
     /// Returns how many bytes of the last segment hold no data, 0…7.
     std::uint8_t unused() const noexcept;
-    /// Returns the CRC of all data sent.
-    std::uint16_t crc() const noexcept { return crc_.value(); }
+    static_assert(implements<req::CO_SDO_054>);
+    /// Returns the CRC of all data sent, or 0 in a transfer without CRC.
+    std::uint16_t crc() const noexcept { return has_crc_ ? crc_.value() : std::uint16_t{0U}; }
 
   private:
     void check_full(std::size_t from, std::uint64_t frame) noexcept;
@@ -113,6 +115,7 @@ class SdoBlockUpload {
     std::uint8_t sent_{0U};  ///< segments of the present sub-block
     bool last_sent_{false};
     bool complete_{false};
+    bool has_crc_{false};
 };
 
 }  // namespace canproof

@@ -147,7 +147,7 @@ void SdoServer::initiate_block_upload(const sdo::Request& request, const Instant
         return;
     }
     value_ = keep(read.value());
-    sent_.start(value_, block_size);
+    sent_.start(value_, block_size, (request[0] & sdo::block_crc_flag) != 0U);
     begin(State::block_upload_starting, now);
     answer_object(sdo::block_upload_initiated | sdo::block_crc_flag | sdo::block_size_flag,
                   static_cast<std::uint32_t>(value_.size()));
