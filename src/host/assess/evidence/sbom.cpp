@@ -72,7 +72,8 @@ std::string write_sbom(const Provenance& provenance, const PackageRecords& recor
                              {"licenses", Json::array({Json{{"expression", "Apache-2.0"}}})}};
     metadata["properties"] = Json::array(
         {Json{{"name", "canproof:vulnerabilities"},
-              {"value", "no list of vulnerabilities was searched; those on record are in reports/packages.toml"}}});
+              {"value",
+               "no vulnerability database was searched; reports/packages.toml records the assessed vulnerabilities"}}});
     document["metadata"] = metadata;
     document["components"] = components;
     document["dependencies"] = Json::array({Json{{"ref", ref}, {"dependsOn", uses}}});
