@@ -74,7 +74,7 @@ def check(build, output, as_json):
     plan = read_plan(rules, faults)
     progress.step(f"proving the checkers of {len(rules.folders)} guidelines on their examples")
     prove_rules(rules, generated, faults)
-    progress.step("proving them on violations seeded into copies of the firmware")
+    progress.step("proving the checkers on violations seeded into copies of the firmware")
     seeds, unseen = prove_on_firmware(rules, generated, faults)
     units, headers = scope(generated)
     progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen, {unseen} unseen)")
@@ -124,10 +124,11 @@ def main(arguments):
     build = pathlib.Path(arguments[0]).resolve()
     missing = [tool for tool in TOOLS if shutil.which(tool) is None]
     if missing:
-        print(f"misra: not installed: {', '.join(missing)}; `./run setup` installs what is needed", file=sys.stderr)
+        print(f"misra: not installed: {', '.join(missing)}; `./run setup` installs the missing tools", file=sys.stderr)
         return 2
     if not all(path.exists() for path in archives(build)) or not (build / "generated").is_dir():
-        print(f"misra: {build} holds no built firmware; build it first: `./run build`, or name another build folder", file=sys.stderr)
+        print(f"misra: {build} contains no built firmware; build the firmware with `./run build`, or name another build folder",
+              file=sys.stderr)
         return 2
     return check(build, pathlib.Path(arguments[1] if len(arguments) == 2 else build / "misra"), as_json)
 

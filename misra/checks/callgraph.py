@@ -51,7 +51,8 @@ class CallGraph:
             through, method = called_through(place)
             entry = next((one for one in listed if through in one["through"]), None)
             if entry is None:
-                faults.add(f"{place}: an indirect call that callgraph.toml does not list ({through}.{method})")
+                faults.add(f"{place}: an indirect call that callgraph.toml does not list ({through}.{method}); "
+                           "add an entry with the classes that the call can reach")
                 continue
             used.add(entry["interface"])
             for title, name in self.names.items():
@@ -59,7 +60,7 @@ class CallGraph:
                     self.calls.setdefault(caller, set()).add(title)
         for entry in listed:
             if entry["interface"] not in used:
-                faults.add(f"callgraph.toml lists calls through {entry['interface']}, and there are none")
+                faults.add(f"callgraph.toml lists calls through {entry['interface']}, but there are no such calls; remove the entry")
 
     def deepest(self, title, path=(), known=None):
         """Returns the greatest stack use in bytes from this function on, and the cycle of a recursion or None."""
@@ -116,6 +117,7 @@ def check_call_graph(graphs, generated, faults):
         check(CallGraph(scratch), [], [{"name": "deep", "entry": r"\bdeep\(", "bytes": 512}], seeded)
     for word in ("recursion: ", "an indirect call that callgraph.toml does not list (place.read)", "stack: deep may use"):
         if not any(word in text for text in seeded):
-            faults.add(f"the call graph's check misses what misra/callgraph/bad.cpp holds: {word} in {seeded}")
+            faults.add(f"the check of the call graph does not report a fault of misra/callgraph/bad.cpp: "
+                       f"`{word}` is not in {seeded}")
     listed = [one for path in records_of("callgraph.toml") for one in tomllib.loads(path.read_text()).get("indirect", [])]
     return check(CallGraph(graphs), listed, list(device_bounds()), faults)

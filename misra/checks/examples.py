@@ -19,7 +19,8 @@ def prove_rules(rules, generated, faults):
             lines = path.read_text().splitlines()
             expected = {at for at, text in enumerate(lines, 1) if "// flagged" in text}
             if path.name.startswith("bad") != bool(expected):
-                faults.add(f"{name}: marks must stand in bad examples, and only there")
+                faults.add(f"{name}: each bad example needs a line marked with `// flagged`, and no good example may have one")
             flagged = {finding.line for finding in found if finding.rule == rule and finding.path == name}
             if flagged != expected:
-                faults.add(f"{name}: flagged in line(s) {sorted(flagged)}, must be {sorted(expected)}")
+                faults.add(f"{name}: the checkers of rule {rule} flag the lines {sorted(flagged)}, "
+                           f"but `// flagged` marks {sorted(expected)}")

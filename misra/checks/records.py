@@ -21,21 +21,21 @@ def read_plan(rules, faults):
         plan = list(csv.DictReader(file))
     numbers = [row["guideline"] for row in plan]
     if numbers != (HERE / "guidelines.txt").read_text().split():
-        faults.add("plan.csv does not hold the guidelines of guidelines.txt, each once and in order")
+        faults.add("plan.csv must contain each guideline of guidelines.txt once and in the same order")
     for row in plan:
         number, how = row["guideline"], row["enforcement"]
         if how not in ("enforced", "review", "not applicable"):
-            faults.add(f"plan.csv {number}: unknown enforcement {how}")
+            faults.add(f"plan.csv {number}: unknown enforcement {how}; write enforced, review or not applicable")
         if (how in ("enforced", "review")) != (number in rules.folders):
             faults.add(f"plan.csv {number} is {how}: rules/{number} {'not expected' if how == 'not applicable' else 'missing'}")
         if (how == "review") != (number in rules.scopes):
             faults.add(f"plan.csv {number} is {how}: rules/{number}/review.query {'missing' if how == 'review' else 'not expected'}")
         if how != "enforced" and not row["note"]:
-            faults.add(f"plan.csv {number}: {how} without a reason")
+            faults.add(f"plan.csv {number}: {how} without a reason; write it into the column `note`")
         if row["recategorised"] and row["recategorised"] not in WEAKER[row["category"]]:
             faults.add(f"plan.csv {number}: a {row['category']} guideline cannot become {row['recategorised']}")
     for number in rules.folders.keys() - set(numbers):
-        faults.add(f"rules/{number} is no guideline")
+        faults.add(f"rules/{number} has the name of no guideline in plan.csv")
     return plan
 
 
@@ -65,7 +65,7 @@ def apply_deviations(findings, generated, today, records, faults):
         if missing:
             faults.add(f"deviation {at + 1} lacks {', '.join(sorted(missing))}")
         elif record["expiry"] < today:
-            faults.add(f"deviation {at + 1} (rule {record['rule']}) expired on {record['expiry']}")
+            faults.add(f"deviation {at + 1} (rule {record['rule']}) expired on {record['expiry']}; renew or remove the deviation")
     for finding in sorted(findings):
         text = source_line(finding, generated)
         for at, record in enumerate(records):
@@ -77,7 +77,8 @@ def apply_deviations(findings, generated, today, records, faults):
             open_findings.append(finding)
     for at, record in enumerate(records):
         if at not in used and not record["borrowed"]:
-            faults.add(f"deviation {at + 1} (rule {record.get('rule')} in {record.get('place')}) matches no finding")
+            faults.add(f"deviation {at + 1} (rule {record.get('rule')} in {record.get('place')}) matches no finding; "
+                       "correct or remove the deviation")
     return open_findings, deviated
 
 
@@ -102,7 +103,7 @@ def apply_reviews(scoped, generated, reviews, faults):
         if missing:
             faults.add(f"review of {review.get('file')} for {review.get('rule')} lacks {', '.join(sorted(missing))}")
         elif (review["rule"], review["file"]) not in first:
-            faults.add(f"review of {review['file']} for {review['rule']} has nothing to judge: remove it from reviews.toml")
+            faults.add(f"review of {review['file']} for {review['rule']} has nothing to judge; remove the review from reviews.toml")
         known[(review.get("rule"), review.get("file"))] = review
     for key, finding in sorted(first.items()):
         now = fingerprint(file_of(finding.path, generated).read_text())
@@ -127,7 +128,7 @@ def add_review(arguments, generated):
     """Handles `review FILE RULE --by NAME --judgement TEXT`: writes or renews the record for the file's present form."""
     file, rule = arguments.file, arguments.rule
     if not file_of(file, generated).exists():
-        raise SystemExit(f"misra review: there is no {file}; name it from the project's folder, as the finding does")
+        raise SystemExit(f"misra review: there is no file {file}; name the file relative to the project's folder, as in the finding")
     kept = [review for review in read_reviews() if (review["rule"], review["file"]) != (rule, file)]
     kept.append({"rule": rule, "file": file, "date": datetime.date.today(), "by": arguments.by,
                  "fingerprint": fingerprint(file_of(file, generated).read_text()), "judgement": arguments.judgement})

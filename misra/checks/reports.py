@@ -87,24 +87,24 @@ def tables(outcome):
     """Returns (title, introduction, columns, rows) of each section; both reports have the same content."""
     plan = outcome.plan
     summary = [[row["guideline"], row["category"], row["recategorised"] or row["category"], outcome.level(row)] for row in plan]
-    yield "Guideline compliance summary", "The level of each guideline in this build.", ["guideline", "category", "recategorised", "compliance"], summary
+    yield "Guideline compliance summary", "This table gives the compliance level of each guideline in this build.", ["guideline", "category", "recategorised", "compliance"], summary
     findings = [[finding.rule, f"{finding.path}:{finding.line}"] for finding in outcome.open]
     yield "Open findings", "Violations without a deviation, and places without a valid review.", ["guideline", "place"], findings
-    yield "Faults", "In checkers, plan, records, call graph, symbols or layers.", ["fault"], [[fault] for fault in outcome.faults]
+    yield "Faults", "Faults of the checkers, the plan, the records, the call graph, the symbols or the layers.", ["fault"], [[fault] for fault in outcome.faults]
     enforcement = [[row["guideline"], row["topic"], row["decidability"], row["enforcement"], row["checkers"], row["note"]] for row in plan]
-    yield "Guideline enforcement plan", "How each guideline is checked. Every checker is proven on examples before it counts.", [
+    yield "Guideline enforcement plan", "This table lists how each guideline is checked. Examples test every checker before its findings count.", [
         "guideline", "topic in our words", "decidability", "enforcement", "checkers", "note"], enforcement
     changed = [[row["guideline"], row["category"], row["recategorised"]] for row in plan if row["recategorised"]]
-    yield "Guideline recategorisation plan", "Guidelines held to a stricter or a disapplied category; the others keep theirs.", [
+    yield "Guideline recategorisation plan", "These guidelines have a stricter category here or are disapplied; the others keep the category of MISRA.", [
         "guideline", "category", "recategorised"], changed
     records = [[record["rule"], record["place"], record["reason"], record["risk"], str(record["expiry"]),
                 str(sum(one is record for _, one in outcome.deviated))] for record in outcome.records]
-    yield "Deviation records", "Each with the findings it covers; an unused or expired record is a fault.", [
+    yield "Deviation records", "The last column is the number of findings that a deviation covers. An unused or expired deviation is a fault.", [
         "guideline", "place", "reason", "risk", "expiry", "findings"], records
     reviews = [[one["rule"], one["file"], str(one["date"]), one["by"], one["judgement"]] for one in outcome.reviews]
-    yield "Review records", "What a person judged, valid for the content it was written for.", ["guideline", "file", "date", "by", "judgement"], reviews
+    yield "Review records", "Each judgement of a person is valid for the content of the file on that date, without comments and spacing.", ["guideline", "file", "date", "by", "judgement"], reviews
     stack = [[name, str(used), str(allowed)] for name, (used, allowed) in outcome.figures["stack"].items()]
-    yield "Stack", "Deepest use of any public call of a device, from the call graph without recursion (host, g++ -O1).", ["device", "bytes", "allowed"], stack
+    yield "Stack", "The greatest stack use of any public call of a device, computed from the call graph, which has no recursion (host, g++ -O1).", ["device", "bytes", "allowed"], stack
 
 
 def lead(outcome):
@@ -112,8 +112,8 @@ def lead(outcome):
     return (f"{counts['enforced']} guidelines enforced by tested checkers, {counts['review']} reviewed, {counts['not applicable']} not applicable, "
             f"of {len(outcome.plan)}; {len(outcome.open)} open finding(s), {len(outcome.deviated)} under {len(outcome.records)} deviation(s), "
             f"{len(outcome.reviews)} review(s), {len(outcome.faults)} fault(s). Call graph of {figures['functions']} functions: no recursion, "
-            f"{figures['indirect_calls']} indirect calls, all listed. Of {figures['all_functions']} functions by name {figures['unserved']} serve no "
-            f"item, each with a reason.")
+            f"{figures['indirect_calls']} indirect calls, all listed. {figures['unserved']} of {figures['all_functions']} functions (counted by name) serve no "
+            f"item of the register; each has a reason.")
 
 
 def outcome_json(outcome):

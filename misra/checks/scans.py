@@ -69,7 +69,7 @@ def unused_types(code):
 
 
 def labels_of(code, start, stop):
-    """Returns the places of the labels of one switch with its body in [start, stop); labels in inner braces do not count."""
+    """Returns the start and end of each label of the switch whose body is [start, stop). Labels in inner braces do not count."""
     depth, at, begin = 0, start, True
     while at < stop:
         sign = code[at]
@@ -93,7 +93,8 @@ def ends_with_jump(statements):
 
 
 def switch_faults(code):
-    """Returns faults: a default between two branches, fewer than two branches, statements above the first, no jump at the end."""
+    """Returns the lines of faults of switches: no label, statements above the first label, fewer than two branches, a default
+    that is neither the first nor the last branch, and a last branch that does not end with a jump."""
     for match in re.finditer(r"\bswitch\s*\(", code):
         depth, at = 1, match.end()
         while at < len(code) and depth:

@@ -86,9 +86,9 @@ def judge(places, found, faults):
         flagged = {line - before - 1 for line in lines_of.get((piece.rule, path), ())}
         inside = {at for at in flagged if 0 <= at < len(piece.lines)}
         for at in sorted(set(piece.marked) - inside):
-            faults.add(f"a seeded violation of rule {piece.rule} goes unseen: {piece.lines[at].strip()}")
+            faults.add(f"a seeded violation of rule {piece.rule} is not detected: {piece.lines[at].strip()}")
         for at in sorted(inside - {*piece.marked, *piece.others}):
-            what = "is seen now: mark it as flagged" if at in piece.unseen else "is flagged, and complies"
+            what = "is detected now: mark the line with `// flagged`" if at in piece.unseen else "is flagged, but complies"
             faults.add(f"a seeded line for rule {piece.rule} {what} (line {at + 1}): {piece.lines[at].strip()}")
     return sum(len(piece.marked) for piece, *_ in places), sum(len(piece.unseen) for piece, *_ in places)
 
@@ -101,5 +101,5 @@ def prove_on_firmware(rules, generated, faults):
         found = find(rules, units, headers, generated, scratch, faults)
     seeds, unseen = judge(places, found, faults)
     if unseen * 50 > seeds + unseen:
-        faults.add(f"{unseen} of {seeds + unseen} seeds go unseen: more than 2 %")
+        faults.add(f"{unseen} of {seeds + unseen} seeds are not detected; at most 2 % are allowed")
     return seeds, unseen

@@ -144,7 +144,7 @@ def prove(generated, faults):
         rest, _ = unserved(CallGraph(scratch), {"misra/callgraph/served.cpp": path})
     wanted = set(re.findall(r"// serves nothing: (\S+)", path.read_text()))
     if set(rest) != wanted:
-        faults.add(f"the check of functions finds {sorted(rest)} in misra/callgraph/served.cpp, which holds {sorted(wanted)}")
+        faults.add(f"the check of functions finds {sorted(rest)} in misra/callgraph/served.cpp, but its comments name {sorted(wanted)}")
 
 
 def graph_of_firmware(generated, faults):
@@ -171,12 +171,12 @@ def check_served(generated, faults):
         path = pathlib.Path(root) / "reports" / "functions.toml"
         for record in tomllib.loads(path.read_text()).get("function", []) if path.exists() else []:
             if not record.get("reason"):
-                faults.add(f"{path.name}: {record.get('name')} has no reason")
+                faults.add(f"{path.name}: {record.get('name')} has no reason; add the field `reason`")
             reasons[record["name"]] = root
     for name, place in sorted(rest.items(), key=lambda one: one[1]):
         if name not in reasons:
-            faults.add(f"{place}: {name} serves no item of the register: link it, remove it, or write its reason to reports/functions.toml")
+            faults.add(f"{place}: {name} serves no item of the register; link the function, remove it, or write a reason to reports/functions.toml")
     for name, root in reasons.items():
         if root == ROOT and name not in rest:
-            faults.add(f"reports/functions.toml: {name} serves an item or is gone; remove the record")
+            faults.add(f"reports/functions.toml: {name} serves an item or no longer exists; remove the record")
     return {"all_functions": count, "unserved": len(rest)}

@@ -53,9 +53,9 @@ def check_layers(faults):
         if "// flagged" in text
     }
     if not expected or set(against_the_layers(bad)) != expected:
-        faults.add("the include check does not flag just the marked lines of misra/layers/bad")
+        faults.add("the check of includes does not flag exactly the marked lines of misra/layers/bad")
     for path, at in against_the_layers(ROOT / "src"):
-        faults.add(f"{os.path.relpath(path, ROOT)}:{at}: an include against the layers")
+        faults.add(f"{os.path.relpath(path, ROOT)}:{at}: this include violates the layers (may_include() in misra/checks/structure.py)")
 
 
 # Symbols that the firmware must not need: allocation, exceptions, run-time type information, termination of the program, and the
@@ -85,10 +85,10 @@ def check_symbols(build, faults):
         status, output = run_tool(["g++", "-std=c++17", "-c", str(HERE / "symbols" / "bad.cpp"), "-o", str(seeded)])
         names = forbidden_symbols(seeded) if status == 0 else []
         if not {"_Znwm", "__cxa_throw", "__dynamic_cast", "feenableexcept"} <= set(names):
-            faults.add(f"the symbol check misses what misra/symbols/bad.cpp holds: {names} {output}")
+            faults.add(f"the check of symbols does not report all forbidden symbols of misra/symbols/bad.cpp, only {names} {output}")
     for archive in archives(build):
         if not archive.exists():
-            faults.add(f"{archive} is not built: its symbols are unchecked")
+            faults.add(f"{archive} is not built, so its symbols are unchecked; build it with `./run build`")
             continue
         for name in forbidden_symbols(archive):
-            faults.add(f"the firmware library {archive.name} needs {name}")
+            faults.add(f"the firmware library {archive.name} needs the forbidden symbol {name}")

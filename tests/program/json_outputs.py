@@ -105,7 +105,7 @@ def changes(project):
     code.write_text(text.replace("{}", "{ lamp(); }"))
     assert said_again(project, "diff", "HEAD", "--verdicts", "verdicts")["stale"] == [{"id": "BOX-R-1", "code": True, "tests": False}]
     _, out, _ = project.call("diff", "HEAD", "--verdicts", "verdicts")
-    assert "stale BOX-R-1: its code has changed\nnext: `./test`, then" in out, out
+    assert "stale BOX-R-1: its code has changed\nnext: run `./test`; then" in out, out
     code.write_text(text)
 
 

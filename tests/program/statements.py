@@ -26,7 +26,7 @@ def listed(project):
     project.statements(GREEN, AWAKE, RATE)
     assert project.call("spec", "statements", "M1")[0] == 0
     status, _, err = project.call("spec", "statements", "M9")
-    assert status == 2 and "no manual has the key M9; there are M1" in err, err
+    assert status == 2 and "no manual has the key M9; the keys are M1" in err, err
 
 
 def compared(project):
@@ -57,7 +57,7 @@ def checked(project):
 def audited(project):
     project.statements(GREEN, AWAKE, statement("2", "Ten times a second", ""))
     _, out, _ = project.audit()
-    assert "  M1:2/1: no item covers the statement, and it has no reason (Ours.)\n" in out, out
+    assert "  M1:2/1: no item covers the statement, and the statement has no reason (Ours.)\n" in out, out
     assert "  M1: 3 statements, 0 shown, 1 explained, 1 suspect, 1 open, 0 failed\n" in out, out
     status, out, _ = project.audit("--untested")
     assert status == 1 and "M1:2/1" in out and "M1:1/1" not in out, out

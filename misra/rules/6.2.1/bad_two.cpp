@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contains a different definition of a name that another file defines.
+// Contains a different definition of a name that a_first_definition.cpp defines.
 namespace odr {
 struct Point {  // flagged
     long across;

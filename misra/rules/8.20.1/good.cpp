@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// No line needs a review: an operand is no constant, or the arithmetic is signed.
+// No line needs a review, because one operand is not a constant or the arithmetic is signed.
 unsigned next(const unsigned value) { return value + 1U; }
 int below() { return 3 - 4; }

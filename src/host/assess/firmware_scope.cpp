@@ -39,7 +39,7 @@ bool is_judged_host(const std::string& path) {
 }
 
 /// Returns the shortest end of `file` that starts with the folder `src/` and that `fits` accepts; empty when there is
-/// none. The shortest is right even if the project's own folder is below another folder `src/`.
+/// none. The shortest end is right even if the project's own folder is below another folder `src/`.
 std::string path_that(bool (*fits)(const std::string&), const std::string& file) {
     for (auto at = file.rfind("src/"); at != std::string::npos;
          at = at == 0 ? std::string::npos : file.rfind("src/", at - 1)) {

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 /// One change of one cell: the low `size` bytes (1 to 8) of `bits` replace the bytes at `address`.
 struct Alteration {
-    const char* item;    ///< id of the requirement, object, table or constant to which the cell belongs
+    const char* item;    ///< id of the object, table or constant to which the cell belongs
     const char* cell;    ///< `sub 1 default`, `row 3 action` …
     const char* change;  ///< old and new value: `5 -> 6`
     void* address;

@@ -16,10 +16,11 @@ const char* storage_words(Cells cells);
 
 /// Returns the first lines of a generated file, with the names of the files in the requirements register.
 std::string heading(const Part& part);
-/// Returns a value as a C++ literal of the type `cpp_type_name`, which cpp_type() returned: `12U`, `-3`, `4.096F`. With
-/// `hexadecimal`, an unsigned value has the form `0x1FFU`.
+/// Returns a value as a C++ literal of the type `cpp_type_name`, which cpp_type() or cpp_integer_type() returned:
+/// `12U`, `-3`, `4.096F`. With `hexadecimal`, an unsigned value has the form `0x1FFU`.
 std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bool hexadecimal = false);
-/// Returns the narrowest standard integer type that represents both `low` and `high`.
+/// Returns the narrowest standard integer type that represents both `low` and `high`; an unsigned type if `low` is not
+/// negative.
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
 /// Returns the comment above an item in generated code: text, id, sources, unit.
 std::string item_comment(const Item& item, const std::string& unit);

@@ -84,7 +84,8 @@ class LimitRows {
   public:
     LimitRows(DictionaryRows& rows, Limits limits) : rows_{rows}, limits_{limits} {}
 
-    /// Returns the number of the limit row of an entry; adds the row if necessary.
+    /// Returns the number of the limit row of an entry, and adds the row if necessary; `no_limit` for an entry without
+    /// limits.
     std::uint16_t row_for(const Entry& entry) {
         if (entry.range.empty()) {
             return no_limit;
@@ -190,7 +191,7 @@ DataType data_type(const std::string& cia_type) {
                                          {"DOMAIN", DataType::domain}}};
     const auto found = std::find_if(types.begin(), types.end(), [&](const Row& row) { return cia_type == row.first; });
     if (found == types.end()) {
-        throw std::out_of_range{cia_type + " is no type of CiA 301"};
+        throw std::out_of_range{cia_type + " is no data type that the firmware supports"};
     }
     return found->second;
 }

@@ -31,7 +31,8 @@ struct DictionaryRows {
 enum class Limits { shared, one_an_entry };
 DictionaryRows make_rows(const Part& part, Limits limits = Limits::shared);
 
-/// Returns the firmware's data type for a CiA type such as `UNSIGNED16`.
+/// Returns the firmware's data type for a CiA type such as `UNSIGNED16`. Throws std::out_of_range for a type that the
+/// firmware does not support.
 DataType data_type(const std::string& cia_type);
 
 }  // namespace canproof::host

@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
     app.add_option("--package", package, "spec/ of canproof: its shared rules apply to a register without canopen/")
         ->check(CLI::ExistingDirectory);
     bool changeable = false;
-    app.add_flag("--changeable", changeable, "cells that a running program can alter, and the list of alterations");
+    app.add_flag("--changeable", changeable,
+                 "generate cells that a running program can alter, and the list of alterations");
     CLI11_PARSE(app, argc, argv);
     try {
         const SpecFiles shared = package.empty() ? SpecFiles{} : read_spec_files(package);

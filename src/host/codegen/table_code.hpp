@@ -15,7 +15,7 @@ struct RowField {
     const Column* column{nullptr};
     Value value;
     bool hexadecimal{false};      ///< whether spec/ contains the value as a hexadecimal number
-    std::size_t register_row{0};  ///< row of the table in spec/ from which it comes, counted from 0
+    std::size_t register_row{0};  ///< row of the table in spec/ that contains the value, counted from 0
 };
 using FieldRow = std::vector<RowField>;
 
@@ -29,7 +29,8 @@ class TableCode {
     TableCode(const Register& content, const Part& part, const Table& table)
         : content_{content}, part_{part}, table_{table} {}
 
-    /// Returns whether the cells of an input column contain ranges. Such a column becomes two members: first and last.
+    /// Returns whether the cells of an integer input column contain ranges or "*". Such a column becomes two members:
+    /// first and last.
     bool is_ranged(const Column& column) const;
     std::string type_of(const Column& column) const;
     std::string enumeration_of(const Column& column) const;

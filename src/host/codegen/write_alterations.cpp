@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists every generated cell with its altered value, for `canproof mutate`.
+// Lists the generated cells with their altered values, for `canproof mutate`.
 #include "host/codegen/write_alterations.hpp"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns one row for each alteration: requirement, cell, address, and the bytes that replace those at the address.
+/// Returns one row for each alteration: item, cell, change, address, and the bytes that replace those at the address.
 /// The rows fit code that was generated with changeable cells.
 std::string write_alterations(const Register& content);
 

@@ -18,7 +18,7 @@ struct CobId {
 };
 
 /// Returns the COB-ID that the pre-defined connection set gives a PDO; `first` is the index of the direction's first
-/// PDO. The set contains four PDOs of each direction. For a later PDO, returns a COB-ID that switches it off.
+/// PDO. The set contains four PDOs of each direction. For a later PDO, returns a COB-ID that switches the PDO off.
 CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
     constexpr unsigned predefined = 4;
     const unsigned number = index - first;
@@ -60,10 +60,10 @@ void mend_cob_ids(Part& part, const EdsTelling& tell) {
             }
             entry.value = right->base;
             entry.node_id = right->node_id;
-            tell.note(
-                entry.default_place.line,
-                fmt::format("COB-ID of {:04X}h:{} is 0, which is that of NMT commands", object.index, entry.subindex),
-                fmt::format("{}0x{:X} is assumed", right->node_id ? "$NODEID+" : "", right->base));
+            tell.note(entry.default_place.line,
+                      fmt::format("COB-ID of {:04X}h:{} is 0, which is the COB-ID of NMT commands", object.index,
+                                  entry.subindex),
+                      fmt::format("{}0x{:X} is assumed", right->node_id ? "$NODEID+" : "", right->base));
         }
     }
 }

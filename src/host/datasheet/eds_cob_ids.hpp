@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Replaces each COB-ID whose identifier is 0 by that of the pre-defined connection set (CiA 301), with a note.
-/// Switches off a PDO that is not in the set.
+/// Replaces each COB-ID whose identifier is 0 with the COB-ID of the pre-defined connection set (CiA 301), and adds a
+/// note. Switches off a PDO that is not in the set.
 void mend_cob_ids(Part& part, const EdsTelling& tell);
 
 }  // namespace canproof::host

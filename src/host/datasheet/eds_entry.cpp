@@ -20,7 +20,7 @@ constexpr std::size_t longest_string = 4096;
 struct TypeRow {
     unsigned number;
     const char* word;
-    std::size_t octets;  ///< length of a type that the device treats as bytes; 0: the type has its own name
+    std::size_t octets;  ///< length of a type that the device treats as bytes; 0: the device supports the type
 };
 
 /// The data types of CiA 301, Table 44. No service calculates with the types that are treated as bytes.
@@ -69,7 +69,7 @@ struct EntryKeys {
     const IniValue* high_limit{nullptr};
 };
 
-/// Finds the keys in a section. It searches all in one pass, because a data sheet has thousands of entries.
+/// Finds the keys in a section. Searches for all keys in one pass, because a data sheet has thousands of entries.
 EntryKeys keys_of(const IniSection& section) {
     using Field = const IniValue* EntryKeys::*;
     constexpr std::array<std::pair<std::string_view, Field>, 9> fields{
@@ -139,7 +139,7 @@ void read_type(Entry& entry, const IniSection& section, const EntryKeys& keys, b
     entry.type = row == nullptr ? "OCTET_STRING" : row->word;
     entry.length = row == nullptr ? string_room : row->octets;
     if (entry.length != 0) {
-        tell.note(given->line, fmt::format("DataType {} is carried as {} octets", given->text, entry.length),
+        tell.note(given->line, fmt::format("DataType {} is treated as {} octets", given->text, entry.length),
                   "its bytes are not interpreted");
     }
 }
@@ -215,7 +215,7 @@ void read_limits(Entry& entry, const IniSection& section, const EntryKeys& keys,
     const auto value = entry.node_id ? std::nullopt : number_of(entry.value);
     if (value && ((low && *value < *low) || (high && *value > *high))) {
         tell.note(entry.default_place.line, fmt::format("value {} is outside its limits", to_text(entry.value)),
-                  "the device starts with it; a write of it is refused");
+                  "the device starts with this value, but refuses a write of it");
     }
 }
 
@@ -272,7 +272,7 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
     const auto term = split_node_id(given.text);
     const auto value = term ? eds_value(term->rest, entry.type) : std::nullopt;
     if (!value || (term->has_node_id && !is_integer(entry.type))) {
-        tell.note(given.line, fmt::format("value {} is none of {}", given.text, entry.type),
+        tell.note(given.line, fmt::format("value {} is no value of {}", given.text, entry.type),
                   fmt::format("{} is assumed", to_text(entry.value)));
         return;
     }

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the CiA 301 index of a data type: 7 for UNSIGNED32.
+/// Returns the CiA 301 index of a data type: 7 for UNSIGNED32; 0 for a type that this program does not write.
 unsigned data_type_number(const std::string& type);
 /// Returns the CiA 301 object code: VAR 7, ARRAY 8, RECORD 9, and 2 for a VAR of type DOMAIN.
 unsigned object_code(const Object& object);
@@ -27,8 +27,8 @@ enum class Reals {
 /// Returns the default as text: a decimal number, `0x…` for UNSIGNED32, UNSIGNED64 and the bits of a real,
 /// `$NODEID+0x…`, an unchanged text, or bytes in hexadecimal. Returns an empty text when there is no default.
 std::string eds_default(const Entry& entry, Reals reals = Reals::decimal);
-/// Returns the lowest value as text. Returns nothing when only the type or another object limits it, and for a real
-/// with Reals::without_limits. eds_high_limit() does the same for the highest value.
+/// Returns the lowest value as text. Returns nothing when only the type or another object limits the entry, and for a
+/// real with Reals::without_limits. eds_high_limit() does the same for the highest value.
 std::optional<std::string> eds_low_limit(const Entry& entry, Reals reals);
 std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals);
 /// Returns the access type: ro, wo, rw or const, or rwr or rww for a writable entry that only TPDOs or only RPDOs may

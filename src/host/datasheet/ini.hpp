@@ -83,8 +83,8 @@ struct EdsTelling {
     }
 };
 
-/// Parses the text. Ignores lines without meaning and adds a note for each. Adds a fault for a text that cannot be a
-/// data sheet.
+/// Parses the text. Ignores invalid lines and adds a note for each. Adds a fault for a text that cannot be a data
+/// sheet.
 IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
 /// Returns the lower-case letter for `A` to `Z`, and any other byte unchanged.

@@ -325,7 +325,7 @@ class EdsReader {
         Part& part = result_.part;
         if (entries_ > most_entries) {
             tell_.fault(1, fmt::format("the file describes {} entries", entries_),
-                        fmt::format("at most {} can be run", most_entries));
+                        fmt::format("a device can have at most {} entries", most_entries));
         }
         if (part.objects.empty() && result_.faults.empty()) {
             tell_.fault(1, "the file describes no objects", "name an EDS, DCF or XDD file");
@@ -338,7 +338,7 @@ class EdsReader {
         }
         if (bytes > most_bytes) {
             tell_.fault(1, fmt::format("the values take {} bytes", bytes),
-                        fmt::format("at most {} can be run", most_bytes));
+                        fmt::format("a device can have at most {} bytes of values", most_bytes));
         }
         for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
             if (seen_.count(static_cast<std::uint16_t>(index)) == 0) {

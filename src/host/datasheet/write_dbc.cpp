@@ -27,7 +27,7 @@ DbcSignal::Number number_kind(const std::string& type) {
                                             : DbcSignal::Number::natural;
 }
 
-/// Returns the signal of an entry; its position in the message is not set.
+/// Returns the signal of an entry. Its name, position and length are not set.
 DbcSignal signal_of(const NamedEntry& named) {
     DbcSignal signal;
     const Entry& entry = *named.entry;
@@ -89,7 +89,8 @@ class DbcWriter {
         const std::uint32_t id = cob_id & (extended ? 0x1FFFFFFFU : 0x7FFU);
         const bool off = (cob_id & cob_id_switched_off) != 0;
         if (off || !ids_.insert({id, extended}).second) {
-            left_out_.push_back(fmt::format("{} {}", name, off ? "is switched off" : "has an identifier twice"));
+            left_out_.push_back(
+                fmt::format("{} {}", name, off ? "is switched off" : "has the identifier of another message"));
             return nullptr;
         }
         DbcMessage message;

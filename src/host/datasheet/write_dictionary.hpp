@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns a JSON array with one element for each object.
+/// Returns a JSON object with name, title and vendor of the device, and an array with one element for each object.
 std::string write_object_json(const Part& part);
 /// Returns a Markdown table with one row for each entry.
 std::string write_object_markdown(const Part& part);

@@ -36,7 +36,8 @@ void add_header(pugi::xml_node& profile, const char* name, const char* revision,
     add_text(iso, "ProfileTechnology", reference);
 }
 
-/// Adds the body of a profile of either kind, with the file data that CiA 311 requires.
+/// Adds the body of a profile of this kind (`Device` or `CommunicationNetwork`), with the file data that CiA 311
+/// requires.
 pugi::xml_node add_body(pugi::xml_node& root, const Register& content, const Part& device, const std::string& kind) {
     const Date date = manual_date(content, device);
     auto profile = root.append_child("ISO15745Profile");

@@ -21,7 +21,7 @@ Term aligned(const Object& object, const Term& offset, std::uint64_t alignment) 
     return (rest == constant(context, 0, address_width)).simplify();
 }
 
-/// Returns the places of an address whose object exists in this state.
+/// Returns those places of an address whose object exists in this state.
 std::vector<Place> live_places(const Proof& proof, const State& state, const Term& address) {
     std::vector<Place> live;
     for (const Place& one : places_of(address, proof.objects.size())) {
@@ -86,9 +86,9 @@ void copy(Proof& proof, State& state, const Term& to, const Term& from, const Te
     const Term nothing = (count == count_of(proof, 0)).simplify();
     const AccessSite site{1, where};
     proof.obligations.add(state.path, nothing || means_one(proof, sources, count, site, false),
-                          "what is copied lies in its object", where);
+                          "the bytes to copy lie in their object", where);
     proof.obligations.add(state.path, nothing || means_one(proof, targets, count, site, true),
-                          "what is copied to lies in its object", where);
+                          "the target of a copy lies in its object", where);
     if (is_true(nothing)) {
         return;
     }
@@ -108,12 +108,14 @@ void copy(Proof& proof, State& state, const Term& to, const Term& from, const Te
 void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Term& count, const std::string& where) {
     const auto bytes = number(count);
     if (!bytes || *bytes > most_filled) {
-        throw Unknown{where + ": canproof prove does not support filling memory whose size is not a small constant"};
+        throw Unknown{
+            where +
+            ": canproof prove does not support filling memory whose size is not a constant of at most 65536 bytes"};
     }
     const std::vector<Place> targets = live_places(proof, state, to);
     const Term nothing = proof.context.bool_val(*bytes == 0);
     proof.obligations.add(state.path, nothing || means_one(proof, targets, count, {1, where}, true),
-                          "what is filled lies in its object", where);
+                          "the bytes to fill lie in their object", where);
     for (const Place& target : targets) {
         ContentsPointer next = state.memory.contents(proof.objects, *target.object);
         for (std::uint64_t i = 0; i < *bytes; ++i) {

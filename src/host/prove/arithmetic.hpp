@@ -11,8 +11,8 @@
 
 namespace canproof::host::prove {
 
-/// The result of an instruction, and the condition under which it is defined. Otherwise the behaviour of the program is
-/// undefined.
+/// The result of an instruction, and the condition under which it is defined. When the condition is false, the
+/// behaviour of the program is undefined.
 struct Computed {
     Term value;
     Term defined;

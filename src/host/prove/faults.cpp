@@ -19,7 +19,8 @@ namespace {
 std::string text_of(const toml::table& fault, const char* key, const std::filesystem::path& file) {
     const auto text = fault[key].value<std::string>();
     if (!text) {
-        throw InputError{fmt::format("{}: a fault has no `{}`", file.string(), key)};
+        throw InputError{fmt::format("{}: a fault has no text `{}`; a fault needs name, file, from, to and theorem",
+                                     file.string(), key)};
     }
     return *text;
 }
@@ -57,7 +58,7 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
         for (std::size_t i = 0; faults != nullptr && i < faults->size(); ++i) {
             const toml::table* one = faults->get(i)->as_table();
             if (one == nullptr) {
-                throw InputError{table.string() + ": `fault` is no array of tables"};
+                throw InputError{table.string() + ": `fault` is no array of tables; write each fault as [[fault]]"};
             }
             all.push_back({text_of(*one, "name", table), text_of(*one, "file", table), text_of(*one, "from", table),
                            text_of(*one, "to", table), text_of(*one, "theorem", table)});
@@ -67,7 +68,7 @@ std::vector<Fault> read_faults(const std::filesystem::path& table) {
             fmt::format("{}:{}: {}", table.string(), error.source().begin.line, std::string{error.description()})};
     }
     if (all.empty()) {
-        throw InputError{table.string() + " contains no fault"};
+        throw InputError{table.string() + " contains no fault; write each fault as [[fault]]"};
     }
     return all;
 }

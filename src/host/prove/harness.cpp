@@ -25,12 +25,16 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
     const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
-        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
+        throw Unknown{
+            call.where +
+            ": the memory to leave open must be inside one object, at a constant offset, and have at most 65536 bytes"};
     }
     const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
     const auto* cells = dynamic_cast<const CellContents*>(contents.get());
     if (cells == nullptr || *offset + bytes > cells->cells().size()) {
-        throw Unknown{call.where + ": the memory to leave open must be inside one object"};
+        throw Unknown{
+            call.where +
+            ": the memory to leave open must be inside one object, at a constant offset, and have at most 65536 bytes"};
     }
     return {*places.front().object, *offset, cells->cells()};
 }
@@ -38,7 +42,7 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
 std::uint64_t size_argument(const HarnessCall& call) {
     const auto bytes = number(call.arguments[1]);
     if (!bytes) {
-        throw Unknown{call.where + ": the size of the memory to leave open must be a number"};
+        throw Unknown{call.where + ": the size of the memory to leave open must be a constant"};
     }
     return *bytes;
 }
@@ -90,7 +94,8 @@ void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
     proof.inputs.push_back(std::move(input));
 }
 
-/// Makes new memory with any contents. Its size may be any term, but adds the obligation that it is at most 2^32 bytes.
+/// Makes new memory with any contents. The size may be any term. Adds the obligation that the size is at most 2^32
+/// bytes.
 Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     const Term size = call.arguments[0];
     const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },
@@ -111,7 +116,7 @@ Value each(Proof& proof, const HarnessCall& call) {
     constexpr std::uint64_t most_cases = 256;
     const auto count = number(call.arguments[0]);
     if (!count || *count == 0 || *count > most_cases) {
-        throw Unknown{call.where + ": each() takes a number from 1 to 256"};
+        throw Unknown{call.where + ": each() takes a constant from 1 to 256"};
     }
     const Term chosen =
         constant(proof.context, proof.at.number(proof.each_calls, static_cast<unsigned>(*count)), byte_width);
@@ -166,7 +171,7 @@ HarnessEffect call_harness(Proof& proof, Globals& globals, State& state, Harness
         proof.requirements.push_back(globals.text(call.arguments[0]));
         proof.noted();
     } else {
-        throw Unknown{call.where + ": `" + name + "` is no function of a harness"};
+        throw Unknown{call.where + ": `" + name + "` is no function that properties/proofs/support/proof.hpp declares"};
     }
     return HarnessEffect::goes_on;
 }

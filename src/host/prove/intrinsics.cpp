@@ -18,10 +18,14 @@ constexpr std::uint64_t most_compared = 4096;
 /// (CodeGenFunction.h).
 std::string broken_rule(const Value& arguments) {
     static const std::map<std::uint64_t, std::string> names = {
-        {0, "a sum without overflow"},        {1, "a call of __builtin_unreachable is never reached"},
-        {3, "a quotient without overflow"},   {8, "the end of a function with a result is never reached"},
-        {12, "a product without overflow"},   {13, "a negation without overflow"},
-        {18, "an index lies in its array"},   {20, "a shift by less than the width"},
+        {0, "a sum without overflow"},
+        {1, "a call of __builtin_unreachable is never reached"},
+        {3, "a quotient without overflow and without division by 0"},
+        {8, "the end of a function with a result is never reached"},
+        {12, "a product without overflow"},
+        {13, "a negation without overflow"},
+        {18, "an index lies in its array"},
+        {20, "a shift by less than the width"},
         {21, "a difference without overflow"}};
     if (!arguments.empty()) {
         const auto rule = number(arguments[0]);
@@ -118,7 +122,7 @@ CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call
             proof.obligations.add(state.path, proof.context.bool_val(false), broken_rule(arguments), where);
             return CallEffect::path_ends;
         case llvm::Intrinsic::assume:
-            proof.obligations.add(state.path, as_truth(arguments[0]), "what the compiler assumes", where);
+            proof.obligations.add(state.path, as_truth(arguments[0]), "an assumption of the compiler holds", where);
             return CallEffect::goes_on;
         case llvm::Intrinsic::expect:
         case llvm::Intrinsic::launder_invariant_group:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves execution on: calls, blocks, branches, and paths that merge.
+// Executes calls, blocks and branches, and merges paths.
 #include "host/prove/machine.hpp"
 
 #include "host/prove/block_order.hpp"

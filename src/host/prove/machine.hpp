@@ -33,8 +33,8 @@ class Machine {
     Machine(Proof& proof, const llvm::Module& module)
         : proof_{proof}, layout_{module.getDataLayout()}, globals_{proof, layout_} {}
 
-    /// Executes a call. Returns nothing when no path returns from it. Throws Unknown for anything that the prover does
-    /// not model.
+    /// Executes a call. Returns nothing when no path returns from the call. Throws Unknown for anything that the prover
+    /// does not model.
     std::optional<Return> call(const llvm::Function& function, const std::vector<Value>& arguments, State state);
 
   private:

@@ -114,7 +114,7 @@ Value Machine::load_value(const llvm::LoadInst& read, const Arrival& arrival) {
 
 namespace {
 
-/// A byte that the harness left open and that a value may be, with the condition under which it is that byte.
+/// A byte that the harness left open and that a value may be, with the condition under which the value is that byte.
 struct OpenByte {
     Term when;
     Term byte;
@@ -132,8 +132,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM adds a range to the read of a bool. If the harness has left the byte open, it is assumed to be in the range (0
-/// or 1). For every other byte, the range becomes an obligation.
+/// LLVM adds a range to the read of a bool. If the harness has left the byte open, the byte is assumed to be in the
+/// range (0 or 1). For every other byte, the range becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {
@@ -154,7 +154,8 @@ void Machine::check_range(const llvm::LoadInst& read, const Term& value, const A
     }
     const bool is_open = open.size() == 1 && same(open.front().byte, value);
     if (!is_open) {
-        proof_.obligations.add(arrival.state.path, fits(value), "what is read as a bool is 0 or 1", where_is(read));
+        proof_.obligations.add(arrival.state.path, fits(value), "a byte that is read as a bool is 0 or 1",
+                               where_is(read));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obligations: conditions that must be true on every path. Decides whether each of them is.
+// Obligations: conditions that must be true on every path. Decides for each obligation whether it is true.
 #pragma once
 
 #include <string>
@@ -31,11 +31,11 @@ class Obligations {
 
     struct Outcome {
         Verdict verdict{Verdict::proven};
-        std::string reason;  ///< the first obligation that is refuted or undecided
+        std::string reason;  ///< the refuted obligation; if there is none, the first undecided one
         std::optional<z3::model> counterexample;
     };
-    /// Decides all obligations. One question to the solver covers several of them and may take `milliseconds`. If
-    /// possible, the counterexample also makes all of `preferred` true.
+    /// Decides all obligations. One question to the solver covers several obligations and may take up to
+    /// `milliseconds`. If possible, the counterexample also makes all of `preferred` true.
     Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:

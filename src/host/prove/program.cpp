@@ -43,7 +43,7 @@ Program::Program(const std::vector<std::filesystem::path>& bitcode) : context_{s
     }
     for (std::size_t i = 1; i < bitcode.size(); ++i) {
         if (llvm::Linker::linkModules(*module_, read(bitcode[i], *context_))) {
-            throw InputError{bitcode[i].string() + " does not link"};
+            throw InputError{bitcode[i].string() + " cannot be linked with the harness"};
         }
     }
     prepare();
@@ -82,7 +82,7 @@ const llvm::Function& Program::theorem(const std::string& name) const {
             return one;
         }
     }
-    throw InputError{"there is no theorem " + name};
+    throw InputError{"no theorem has this name (`canproof prove` lists the theorems): " + name};
 }
 
 }  // namespace canproof::host::prove

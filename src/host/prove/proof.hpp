@@ -23,7 +23,7 @@ struct Limits {
     /// time for the question whether a branch can be taken; without an answer in time, the branch counts as possible
     unsigned branch_milliseconds{1000};
     unsigned loop_milliseconds{20000};  ///< the same time from the second pass of a loop on
-    unsigned visits{2000};              ///< executions of one block in one call; bounds the passes of loops
+    unsigned visits{2000};              ///< greatest number of executions of one block in one call
     unsigned depth{64};                 ///< greatest number of nested calls
 };
 
@@ -51,7 +51,7 @@ struct Proof {
     Obligations obligations{context, solver};
     std::size_t unknowns{0};
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< numbers of the terms for bytes that a state leaves open
+    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes that leave_open() left open
     std::string statement{};                  ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`

@@ -63,7 +63,7 @@ std::map<std::string, std::string> exhibit_of(const std::vector<TheoremResult>& 
           {"refuted", count(results, Verdict::refuted)},
           {"unknown", count(results, Verdict::unknown)},
           {"functions of the firmware in proven theorems", functions.size()},
-          {"requirements that they name", requirements.size()},
+          {"requirements that proven theorems name", requirements.size()},
           {"obligations", obligations}}},
         {"open", open},
         {"data", {"proofs.json"}}};

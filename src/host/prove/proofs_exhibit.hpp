@@ -10,8 +10,8 @@
 
 namespace canproof::host::prove {
 
-/// Returns the files of the folder build/exhibits/proofs by name: exhibit.json, and the table as CSV and as JSON. The
-/// exhibit holds when every theorem is proven.
+/// Returns the files of the folder build/exhibits/proofs by name: exhibit.json, the table as CSV and as JSON, and the
+/// assumptions as CSV. The exhibit holds when every theorem is proven.
 std::map<std::string, std::string> exhibit_of(const std::vector<TheoremResult>& results);
 
 }  // namespace canproof::host::prove

@@ -79,7 +79,7 @@ class Task {
             result_.verdict = Verdict::unknown;
             result_.seconds = elapsed();
             result_.reason = late ? fmt::format("not decided in {} s of processor time{}", seconds, result_.reason)
-                                  : fmt::format("the process that decides it ended with status {}", status);
+                                  : fmt::format("the process that decides the theorem ended with status {}", status);
         }
         return result_;
     }
@@ -178,7 +178,8 @@ std::vector<TheoremResult> prove_all(const ProveOptions& options) {
         }
     }
     if (count == 0) {
-        throw InputError{fmt::format("no theorem below {} fits; see --only and --theorem", options.proofs.string())};
+        throw InputError{fmt::format("no theorem below {} matches the options; correct --only or --theorem",
+                                     options.proofs.string())};
     }
     return queue.run();
 }

@@ -29,7 +29,7 @@ ReadShard read_shard(const std::filesystem::path& file) {
         return read;
     } catch (const nlohmann::json::exception&) {
         throw InputError{fmt::format(
-            "{} is not what `canproof prove --shard I/N --json FILE` writes; run that shard again", file.string())};
+            "{} is no result of `canproof prove --shard I/N --json FILE`; run this shard again", file.string())};
     }
 }
 

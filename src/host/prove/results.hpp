@@ -15,7 +15,7 @@ nlohmann::json json_of(const TheoremResult& result);
 TheoremResult result_of(const nlohmann::json& json);
 
 std::size_t count(const std::vector<TheoremResult>& results, Verdict verdict);
-/// Returns a number of paths as text; from a million on, only its order of magnitude.
+/// Returns a number of paths as text; from a million on, with two significant digits.
 std::string paths_text(double paths);
 
 std::string table_of(const std::vector<TheoremResult>& results);

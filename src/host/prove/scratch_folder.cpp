@@ -10,7 +10,8 @@ namespace canproof::host::prove {
 ScratchFolder::ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "canproof-prove-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
-        throw InputError{"cannot make a folder in " + std::filesystem::temp_directory_path().string()};
+        throw InputError{"cannot make a folder below this one; make sure that it is writable and has free space: " +
+                         std::filesystem::temp_directory_path().string()};
     }
     path_ = name;
 }

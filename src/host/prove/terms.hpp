@@ -26,8 +26,8 @@ std::optional<std::uint64_t> number(const Term& term);
 unsigned width_of(const Term& term);
 
 Term constant(z3::context& context, std::uint64_t value, unsigned width);
-/// Converts a truth value to a bit vector of one bit. as_truth() converts it back. Both return any other term
-/// unchanged.
+/// Converts a truth value to a bit vector of one bit. as_truth() converts it back. as_bits() returns a bit vector
+/// unchanged, and as_truth() a truth value.
 Term as_bits(const Term& term);
 Term as_truth(const Term& term);
 /// Converts a bit vector to another width: removes the upper bits, or adds zeros.

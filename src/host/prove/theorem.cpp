@@ -129,10 +129,10 @@ void decide(const Program& program, const Limits& limits, TheoremResult& result,
     } while (result.verdict == Verdict::proven && one.next());
     if (result.verdict == Verdict::proven && reached == Answer::no) {
         result.verdict = Verdict::refuted;
-        result.reason = "no path comes to its end: its assumptions contradict each other";
+        result.reason = "no values reach the end of the theorem: its assumptions contradict each other";
     } else if (result.verdict == Verdict::proven && reached == Answer::unknown) {
         result.verdict = Verdict::unknown;
-        result.reason = "whether its assumptions can hold at all is not decided in time";
+        result.reason = "it is not decided in time whether the assumptions can hold at all";
     }
 }
 

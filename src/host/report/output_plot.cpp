@@ -53,11 +53,11 @@ LinePlot output_plot(std::istream& csv, const std::string& name, const std::vect
     for (const std::string& signal : chosen) {
         if (std::none_of(lines.begin(), lines.end(), [&](const Stimulus& one) { return one.signal == signal; })) {
             throw InputError{
-                fmt::format("{} has no signal {}; its first column after the time names them", name, signal)};
+                fmt::format("{} has no signal {}; the second column of the file names the signals", name, signal)};
         }
     }
     if (chosen.empty() || lines.back().time.us == 0) {
-        throw InputError{fmt::format("{}: no signal changes after 0; there is nothing to draw", name)};
+        throw InputError{fmt::format("{}: no signal changes after 0 s, so there is nothing to draw", name)};
     }
     LinePlot plot;
     plot.title = name;

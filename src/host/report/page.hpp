@@ -17,11 +17,11 @@ struct NavigationEntry {
 struct PageFrame {
     std::vector<NavigationEntry> navigation;  ///< links to the other pages; empty when there are none
     std::string origin;                       ///< plain text below the page and on each printed sheet; may be empty
-    std::string way_back{};                   ///< `../` for each folder around the page: its links begin there
+    std::string way_back{};  ///< path from the page to the folder of the pack, such as `../`; links begin there
 };
 
-/// Returns a complete HTML document. `body` is markup. The navigation marks
-/// `own_page`, which is this page or the one that leads to it. Each printed sheet shows title, origin and number.
+/// Returns a complete HTML document. `body` is markup. The navigation marks `own_page`, which is this page or the page
+/// that links to it. Each printed sheet shows title, origin and number.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 
@@ -46,8 +46,8 @@ struct HtmlChoice {
     std::vector<std::string> words;
 };
 
-/// Returns a search field and lists to choose from. Inside an element of class `filtered` they hide the rows of all its
-/// tables that do not have the searched words and the chosen ones, and each `<details>` without such a row.
+/// Returns a search field and lists to choose from. Inside an element of class `filtered` they hide each row of its
+/// tables that lacks a searched or a chosen word, and each `<details>` without a visible row.
 std::string html_filter(const std::vector<HtmlChoice>& choices);
 
 /// Returns the word of a state as markup with its symbol: `<span class=holds>✓ holds</span>` and so on.

@@ -31,17 +31,19 @@ TEST(ForeignEds, AllFaultsAreReportedAtOnceWithLineAndAssumption) {
     const auto at = [&](const std::string& where) { return "bad.eds:" + std::to_string(line_of(text, where)) + ": "; };
     EXPECT_EQ(texts(read.faults), "");
     const std::string told = texts(read.notes);
-    EXPECT_THAT(told, HasSubstr(at("DefaultValue=0x1G1") + "value 0x1G1 is none of UNSIGNED32; 0 is assumed"));
+    EXPECT_THAT(told, HasSubstr(at("DefaultValue=0x1G1") + "value 0x1G1 is no value of UNSIGNED32; 0 is assumed"));
     EXPECT_THAT(told, HasSubstr(at("AccessType=readonly") + "AccessType readonly is unknown; rw is assumed"));
-    EXPECT_THAT(told, HasSubstr(at("DataType=0x0077") + "DataType 0x0077 is carried as 64 octets; its bytes are not"));
-    EXPECT_THAT(told, HasSubstr(at("DefaultValue=$NODEID*2") + "value $NODEID*2 is none of UNSIGNED32; 0 is assumed"));
+    EXPECT_THAT(told, HasSubstr(at("DataType=0x0077") + "DataType 0x0077 is treated as 64 octets; its bytes are not"));
+    EXPECT_THAT(told,
+                HasSubstr(at("DefaultValue=$NODEID*2") + "value $NODEID*2 is no value of UNSIGNED32; 0 is assumed"));
     EXPECT_THAT(told, HasSubstr(at("LowLimit=200") + "LowLimit 200 is above HighLimit 100; the type alone limits"));
     EXPECT_THAT(told, HasSubstr(at("4=0x2FFF") + "object 2FFFh is listed but not described; it does not exist"));
     EXPECT_THAT(told, HasSubstr(at("5=banana") + "banana is no index; it is ignored"));
     EXPECT_THAT(told, HasSubstr("object 2001h is listed already in line"));
     EXPECT_THAT(told,
                 HasSubstr(at("what is this") + "`what is this` is neither [Section] nor Key=Value; it is ignored"));
-    EXPECT_THAT(told, HasSubstr("COB-ID of 1400h:1 is 0, which is that of NMT commands; $NODEID+0x200 is assumed"));
+    EXPECT_THAT(told,
+                HasSubstr("COB-ID of 1400h:1 is 0, which is the COB-ID of NMT commands; $NODEID+0x200 is assumed"));
     EXPECT_EQ(read.notes.size(), 10U) << told;
     EXPECT_TRUE(std::is_sorted(read.notes.begin(), read.notes.end(),
                                [](const Fault& a, const Fault& b) { return a.place.line < b.place.line; }));
@@ -178,7 +180,7 @@ TEST(ForeignEds, CobIdWithoutAUsableValueIsNeverTheNmtIdentifier) {
     EXPECT_EQ(cob_id(0x1804, 1), "80000000");
     EXPECT_EQ(cob_id(0x1805, 1), "80000000");
     EXPECT_THAT(texts(read.notes), HasSubstr("x:" + std::to_string(line_of(text, "DefaultValue=0\n")) +
-                                             ": COB-ID of 100Eh:0 is 0, which is that of NMT commands; "
+                                             ": COB-ID of 100Eh:0 is 0, which is the COB-ID of NMT commands; "
                                              "$NODEID+0x700 is assumed"));
     EXPECT_THAT(texts(read.notes), Not(HasSubstr("1805h:1")));
 }
@@ -214,7 +216,7 @@ TEST(ForeignEds, FilesWithErrorsRunAndTheAssumptionsAreReported) {
     EXPECT_THAT(notes, HasSubstr("SubNumber 9 is not the number of sub-objects, 3"));
     EXPECT_THAT(notes, HasSubstr("value 101 is outside its limits"));
     EXPECT_THAT(notes, HasSubstr("[2001] has no ParameterName"));
-    EXPECT_THAT(notes, HasSubstr("DataType 0x000C is carried as 6 octets"));
+    EXPECT_THAT(notes, HasSubstr("DataType 0x000C is treated as 6 octets"));
     EXPECT_EQ(read.notes.size(), 5U) << notes;
 }
 
@@ -242,8 +244,8 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
         sections += std::string{name} + "ParameterName=A\nObjectType=8\nCompactSubObj=254\nDataType=7\nAccessType=rw\n";
     }
     const std::string told = texts(read_eds(text + sections, "x").faults);
-    EXPECT_THAT(told, HasSubstr("entries; at most 65535 can be run"));
-    EXPECT_THAT(told, HasSubstr("bytes; at most 65535 can be run"));
+    EXPECT_THAT(told, HasSubstr("entries; a device can have at most 65535 entries"));
+    EXPECT_THAT(told, HasSubstr("bytes; a device can have at most 65535 bytes of values"));
 }
 
 TEST(BrokenEds, FilesCutAtEverySeventhByteAreReadWithoutACrash) {

@@ -312,7 +312,7 @@ TEST(WriteDbc, DisabledOrDuplicateMessagesAreNamedAndLeftOut) {
     EXPECT_EQ(data.faults, "");
     EXPECT_EQ(data.messages.count(0x205), 0U);
     EXPECT_EQ(data.messages.at(0x185).name, "box_RPDO2");
-    EXPECT_THAT(text, HasSubstr("left out: RPDO1 is switched off, TPDO1 has an identifier twice\";\n"));
+    EXPECT_THAT(text, HasSubstr("left out: RPDO1 is switched off, TPDO1 has the identifier of another message\";\n"));
 }
 
 TEST(WriteDbc, IdentifierOf29BitsIsMarked) {

@@ -67,14 +67,15 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
-/// Returns the next step for stale evidence in words, with its command.
+/// Returns the next step with its command when evidence is stale; otherwise an empty text.
 std::string next_step(const Impact& impact) {
-    return impact.stale.empty() ? ""
-                                : "next: `./test`, then read these items with their code and tests and record it: "
-                                  "`canproof spec review ID… --by NAME --role author`\n";
+    return impact.stale.empty()
+               ? ""
+               : "next: run `./test`; then read the stale items with their code and tests, and record the review: "
+                 "`canproof spec review ID… --by NAME --role author`\n";
 }
 
-/// Returns the items that a file of code implements or a file of tests verifies.
+/// Returns the items that a file of code implements or uses, and those that tests in the file verify.
 std::set<std::string> items_in(const std::string& file, const Evidence& evidence) {
     std::set<std::string> ids;
     for (const auto* places : {&evidence.implemented, &evidence.used}) {

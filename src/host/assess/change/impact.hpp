@@ -17,7 +17,8 @@ struct VerdictChange {
     std::string after;
 };
 
-/// Returns the items whose result over all their tests differs: passed, failed or none.
+/// Returns the items whose result differs between `before` and `after`. The result of an item is `passed` when all its
+/// tests passed, `failed` when one failed, and `none` when no test claims the item.
 std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidence& after);
 
 struct Impact {
@@ -29,10 +30,11 @@ struct Impact {
     bool empty() const { return items.empty() && files.empty() && verdicts.empty() && stale.empty(); }
 };
 
-/// Returns each change with its linked decisions, code and tests, as text.
+/// Returns the changes as text: each changed item with its linked decisions, code and tests, each changed file with its
+/// items, the changed verdicts, the stale items, and a last line with the sums.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
-/// Returns the same changes as JSON.
+/// Returns the changes as JSON, without the links of the items.
 std::string impact_json(const Impact& impact);
 
 }  // namespace canproof::host

@@ -18,8 +18,9 @@ std::string git(const std::filesystem::path& root, std::vector<std::string> word
     words.insert(words.begin(), {"git", "-C", root.string()});
     const auto text = output_of(words);
     if (!text) {
-        throw InputError{fmt::format("there is no git revision `{}` of {}; name a commit, branch or tag", revision,
-                                     std::filesystem::absolute(root).string())};
+        throw InputError{fmt::format(
+            "git finds no revision `{}` in {}; install git if it is missing, and name a commit, branch or tag",
+            revision, std::filesystem::absolute(root).string())};
     }
     return *text;
 }

@@ -23,7 +23,8 @@ class Checkout {
         : folder_{fs::temp_directory_path() / "canproof-diff-XXXXXX"} {
         std::string name = folder_.string();
         if (mkdtemp(name.data()) == nullptr) {
-            throw InputError{fmt::format("cannot make a folder in {}", fs::temp_directory_path().string())};
+            throw InputError{fmt::format("cannot make a folder in {}; make sure that it is writable and has free space",
+                                         fs::temp_directory_path().string())};
         }
         folder_ = name;
         const auto done = output_of({"sh", "-c",
@@ -32,7 +33,8 @@ class Checkout {
                                      "sh", root.string(), revision, name});
         if (!done) {
             remove();
-            throw InputError{fmt::format("git cannot read the revision `{}`", revision)};
+            throw InputError{fmt::format(
+                "cannot extract the revision `{}` with git and tar; name a commit, branch or tag", revision)};
         }
     }
     Checkout(const Checkout&) = delete;

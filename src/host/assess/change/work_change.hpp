@@ -19,11 +19,12 @@ struct WorkChange {
     bool tests{false};  ///< whether the body of a test that claims the item differs
 };
 
-/// Returns the items whose marks differ, by id. A change of comments or layout changes no mark.
+/// Returns the items whose marks (see ItemWork) differ, in the order of the ids. A change of comments or layout changes
+/// no mark.
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after);
 
-/// Returns the marks of the sources at a revision, for the items of `content` and the tests in `verdicts`. Reads the
-/// revision from a copy in a temporary folder. Throws InputError when git cannot read the revision.
+/// Returns the marks of code and tests at a revision, for the items of `content` and the tests in `verdicts`. Extracts
+/// the revision into a temporary folder. Throws InputError when this fails.
 WorkByItem work_at(const std::filesystem::path& root, const std::string& revision,
                    const std::filesystem::path& verdicts, const Register& content);
 

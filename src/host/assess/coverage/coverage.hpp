@@ -20,8 +20,8 @@ struct CoverageCount {
     double percent() const;
 };
 
-/// An element that no run reached. `code` is the element's text in the source. A record identifies the element by this
-/// text.
+/// An element that no run covered. `code` is the element's text in the source, or the name of the function. A record in
+/// reports/coverage.toml identifies the element by this text.
 struct CoverageGap {
     std::string kind;  ///< function, line, branch or condition
     std::string file;  ///< relative to the project's folder

@@ -10,8 +10,8 @@
 
 namespace canproof::host {
 
-/// Returns JSON with lines, branches and MC/DC conditions of the firmware, in total and by file. It lists every place
-/// that no run reached, with its recorded reason, and the verdict.
+/// Returns JSON with lines, branches and MC/DC conditions of the firmware, in total and by file, and with the verdict.
+/// Lists each gap of the verdict with its recorded reason; these include conditions of the host's buses and replay.
 std::string coverage_json(const std::vector<FileCoverage>& files, const CoverageVerdict& verdict);
 
 }  // namespace canproof::host

@@ -42,7 +42,7 @@ CoverageVerdict judge_coverage(const std::vector<FileCoverage>& files, const std
     for (const auto& file : files) {
         for (const auto& gap : file.gaps) {
             if (file.is_host() && gap.kind != "condition") {
-                continue;  // files of the host are judged by MC/DC alone, so their gaps need no record
+                continue;  // files of the host are judged by MC/DC alone, so their other gaps need no record
             }
             JudgedGap judged{gap, ""};
             for (std::size_t i = 0; i < records.size(); ++i) {

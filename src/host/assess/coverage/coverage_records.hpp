@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code, in one file
-/// or below one folder.
+/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code in a file
+/// whose path begins with `file`, so `file` can be a folder.
 struct CoverageRecord {
     std::string file;
     std::string kind;
@@ -37,7 +37,7 @@ struct CoverageVerdict {
     static constexpr double least_host_conditions = 95.0;
 
     std::vector<JudgedGap> gaps;
-    std::vector<CoverageRecord> unused;  ///< records that match no gap, because the code has changed
+    std::vector<CoverageRecord> unused;  ///< records that match no gap: the code has changed, or a run covers it now
     CoverageCount conditions;            ///< conditions of the firmware
     CoverageCount host_conditions;       ///< conditions of the host's buses and replay
 

@@ -150,7 +150,8 @@ class FileReader {
         tell_silent_lines();
     }
 
-    /// Adds the lines that never ran as gaps. Consecutive lines form one gap with the text of the first.
+    /// Adds one gap for each sequence of consecutive lines that never ran, with the text of the first line. Omits the
+    /// bodies of functions that were never called: each is already a gap.
     void tell_silent_lines() {
         unsigned last = 0;
         for (const auto& [line, count] : made_.lines) {
@@ -256,7 +257,8 @@ std::string without_arguments(const std::string& name) {
     return plain;
 }
 
-/// Returns `canproof::Node::receive` for a mangled name. llvm-cov puts `file:` before names that are local to a file.
+/// Returns the readable form of a mangled name, such as `canproof::Node::receive`. llvm-cov puts `file:` before names
+/// that are local to a file.
 std::string readable(std::string name) {
     name = name.substr(name.rfind(':') == std::string::npos ? 0 : name.rfind(':') + 1);
     int status = 0;
@@ -298,9 +300,8 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                                         const SourceAge age) {
     std::ifstream in{file};
     if (!in) {
-        throw InputError{
-            fmt::format("there is no measurement {}; tests/coverage makes it, in your own project `./run coverage`",
-                        file.string())};
+        throw InputError{fmt::format(
+            "there is no measurement {}; run tests/coverage, or `./run coverage` in your own project", file.string())};
     }
     std::vector<FileCoverage> files;
     try {

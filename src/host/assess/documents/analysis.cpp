@@ -28,7 +28,7 @@ void read_failures(TomlItem& whole, Analysis& into) {
         one.note = item.text_or("note", "");
         one.place = item.place();
         if (one.signals.empty() == one.at.empty()) {
-            item.fault("it must name either `signals` or `at`", "write one of the two");
+            item.fault("a failure mode must name either `signals` or `at`, not both", "write one of the two");
         }
         into.failure_modes.push_back(one);
         item.finish();
@@ -95,7 +95,7 @@ class AnalysisCheck {
     const Part& device(const std::string& name, const Place& place) const {
         const Part* part = content_.part(name);
         if (part == nullptr || !part->is_device()) {
-            fail(place, fmt::format("`{}` is no device; `canproof devices` lists them", name));
+            fail(place, fmt::format("`{}` is no device; `canproof devices` lists the devices", name));
         }
         return *part;
     }
@@ -103,7 +103,9 @@ class AnalysisCheck {
     void requirements(const std::vector<std::string>& ids, const Place& place) const {
         for (const auto& id : ids) {
             if (in_force_.count(id) == 0) {
-                fail(place, fmt::format("`{}` is no requirement in force; name another", id));
+                fail(place,
+                     fmt::format("`{}` is no requirement in force: it is unknown or retired; name another requirement",
+                                 id));
             }
         }
     }
@@ -121,19 +123,23 @@ class AnalysisCheck {
         const auto signal = std::find_if(part.signals.begin(), part.signals.end(),
                                          [&id](const Signal& candidate) { return candidate.id == id; });
         if (signal == part.signals.end()) {
-            fail(one.place,
-                 fmt::format("{} has no signal `{}`; `canproof signals {}` lists them", part.name, id, part.name));
+            fail(one.place, fmt::format("{} has no signal `{}`; `canproof signals {}` lists its signals", part.name, id,
+                                        part.name));
         }
         const auto modes = modes_of(*signal);
         if (std::find(modes.begin(), modes.end(), one.mode) == modes.end()) {
             fail(one.place,
-                 fmt::format("a signal like `{}` has no mode `{}`; it has: {}", id, one.mode, fmt::join(modes, ", ")));
+                 fmt::format("the signal `{}` has no failure mode `{}`; its modes are (none for an output): {}", id,
+                             one.mode, fmt::join(modes, ", ")));
         }
     }
 
     void check_error(const Part& part, const std::string& error, const Place& place) const {
         if (emergency_code(content_, part, error).empty()) {
-            fail(place, fmt::format("no table of errors of {} has `{}`", part.name, error));
+            fail(place,
+                 fmt::format(
+                     "no table of errors of {} contains the error `{}`; name an error of the requirements register",
+                     part.name, error));
         }
     }
 

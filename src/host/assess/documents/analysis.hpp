@@ -63,13 +63,16 @@ struct Analysis {
 };
 
 /// Reads all TOML files of the folder; returns an empty analysis when the folder does not exist. Throws InputError with
-/// file, line and fix for unreadable content, and for an id, device, signal or error that the register does not have.
+/// file, line and fix for unreadable content, and for an id, device, signal, failure mode or error that the register
+/// does not have.
 Analysis read_analysis(const std::filesystem::path& folder, const Register& content);
 
-/// Returns the failure modes that the analysis of a signal must treat, by the signal's type and direction.
+/// Returns the failure modes that the analysis of a signal must treat; they depend on the signal's type. Returns none
+/// for an output.
 std::vector<std::string> modes_of(const Signal& signal);
 
-/// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors has it.
+/// Returns the emergency code of an error of the device, such as `8130h`; empty when no table of errors contains the
+/// error or its code.
 std::string emergency_code(const Register& content, const Part& part, const std::string& error);
 
 }  // namespace canproof::host

@@ -83,7 +83,8 @@ Document error_matrix(const Register& content, const Part& part, const Analysis&
     return {"error-matrix",
             fmt::format("Errors and emergency messages of the {}", part.info.title),
             "Each error of the device with its emergency code, its bits of 1001h (error register), the lamps, and the "
-            "requirements that name the code. The device stays silent where a column `sent` is false.",
+            "requirements that name the code. The device sends no emergency message for an error whose column `sent` "
+            "is false.",
             {Chapter{"Matrix",
                      {"The rows come from the register's tables of errors. `missing` means that no requirement of this "
                       "device names the code, or that no lamp is recorded; the shared requirements may still "

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns each error with its codes, its lamps, and the requirements that name it.
+/// Returns each error with its code, its lamps, and the requirements that name the code.
 Document error_matrix(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the number of the enumeration's word `value`; returns `value` itself when the column has no enumeration.
+/// Returns the number of `value` when it is a word of the column's enumeration; otherwise `value` itself.
 Value number_in(const Register& content, const Part& part, const Column& column, const Value& value) {
     const auto* word = std::get_if<std::string>(&value);
     const Enumeration* enumeration =

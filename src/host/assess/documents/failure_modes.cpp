@@ -85,15 +85,18 @@ Document failure_modes(const Register& content, const Part& part, const Analysis
     Document made{
         "failure-modes",
         fmt::format("Software FMEA of the {}, a skeleton", part.info.title),
-        "Each input signal by failure mode: which requirement detects it, what the device does, which emergency "
-        "message it sends. Outputs follow the hazards of the register.",
-        {Chapter{"Inputs, messages and memory",
-                 {"The modes follow from the type of a signal: a real number can be too low, too high, NaN, or "
-                  "plausible and wrong; any other number can leave its range; a switch can be stuck.",
-                  "`missing` means that no requirement is recorded for it. It does not mean that the device "
-                  "behaves wrongly. Failures inside the processor (RAM, flash, core) are not analysed."},
-                 {input_table(content, part, analysis), message_table(content, part, analysis)}},
-         Chapter{"Outputs", {"The failures of outputs and messages are those of the hazards."}, {output_table(part)}}}};
+        "The requirements that detect each failure mode of an input, the reaction of the device, and the emergency "
+        "message. The failures of the outputs come from the hazards of the register.",
+        {Chapter{
+             "Inputs, messages and memory",
+             {"The modes follow from the type of a signal: a real number can be too low, too high, NaN, or plausible "
+              "and wrong; any other number can be outside its range, or plausible and wrong; a switch can be stuck.",
+              "`missing` means that the analysis records no requirement or no emergency message. It does not mean that "
+              "the device behaves wrongly. Failures inside the processor (RAM, flash, core) are not analysed."},
+             {input_table(content, part, analysis), message_table(content, part, analysis)}},
+         Chapter{"Outputs",
+                 {"The register lists these failures of outputs and messages with its hazards."},
+                 {output_table(part)}}}};
     made.chapters.front().text.push_back(
         fmt::format("{} cells of this document contain `missing`.", count_missing(made)));
     return made;

@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns detection, reaction and emergency code for each failure mode of the signals and messages.
+/// Returns detection, reaction and emergency code for each failure mode of the input signals, messages and memory, and
+/// the failures of the outputs from the hazards.
 Document failure_modes(const Register& content, const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

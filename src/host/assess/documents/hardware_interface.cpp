@@ -47,10 +47,10 @@ Chapter factory_chapter(const Part& part) {
             }
         }
     }
-    return {
-        "Factory data",
-        {table.rows.empty() ? "The device has no factory data." : "The instance of the device supplies these values."},
-        table.rows.empty() ? std::vector<DocumentTable>{} : std::vector<DocumentTable>{table}};
+    return {"Factory data",
+            {table.rows.empty() ? "The device has no factory data."
+                                : "Each single device has its own factory values. The table lists those of the model."},
+            table.rows.empty() ? std::vector<DocumentTable>{} : std::vector<DocumentTable>{table}};
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Document hardware_interface(const Part& part) {
                   "through a queue, and "
                   "physical inputs and outputs are plain data. A driver converts each signal to and from its hardware.",
                   "The range of an input is what the simulation accepts. Some inputs belong to the simulated world "
-                  "alone; their description states it."},
+                  "alone; their meaning in the table states this."},
                  {signal_table(part, true), signal_table(part, false)}},
          Chapter{"Physical behaviour", {}, {physical}}, factory_chapter(part)}};
 }

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns the signals with type, unit, range and source, the factory data, and the tasks of the drivers.
+/// Returns the signals with type, unit, range and source, the requirements of kind physical, and the factory data.
 Document hardware_interface(const Part& part);
 
 }  // namespace canproof::host

@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns COB-IDs, PDOs with their default mapping, services, timing and objects.
+/// Returns COB-IDs, PDOs with their default mapping, services, timing, emergency codes and objects.
 Document interface_control(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -30,7 +30,7 @@ std::string mapping_words(const std::string& mapping) {
     return mapping == "rpdo"   ? "may be mapped into RPDOs"
            : mapping == "tpdo" ? "may be mapped into TPDOs"
            : mapping == "both" ? "may be mapped into RPDOs and TPDOs"
-                               : "is in no PDO";
+                               : "cannot be mapped into PDOs";
 }
 
 std::string default_words(const Entry& entry) {
@@ -38,7 +38,7 @@ std::string default_words(const Entry& entry) {
     if (value.empty()) {
         return "no default";
     }
-    return fmt::format("default {}{}", value, entry.factory ? " (the instance's own factory value comes instead)" : "");
+    return fmt::format("default {}{}", value, entry.factory ? " (each single device has a factory value instead)" : "");
 }
 
 std::string with_unit(const std::string& text, const std::string& unit) {

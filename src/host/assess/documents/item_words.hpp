@@ -15,7 +15,7 @@ std::string object_words(const Object& object);
 std::string constant_words(const Constant& constant);
 std::string enumeration_words(const Enumeration& enumeration);
 std::string table_words(const Table& table);
-/// Returns direction, type, unit, range and default.
+/// Returns names, direction, type, unit, range and the value at power-on.
 std::string signal_words(const Signal& signal);
 
 /// Returns the description of the part's item with this id. Returns an empty text for requirements and decisions,

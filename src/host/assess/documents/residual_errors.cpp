@@ -33,22 +33,18 @@ Chapter arithmetic_chapter() {
         table.rows.push_back({fmt::format("{:.0e}", p), fmt::format("{:.2e}", two_or_more_wrong(longest_frame_bits, p)),
                               fmt::format("{:.2e}", undetected_in_frame(p))});
     }
-    return {
-        "Arithmetic",
-        {fmt::format(
-             "A data frame with an 11-bit identifier and eight bytes has 1 + 11 + 1 + 2 + 4 + 64 + 15 + 1 + 2 + 7 "
-             "+ 3 = {} bits, intermission included, stuff bits left out.",
-             longest_frame_bits),
-         fmt::format("With bit errors that are independent and have the probability p, at least two of n = {} bits are "
-                     "wrong with the probability 1 - (1 - p)^n - n p (1 - p)^(n - 1).",
-                     longest_frame_bits),
-         "CAN detects each single bit error. For two and more the estimate takes no credit for the Hamming distance of "
-         "the CRC, because an error at a stuff bit can shift the bits behind it. It takes a wrong frame to pass the "
-         "CRC "
-         "of 15 bits with the probability 2^-15 = 3.05e-5. This is an estimate and no bound: it also takes no credit "
-         "for "
-         "the checks of form, acknowledgement and stuffing."},
-        {table}};
+    return {"Arithmetic",
+            {fmt::format("A data frame with an 11-bit identifier and eight bytes has 1 + 11 + 1 + 2 + 4 + 64 + 15 + 1 "
+                         "+ 2 + 7 + 3 = {} bits, intermission included, stuff bits left out.",
+                         longest_frame_bits),
+             fmt::format("With bit errors that are independent and have the probability p, at least two of n = {} bits "
+                         "are wrong with the probability 1 - (1 - p)^n - n p (1 - p)^(n - 1).",
+                         longest_frame_bits),
+             "CAN detects each single bit error. For two or more bit errors, the estimate ignores the Hamming distance "
+             "of the CRC, because an error at a stuff bit can shift the bits behind it. It assumes that a wrong frame "
+             "passes the CRC of 15 bits with the probability 2^-15 = 3.05e-5. This is an estimate, not a bound: it "
+             "also ignores for the checks of form, acknowledgement and stuffing."},
+            {table}};
 }
 
 Chapter rates_chapter(const Register& content) {
@@ -63,21 +59,20 @@ Chapter rates_chapter(const Register& content) {
             row.push_back(fmt::format("{:.1e}", frames * undetected_in_frame(p)));
         }
     }
-    return {
-        "Figures",
-        {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
-         "IEC 61784-3 requires p = 1e-2 unless a better value is shown. One per cent of the dangerous failures that "
-         "SIL 3 "
-         "allows is 1e-9 an hour. The table shows which rows are above it: CAN alone carries no safety function. A "
-         "safety protocol above CANopen (EN 50325-5, for example) is missing here.",
-         "No bit error was measured: p is assumed."},
-        {table}};
+    return {"Figures",
+            {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
+             "IEC 61784-3 requires p = 1e-2 unless a better value is shown. One per cent of the dangerous failures "
+             "that SIL 3 allows is 1e-9 an hour. Where a rate of the table exceeds this, CAN alone must not carry a "
+             "safety function. A safety protocol above CANopen (EN 50325-5, for example) is missing here.",
+             "No bit error was measured: p is assumed."},
+            {table}};
 }
 
 }  // namespace
 
 double two_or_more_wrong(const int bits, const double bit_error) {
-    // For small p, 1 - (1-p)^n - n p (1-p)^(n-1) loses all significant digits; the sum of its terms does not.
+    // For small p, 1 - (1-p)^n - n p (1-p)^(n-1) loses all significant digits. The sum over the probabilities of 2 to n
+    // wrong bits does not.
     double sum = 0.0;
     double term = bits * bit_error * std::pow(1.0 - bit_error, bits - 1);
     for (int wrong = 2; wrong <= bits; ++wrong) {
@@ -100,13 +95,12 @@ Document residual_errors(const Register& content, const Analysis& analysis) {
     for (const auto& one : analysis.communication) {
         table.rows.push_back({one.error, joined_or(one.by, missing), one.rest});
     }
-    return {
-        "residual-errors",
-        "Residual errors of the communication",
-        "The rate of wrong frames that pass the checks of CAN, with the arithmetic, and the detection of the errors of "
-        "communication that IEC 61784-3 lists.",
-        {arithmetic_chapter(), rates_chapter(content),
-         Chapter{"Errors by kind", {"The list follows the kinds of IEC 61784-3, in our words."}, {table}}}};
+    return {"residual-errors",
+            "Residual errors of the communication",
+            "The rate of wrong frames that pass the checks of CAN, with the arithmetic, and the detection of the "
+            "errors of communication that IEC 61784-3 lists.",
+            {arithmetic_chapter(), rates_chapter(content),
+             Chapter{"Errors by kind", {"The list follows the kinds of IEC 61784-3, in our words."}, {table}}}};
 }
 
 }  // namespace canproof::host

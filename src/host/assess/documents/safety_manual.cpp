@@ -70,7 +70,8 @@ Chapter integrator_chapter(const Register& content, const Part& part) {
         }
     }
     return {"What the integrator must do",
-            {"The firmware cannot keep these conditions, and no test shows them. The plant must cover each of them."},
+            {"The firmware does not prevent these failures and cannot ensure these conditions. The integrator must "
+             "handle each failure and ensure each condition."},
             {left, conditions}};
 }
 

@@ -7,7 +7,8 @@
 
 namespace canproof::host {
 
-/// Returns the chapters: hazards, conditions of use, decisions for the integrator, limits and reactions to faults.
+/// Returns the chapters: scope, hazards, duties of the integrator with the conditions of use, limits, decisions for the
+/// integrator, and reactions to faults.
 Document safety_manual(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -38,8 +38,8 @@ Document threats(const Part& part, const Analysis& analysis) {
     return {
         "threats",
         fmt::format("Threats to the {}", part.info.title),
-        "What an attacker on the bus can do with each service of the device, sorted by the seven foundational "
-        "requirements of IEC 62443, and what limits it.",
+        "The attacks that each service of the device permits to an attacker on the bus, each with its foundational "
+        "requirement of IEC 62443, and the requirements that limit the attack.",
         {Chapter{
             "Services",
             {"CANopen has no authentication, no encryption and no source address: anyone with access to the bus can "

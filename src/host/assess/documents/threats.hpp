@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns the threats to each service of the device, sorted by the foundational requirements of IEC 62443.
+/// Returns the threats to the services of the device in the order of the analysis, each with its foundational
+/// requirement of IEC 62443.
 Document threats(const Part& part, const Analysis& analysis);
 
 }  // namespace canproof::host

@@ -11,11 +11,13 @@ namespace canproof::host {
 
 /// Returns the words separated by commas: `A-1, A-2`. Returns `otherwise` for an empty list.
 std::string joined_or(const std::vector<std::string>& words, const std::string& otherwise = "");
-/// Returns the range with its unit: `-40 … 85 °C`. Returns an empty text for a signal without limits.
+/// Returns the range with its unit: `-40 … 85 °C`. Returns an empty text for a signal without a minimum or without a
+/// maximum.
 std::string range_of(const Signal& signal);
 /// Returns the part's requirements of this kind that are in force, as rows of id, text and sources.
 std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind);
-/// Returns title, revision and date of the device's manual.
+/// Returns title, publisher, revision and date of the device's manual; only its name when the register does not
+/// describe the manual.
 std::string manual_words(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -19,8 +19,8 @@ void read_claims(TomlItem& whole, Argument& argument) {
                           item.text_or("limits", "")};
         const auto known = [&claim](const Claim& other) { return other.id == claim.parent; };
         if (!claim.parent.empty() && std::none_of(argument.claims.begin(), argument.claims.end(), known)) {
-            item.fault(item.place("parent"), fmt::format("there is no claim `{}` before this one", claim.parent),
-                       "name a claim above it");
+            item.fault(item.place("parent"), fmt::format("there is no claim `{}` above this claim", claim.parent),
+                       "name a claim that stands before this claim in the file");
         }
         argument.claims.push_back(claim);
         item.finish();
@@ -64,7 +64,7 @@ void read_rows(TomlItem& item, std::vector<Technique>& into) {
         const auto fields = fields_of(row);
         if (fields.size() != columns) {
             item.fault(item.place("rows"), fmt::format("`{}` has {} fields", row, fields.size()),
-                       "write number | technique | level | state | what is here");
+                       "write five fields: number | technique | level | state | what is here");
         } else if (std::find(states.begin(), states.end(), fields[3]) == states.end()) {
             item.fault(item.place("rows"), fmt::format("`{}` is no state", fields[3]),
                        fmt::format("write one of: {}", fmt::join(states, ", ")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The argument of reports/argument.toml: claims, the techniques of the standards, and the tools with the means that
-// detect the tools' errors.
+// The argument: the claims, the expected evidence and the tools of reports/argument.toml, and the techniques of the
+// standards of reports/techniques.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ struct Argument {
     std::vector<Tool> tools;
 };
 
-/// Reads reports/argument.toml. Throws InputError with file, line and fix.
+/// Reads reports/argument.toml; leaves `techniques` empty. Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
 
 /// Reads all `.toml` files of a folder, in the order of their names, and returns the rows of their tables of techniques

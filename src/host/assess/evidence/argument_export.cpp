@@ -44,9 +44,9 @@ struct Box {
 /// Returns a box as SVG. `corner` is the radius of the corners: 0 for a goal, more for a solution.
 std::string box_svg(const Box& box, const int corner) {
     const std::string shown = fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>"
-        "<text x=\"{}\" y=\"{}\" font-size=\"11\" font-weight=\"600\" fill=\"#1b2220\">{}</text>"
-        "<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"{}\">{}</text>",
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" "
+        "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\" font-size=\"11\" font-weight=\"600\" "
+        "fill=\"#1b2220\">{}</text><text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"{}\">{}</text>",
         box.x, box.y, box_width, box_height, corner, outline_of(box.state), box.x + 8, box.y + 16, escaped(box.title),
         box.x + 8, box.y + 31, outline_of(box.state), word_of(box.state));
     return box.link.empty() ? shown : fmt::format("<a href=\"{}\">{}</a>\n", escaped(box.link), shown);
@@ -73,7 +73,7 @@ std::vector<const Claim*> children_of(const Argument& argument, const std::strin
     return all;
 }
 
-/// Draws one column: a goal and its solutions below it. Returns the lowest y coordinate used.
+/// Draws one column: a goal and its solutions below it. Returns the y coordinate of the bottom edge.
 int draw_column(std::string& text, const Claim& claim, const Argument& argument, const Exhibits& exhibits, const int x,
                 const int y) {
     text += box_svg({x, y, "#" + claim.id, claim.id, state_of_claim(claim, argument, exhibits)}, 0);
@@ -129,11 +129,10 @@ std::string argument_graph(const Argument& argument, const Exhibits& exhibits) {
         x += children.empty() ? box_width + gap : 0;
     }
     return fmt::format(
-        "<figure class=wrap><svg viewBox=\"0 0 {0} {1}\" style=\"min-width:{0}px\" role=\"group\" "
-        "aria-label=\"Graph of the claims, each with the evidence below it; the list below has the same content\" "
+        "<figure class=wrap><svg viewBox=\"0 0 {0} {1}\" style=\"min-width:{0}px\" role=\"group\" aria-label=\"Graph "
+        "of the claims, each with the evidence below it; the list below has the same content\" "
         "font-family=\"system-ui,sans-serif\">\n{2}</svg><figcaption>Square boxes are claims, round boxes are "
-        "evidence. Each "
-        "is a link.</figcaption></figure>\n",
+        "evidence. A box links to its claim, or to the page of its evidence.</figcaption></figure>\n",
         std::max(x, box_width) + 4, lowest + 4, text);
 }
 

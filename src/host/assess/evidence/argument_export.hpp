@@ -13,8 +13,8 @@ namespace canproof::host {
 /// Returns JSON: goals with parent, state, limits and solutions; each solution with its state and its sentence.
 std::string write_argument_json(const Argument& argument, const Exhibits& exhibits);
 
-/// Returns SVG markup of the top claim, the claims directly below it, and their evidence. Each box links to its
-/// element. Deeper claims are left out.
+/// Returns SVG markup of the top claim, the claims directly below it, and their evidence. The box of a claim links to
+/// the claim; the box of evidence links to its page, if there is one. Deeper claims are left out.
 std::string argument_graph(const Argument& argument, const Exhibits& exhibits);
 
 }  // namespace canproof::host

@@ -115,9 +115,8 @@ std::string argument_page(const PackInput& input, const Exhibits& exhibits) {
                          escaped(one.noticed), escaped(one.defects)});
     }
     return "<h2>Claims</h2>\n" + argument_graph(input.argument, exhibits) + claims_markup(input.argument, exhibits) +
-           "<h2>Confidence in tools</h2>\n<p>The class is that of IEC 61508-4: a T2 tool checks and could miss a "
-           "fault, a T3 "
-           "tool makes what runs and could put one in. No tool is qualified.</p>\n" +
+           "<h2>Confidence in tools</h2>\n<p>The class is that of IEC 61508-4: a T2 tool checks the code and could "
+           "miss a fault; a T3 tool makes the code that runs and could add a fault. No tool is qualified.</p>\n" +
            html_table(
                "Tools and their classes",
                {{"Tool", 12}, {"Class", 6}, {"Version", 12}, {"Could hide", 22}, {"Noticed by", 26}, {"Known defects"}},

@@ -47,14 +47,14 @@ std::string title_of(const Part& part) {
     return part.info.title.empty() ? part.name : part.info.title;
 }
 
-/// Returns `text` as a link to a line of a source; plain when the pack does not have the source.
+/// Returns `text` as a link to a line of a source; returns `text` unchanged when the pack does not contain the source.
 std::string linked(const PackInput& input, const std::string& file, const unsigned line, const std::string& text) {
     const std::string place = source_link(input, file, line);
     return place.empty() ? text : fmt::format("<a href=\"{}\">{}</a>", escaped(place), text);
 }
 
-/// Returns a place in the code without what all places of the part share: `firmware/canopen/sdo.cpp:12` without `src/`,
-/// `relay.cpp:12` without the folder of the device's firmware.
+/// Returns a place in the code without its common folder: `relay.cpp:12` for a place in the folder of the device's
+/// firmware, `firmware/canopen/sdo.cpp:12` for another place below `src/`.
 std::string short_place(const Part& part, const std::string& place) {
     for (const auto& common : {"src/devices/" + part.name + "/firmware/", std::string{"src/"}}) {
         if (place.rfind(common, 0) == 0) {
@@ -76,13 +76,13 @@ std::string places_of(const PackInput& input, const Part& part, const std::strin
     return all.empty() ? "" : fmt::format("<p>{}</p>", fmt::join(all, ", "));
 }
 
-/// Returns the tests of an item, those of one suite with one result in one line.
+/// Returns the tests of an item, with one line for the tests of the same suite, kind and result.
 std::string tests_of(const PackInput& input, const std::string& id) {
     const auto found = input.evidence.verdicts.find(id);
     if (found == input.evidence.verdicts.end()) {
         return "";
     }
-    std::map<std::string, std::vector<std::string>> lines;  // links by the head of their line
+    std::map<std::string, std::vector<std::string>> lines;  // links to the tests, by the beginning of their line
     for (const auto& verdict : found->second) {
         const auto dot = verdict.test.find('.');
         const std::string suite = verdict.test.substr(0, dot);
@@ -99,7 +99,7 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     return text;
 }
 
-/// Returns the counts of altered cells of an item.
+/// Returns how many altered table cells of an item the tests noticed; empty when the pack has no such count.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";
@@ -138,7 +138,7 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
                 mutants_of(item.id, input)};
 }
 
-/// Returns the numbers of items, of shown, suspect, open and failed ones.
+/// Returns the number of all items, and the numbers of the shown, suspect, open and failed items.
 std::vector<std::string> count_cells(const std::vector<const AuditedItem*>& items) {
     auto counts = count_states(items);
     std::vector<std::string> cells{std::to_string(items.size())};
@@ -227,8 +227,8 @@ std::string audit_page(const PackInput& input) {
         gaps.insert(gaps.end(), audit.gaps.begin(), audit.gaps.end());
         suspects.insert(suspects.end(), audit.suspects.begin(), audit.suspects.end());
     }
-    return "<p>Every item of the register has its place on the page of its device: its text, its place in the manual, "
-           "the decisions that affect it, the code that names it, and the tests that claim it with their results in "
+    return "<p>The page of a part shows each of its items: the text of the item, its place in the manual, the "
+           "decisions that affect the item, the code that names it, and the tests that claim it with their results in "
            "this build. Code and tests are links to their sources.</p>\n" +
            html_table("Items by device", {{"Part", 40}, {"Items"}, {"Shown"}, {"Suspect"}, {"Open"}, {"Failed"}},
                       parts) +
@@ -246,7 +246,7 @@ std::string part_audit_page(const PackInput& input, const PartAudit& audit) {
         kinds.insert(one.word);
     }
     std::string text = fmt::format(
-        "<p>{} items of {} by service. A service opens with a click; a search opens those that have a hit.</p>\n"
+        "<p>{} items of {} by service. A service opens with a click; a search opens the services that have a hit.</p>\n"
         "<div class=\"filtered wide\">\n{}",
         audit.items.size(), escaped(title_of(*audit.part)),
         html_filter(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit as pages: one for each part of the register with its items by service, and one that leads to them.
+// The audit as pages: one for each part of the register with its items by service, and one page that links to these
+// pages.
 #pragma once
 
 #include <string>
@@ -8,10 +9,10 @@
 
 namespace canproof::host {
 
-/// Returns the service of an item, which is the name of its file in the register: `sdo_block`. Items in `objects/` and
-/// in `behaviour/` of one name have the same service.
+/// Returns the service of an item, which is the name of its file in the register: `sdo_block`. Files of the same name
+/// in `objects/` and in `behaviour/` belong to the same service.
 std::string service_of(const Item& item);
-/// Returns the words for a service: `SDO block`.
+/// Returns the title of a service: `SDO block` for `sdo_block`.
 std::string service_title(const std::string& service);
 
 /// Returns the counts of items by part and service, the gaps and the suspects.

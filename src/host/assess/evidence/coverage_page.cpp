@@ -39,7 +39,7 @@ std::string coverage_page(const MeasuredCoverage& coverage) {
                         fmt::format("<code>{}</code><br><small>{}</small>", escaped(gap.code), escaped(gap.missing)),
                         reason.empty() ? html_state("open") : escaped(reason)});
     }
-    return "<p>Lines, branches (each way counts) and conditions shown to decide alone (MC/DC), from unit and "
+    return "<p>Lines, branches (each outcome counts) and conditions shown to decide alone (MC/DC), from unit and "
            "conformance "
            "tests, properties and the corpora of the fuzz targets.</p>\n" +
            html_table("Coverage by file", {{"File"}, {"Lines"}, {"Branches"}, {"MC/DC"}}, files, Search::yes) +

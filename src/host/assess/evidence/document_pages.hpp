@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// Returns the documents of each device as pages, and as Markdown and JSON in documents/; documents.html lists them.
-/// The result holds the bytes by path within the pack.
+/// Returns the documents of each device and the document for all devices as pages, and as Markdown and JSON in
+/// documents/. The page documents.html lists the documents. The result maps the path within the pack to the bytes.
 std::map<std::string, std::string> document_files(const PackInput& input, const PageFrame& frame);
 
 }  // namespace canproof::host

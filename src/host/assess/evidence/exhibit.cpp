@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 Exhibit::State state_in(const Json& json) {
     const std::string state = json.at("state");
     if (state != "holds" && state != "open") {
-        throw InputError{fmt::format("state `{}` is neither holds nor open", state)};
+        throw InputError{fmt::format("state `{}` is neither `holds` nor `open`; write one of the two", state)};
     }
     return state == "holds" ? Exhibit::State::holds : Exhibit::State::open;
 }
@@ -55,7 +55,7 @@ void check_files(const Exhibit& exhibit) {
     }
     for (const auto& file : promised) {
         if (exhibit.files.count(file) == 0) {
-            throw InputError{fmt::format("there is no {}", file)};
+            throw InputError{fmt::format("there is no {}; add the file to the exhibit, or remove its name", file)};
         }
     }
 }
@@ -93,7 +93,7 @@ Exhibit read_exhibit(const std::filesystem::path& folder) {
         read_description(Json::parse(bytes_of(file)), exhibit);
         check_files(exhibit);
     } catch (const nlohmann::json::exception& error) {
-        throw InputError{fmt::format("{}: {}; it needs title, state and says", file.string(), error.what())};
+        throw InputError{fmt::format("{}: {}; an exhibit needs title, state and says", file.string(), error.what())};
     } catch (const InputError& error) {
         throw InputError{fmt::format("{}: {}", file.string(), error.what())};
     }

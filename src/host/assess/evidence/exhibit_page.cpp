@@ -13,7 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fields of one CSV line with quotes as in RFC 4180. The line must contain no line break inside a field.
+/// Returns the fields of one CSV line, escaped for HTML. A field in quotes may contain commas, but no line break. All
+/// quotes are dropped, also doubled ones.
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;

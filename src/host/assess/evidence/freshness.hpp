@@ -17,13 +17,14 @@ std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folders of the host's buses, runs and SocketCAN tests.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
-/// Returns firmware_sources(), the folders of the theorems about the firmware, and the prover.
+/// Returns firmware_sources() and the folders of the theorems about the firmware and of the prover.
 std::vector<std::string> proof_sources(const std::filesystem::path& root);
-/// Returns firmware_sources() and the folder of the microcontroller.
+/// Returns firmware_sources() and src/target, the folder of the code for the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
-/// Returns the first file, by name, below these folders of `root` that was written after `measured`. Returns an empty
-/// text when there is none or `measured` does not exist. Ignores reviews and READMEs.
+/// Returns the first file below these folders of `root`, by order of the folders and then of the names, that was
+/// written after `measured`. Returns an empty text when there is no such file or `measured` does not exist. Ignores
+/// `reviews.toml` and `.md` files.
 std::string newer_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                          const std::filesystem::path& measured);
 

@@ -28,7 +28,7 @@ StatusById status_of_items(const PackInput& input) {
     return all;
 }
 
-/// Returns whether this build does not show one of the requirements that prevent the failure.
+/// Returns whether a requirement that prevents the failure has another status than `shown` in this build.
 bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     return std::any_of(failure.prevented_by.begin(), failure.prevented_by.end(), [&](const std::string& id) {
         const auto found = status.find(id);
@@ -73,9 +73,9 @@ std::string hazards_page(const PackInput& input) {
     const ReviewNotes notes{input};
     const ItemLinks links = links_of(input);
     std::string text =
-        "<p>Each hazard of an output or a message with its safe state, the failures that can violate it, and the "
-        "requirements that prevent them. A failure that the device does not prevent has a reason; the integrator must "
-        "assess it.</p>\n";
+        "<p>The tables list each hazard of an output or a message, its safe state, the failures that can violate this "
+        "state, and the requirements that prevent these failures. A failure that the device does not prevent has a "
+        "reason; the integrator must assess this failure.</p>\n";
     for (const auto& audit : input.audits) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& hazard : audit.part->hazards) {

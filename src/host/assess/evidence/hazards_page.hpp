@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: each hazard with its outputs, its safe state, and the prevention of each
-/// failure.
+/// Returns the body of the page as markup: each hazard with its safe state, and for each failure the requirements that
+/// prevent it or the reason why none does.
 std::string hazards_page(const PackInput& input);
 
 /// Numbers of hazards, of all their failures, of open failures, and of failures without prevention.

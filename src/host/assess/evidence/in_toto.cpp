@@ -86,7 +86,8 @@ Json hashes_of(const std::map<std::string, std::string>& sums) {
     return all;
 }
 
-/// Returns the expiry date of the layout: the end of the tenth year after the year of the pack. A layout must have one.
+/// Returns the expiry date of the layout: the end of the tenth year after the year of the pack. A layout must have an
+/// expiry date.
 std::string expiry_of(const Provenance& provenance) {
     const int year = std::stoi(provenance.date.substr(0, 4));
     return fmt::format("{:04}-12-31T23:59:59Z", year + 10);

@@ -16,7 +16,8 @@ std::string audit_page_name(const Part& part);
 /// Returns the places of all items, decisions and hazards of the pack: `audit-cbx-ao412.html#AO4-AOUT-002`.
 ItemLinks links_of(const PackInput& input);
 
-/// Returns a link to the item with this id as markup; plain text for an item that has no place in this pack.
+/// Returns a link to the item with this id as markup; returns the id without a link for an item that has no place in
+/// this pack.
 std::string link_to(const ItemLinks& links, const std::string& id);
 /// Returns the links of several items with spaces between them.
 std::string link_to_each(const ItemLinks& links, const std::vector<std::string>& ids);

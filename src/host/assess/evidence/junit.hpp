@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns all test cases without their durations, so that the same verdicts give the same bytes.
+/// Returns all test cases by suite, with result, duration, source and claimed items.
 std::string write_junit(const Evidence& evidence);
 
 }  // namespace canproof::host

@@ -17,20 +17,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Lets one run at a time make evidence. The steps inherit the lock: a step that goes on after its run was killed keeps
-/// it, because two runs of one step would damage each other's build.
+/// A lock, so that only one `evidence --full` runs at a time. The commands that it starts inherit the lock. A command
+/// that continues after the program was killed keeps the lock, because two runs of one command would damage each
+/// other's build.
 class OnlyRun {
   public:
     explicit OnlyRun(const std::filesystem::path& file) : descriptor_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
         if (descriptor_ < 0) {
-            throw InputError{fmt::format("cannot write {}", file.string())};
+            throw InputError{fmt::format("cannot open {} for writing; check the access rights", file.string())};
         }
         if (!try_lock(descriptor_)) {
             const std::string holder = lock_holder(descriptor_);
             close(descriptor_);
-            throw InputError{fmt::format(
-                "an earlier `evidence --full` or a step of it still runs, started by {}; wait for it or end it",
-                holder)};
+            throw InputError{
+                fmt::format("an earlier `evidence --full` or one of its commands still runs, started by {}; wait until "
+                            "it ends, or end it",
+                            holder)};
         }
     }
     ~OnlyRun() { close(descriptor_); }
@@ -85,7 +87,7 @@ std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std
     std::size_t number = 0;
     for (const auto& one : wanted) {
         const auto log = logs / ("evidence-" + one.key + ".log");
-        tell(fmt::format("[{}/{}] {}: about {} min; {} min for all that is left", ++number, wanted.size(), one.title,
+        tell(fmt::format("[{}/{}] {}: about {} min; {} min for all remaining steps", ++number, wanted.size(), one.title,
                          one.minutes, left));
         const auto began = Clock::now();
         const int status = run_in_shell(root, one.run, log);
@@ -93,8 +95,8 @@ std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std
         left -= one.minutes;
         failed += status == 0 ? 0U : 1U;
         tell(status == 0 ? fmt::format("[{}/{}] {}: done after {}", number, wanted.size(), one.title, took)
-                         : fmt::format("[{}/{}] {}: ended with {} after {}; its output is in {}", number, wanted.size(),
-                                       one.title, status, took, log.string()));
+                         : fmt::format("[{}/{}] {}: failed with status {} after {}; its output is in {}", number,
+                                       wanted.size(), one.title, status, took, log.string()));
     }
     return failed;
 }

@@ -18,8 +18,8 @@ namespace canproof::host {
 
 namespace {
 
-/// The look of a section's state: its word, its class in the style sheet, and its symbol for readers who cannot see
-/// colours.
+/// The look of a section's state: its word, its class in the style sheet, its symbol for readers who cannot see
+/// colours, and the meaning that the legend shows.
 struct StateLook {
     const char* word;
     const char* style;
@@ -28,11 +28,11 @@ struct StateLook {
 };
 constexpr std::array<StateLook, 6> looks{
     {{"proven", "proven", "✓", "every statement is covered, and every item that covers one is shown"},
-     {"not proven", "unproven", "◐", "every statement is covered, and an item that covers one is not shown"},
-     {"uncovered", "uncovered", "✗", "no item covers a statement, or the section has no statement"},
+     {"not proven", "unproven", "◐", "every statement is covered, but an item that covers one is not shown"},
+     {"uncovered", "uncovered", "✗", "a statement has neither an item nor a reason, or the section has no statement"},
      {"explained", "aside", "–", "every statement has a reason why no item covers it"},
-     {"informative", "aside", "·", "has no requirement"},
-     {"condition of use", "aside", "§", "has conditions for installers or operators"}}};
+     {"informative", "aside", "·", "the section has no requirement"},
+     {"condition of use", "aside", "§", "the section has conditions for installers or operators"}}};
 
 const StateLook& look_of(const std::string& word) {
     return *std::find_if(looks.begin(), looks.end() - 1, [&](const StateLook& one) { return one.word == word; });
@@ -99,20 +99,20 @@ class ManualPage {
 
     std::string head() const {
         std::string text = fmt::format(
-            "<p>{}, {}, {}, {}. Each section of the manual with its demands in our words, and the items of the "
-            "register that cover them. The manual's own text is not here.</p>\n",
+            "<p>{}, {}, {}, {}. The table lists each section of the manual with its demands in our words, and the "
+            "items of the register that cover these demands. It does not contain the text of the manual.</p>\n",
             escaped(manual_.title), escaped(manual_.publisher), escaped(manual_.revision), escaped(manual_.date));
         if (manual_.statements.empty()) {
             return text +
-                   "<p>This manual has no statements: an item that has a section as its source covers the whole "
-                   "section.</p>\n";
+                   "<p>The register has no statements of this manual: an item that has a section as its source covers "
+                   "the whole section.</p>\n";
         }
         auto count = count_statements(audit_);
-        return text + fmt::format(
-                          "<p><b>{}</b> statements: {} shown, {} explained by a reason, {} suspect, {} open, "
-                          "{} failed.</p>\n",
-                          audit_.statements.size(), count["shown"], count["explained"], count["suspect"], count["open"],
-                          count["failed"]);
+        return text +
+               fmt::format(
+                   "<p><b>{}</b> statements: {} shown, {} explained by a reason, {} suspect, {} open, {} failed.</p>\n",
+                   audit_.statements.size(), count["shown"], count["explained"], count["suspect"], count["open"],
+                   count["failed"]);
     }
 
     static std::string legend(std::map<std::string, std::size_t>& count) {

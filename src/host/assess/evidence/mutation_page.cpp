@@ -38,7 +38,7 @@ std::string mutation_page(const PackInput& input) {
                         std::to_string(count.justified), html_state(closed ? "holds" : "open")});
     }
     return "<p>Each cell that was generated from the register (defaults, limits, rights, mappings, rows of tables, "
-           "constants) is altered by itself; a test that claims its item has to fail.</p>\n" +
+           "constants) is altered, one cell at a time; a test that claims the item of the cell has to fail.</p>\n" +
            html_table("Altered cells by item",
                       {{"Item"}, {"Altered"}, {"Noticed"}, {"Survive with a reason"}, {"State"}}, rows, Search::yes) +
            "<h2>What survives</h2>\n" +

@@ -8,7 +8,8 @@
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: each item with altered cells, and the survivors. `input` has the mutation.
+/// Returns the body of the page as markup: each item with altered cells, and the survivors. `input.mutation` must have
+/// a value.
 std::string mutation_page(const PackInput& input);
 
 }  // namespace canproof::host

@@ -18,7 +18,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t listed = 40;  ///< longest list of open points in a group; further points are only counted
+constexpr std::size_t listed = 40;  ///< most open points that a group lists; further points are only counted
 
 std::string verdict_line(const Argument& argument, const Exhibits& exhibits) {
     return fmt::format("<p><b>{}</b></p>\n", escaped(claims_sentence(count_claims(argument, exhibits))));
@@ -92,7 +92,7 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
         group("Changed since they were reviewed", escaped_all(suspects)) +
         group("Code or tests without a requirement", escaped_all(input.orphans.value_or(std::vector<std::string>{}))) +
         group("Recommended techniques that are not or only partly used", techniques);
-    return text.empty() ? "<p>Nothing.</p>\n" : text;
+    return text.empty() ? "<p>There is no open point.</p>\n" : text;
 }
 
 std::string build_table(const Provenance& provenance) {
@@ -118,7 +118,7 @@ std::string overview_page(const PackInput& input, const Exhibits& exhibits) {
         shown.push_back(
             {title_markup(one), html_state(word_of(one.state)), claims_on(key, input.argument), said_by(one)});
     }
-    return "<p>Four CANopen devices, written down as requirements first and as C++ second. This page shows the claims, "
+    return "<p>Four CANopen devices are specified by requirements and implemented in C++. This page shows the claims, "
            "the evidence and the open points.</p>\n" +
            verdict_line(input.argument, exhibits) + "<h2>Claims</h2>\n" + claims_markup(input.argument, exhibits) +
            "<h2>Evidence</h2>\n" +

@@ -50,7 +50,8 @@ Exhibit audit_exhibit(const PackInput& input) {
     }
     return exhibit(
         "audit", "Audit", open == 0,
-        fmt::format("{} items of the register; {} gaps: without code, or without a required passed test", items, open),
+        fmt::format("{} items of the register; {} gaps (an item without code, or without a required test that passed)",
+                    items, open),
         "audit.html");
 }
 
@@ -71,12 +72,13 @@ Exhibit suspects_exhibit(const PackInput& input) {
     }
     return exhibit(
         "suspects", "Suspects", suspects == 0,
-        fmt::format("{} items or dispositions of manual sections have changed since someone read them (items with "
-                    "their code and tests). Readers of the dispositions: the author {}, someone else {}. Readers of "
-                    "the other items, decisions and hazards: the author of the change {}, someone else {}{}{}",
-                    suspects, dispositions.author, dispositions.independent, read.author, read.independent,
-                    read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
-                    read.marked == 0 ? "" : fmt::format("; of {} of them code and tests were not read", read.marked)),
+        fmt::format(
+            "{} items or dispositions of manual sections have changed since someone read them (items with "
+            "their code and tests). Readers of the dispositions: the author {}, someone else {}. Readers of "
+            "the other items, decisions and hazards: the author of the change {}, someone else {}{}{}",
+            suspects, dispositions.author, dispositions.independent, read.author, read.independent,
+            read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
+            read.marked == 0 ? "" : fmt::format("; for {} of these, code and tests were not read", read.marked)),
         suspects == 0 ? "" : "audit.html#suspects");
 }
 
@@ -90,12 +92,12 @@ Exhibit sections_exhibit(const PackInput& input) {
         }
     }
     return exhibit("sections", "Sections of the manuals", bare == 0,
-                   fmt::format("{} normative sections, {} without anything that covers them", sections, bare),
+                   fmt::format("{} normative sections, {} with neither a statement nor an item", sections, bare),
                    "sections.html");
 }
 
-/// Returns an exhibit that holds when every manual has statements and every statement has an item or a reason. It does
-/// not judge whether the items are shown; the audit does.
+/// Returns an exhibit that holds when every manual has statements and every statement has an item or a reason. Returns
+/// nothing when no manual has statements. The audit, not this exhibit, judges whether the items are shown.
 std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     std::size_t statements = 0;
     std::size_t bare = 0;
@@ -104,7 +106,7 @@ std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     for (const auto& audit : input.audits) {
         const std::string& manual = audit.part->info.manual;
         if (!manual.empty() && audit.statements.empty()) {
-            without.push_back(manual + " has no statements: it counts by section");
+            without.push_back(manual + " has no statements: its coverage is counted by section");
         }
         for (const auto& [status, count] : count_statements(audit)) {
             all[status] += count;
@@ -141,9 +143,10 @@ Exhibit hazards_exhibit(const PackInput& input) {
     const FailureCounts counts = count_failures(input);
     return exhibit(
         "hazards", "Hazards", counts.open == 0,
-        fmt::format("{} hazards with {} failures; {} of them have a requirement that is not shown, {} are not "
-                    "prevented by the device, with the reason",
-                    counts.hazards, counts.failures, counts.open, counts.unprevented),
+        fmt::format(
+            "{} hazards with {} failures; {} failures have a preventing requirement that is not shown, {} are not "
+            "prevented by the device and have a reason",
+            counts.hazards, counts.failures, counts.open, counts.unprevented),
         "hazards.html");
 }
 
@@ -196,7 +199,7 @@ Exhibit coverage_exhibit(const MeasuredCoverage& coverage) {
     }
     for (const auto& record : coverage.verdict.unused) {
         made.open.push_back(
-            fmt::format("reports/coverage.toml:{}: the record of `{}` matches nothing", record.line, record.code));
+            fmt::format("reports/coverage.toml:{}: the record of `{}` matches no gap", record.line, record.code));
     }
     return made;
 }

@@ -32,7 +32,7 @@ PackageRecords read_package_records(const std::filesystem::path& file) {
                                           item.text("detail")};
             if (records.package(one.package) == nullptr) {
                 item.fault(item.place("package"), fmt::format("there is no package `{}`", one.package),
-                           "name one of the file");
+                           "name a package of this file");
             }
             records.vulnerabilities.push_back(one);
             item.finish();

@@ -92,8 +92,9 @@ std::string informative_table(const Manual& manual) {
 std::string sections_page(const PackInput& input) {
     const ItemLinks links = links_of(input);
     std::string text =
-        "<p>The demands of the manuals, and the items that cover them. The page of a manual has its sections with our "
-        "statement of each normative sentence. A manual without statements counts by section.</p>\n" +
+        "<p>This page shows how far the items of the register cover the demands of each manual. The page of a manual "
+        "has its sections with our statement of each normative sentence. For a manual without statements, the coverage "
+        "is counted by section.</p>\n" +
         manuals_table(input);
     for (const auto& audit : input.audits) {
         const Manual* manual = input.content->manual(audit.part->info.manual);
@@ -129,10 +130,10 @@ std::string decisions_page(const PackInput& input) {
         }
     }
     return fmt::format(
-               "<p>The manuals contradict themselves, each other and CiA's standards in {} places, or leave them open. "
-               "Each is decided here: by the standard, then by the manual's own consistency, then by the safer "
-               "failure. A decision is of severity high when it changes the wire or an output, medium when it changes "
-               "the configuration or a range, low when it is editorial.</p>\n",
+               "<p>In {} places the manuals contradict themselves, each other or CiA's standards, or leave a question "
+               "open. A decision settles each place: by the standard, then by the manual's own consistency, then by "
+               "the safer failure. A decision is of severity high when it changes the wire or an output, medium when "
+               "it changes the configuration or a range, low when it is editorial.</p>\n",
                rows.size()) +
            html_table("Decisions",
                       {{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
@@ -165,7 +166,8 @@ std::string tests_page(const PackInput& input) {
 }
 
 std::string plots_page(const PackInput& input) {
-    std::string text = "<p>What the devices do, drawn from their own frames and outputs.</p><div class=grid>\n";
+    std::string text =
+        "<p>The plots show the behaviour of the devices, drawn from their frames and outputs.</p><div class=grid>\n";
     for (const auto& [name, figure] : input.figures) {
         text +=
             fmt::format("<figure><a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{1}\" loading=lazy></a></figure>\n",

@@ -233,8 +233,8 @@ class ReqifWriter {
         node.append_child("TARGET").append_child("SPEC-OBJECT-REF").text() = to.c_str();
     }
 
-    /// Writes the relations from each decision to the items that it affects. Leaves out items that are not in the same
-    /// file.
+    /// Writes the relations from each decision to the items that it affects. Leaves out items that this file does not
+    /// contain.
     void write_relations(pugi::xml_node relations, const PartAudit& audit) const {
         for (const auto& decision : audit.part->decisions) {
             for (const auto& affected : decision.affects) {

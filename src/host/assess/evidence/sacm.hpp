@@ -11,8 +11,8 @@ namespace canproof::host {
 
 /// Returns an assurance case. It contains a SACM claim for each claim of the argument, with its limits as a note, and
 /// an artifact for each piece of evidence. Inferences connect claims with claims; evidence relations connect artifacts
-/// with claims. A claim or a relation is marked as needing support when the claim or its evidence does not hold.
-/// `version` is the commit.
+/// with claims. A claim that does not hold is marked as needing support; so is the relation to evidence that does not
+/// hold. `version` is the commit.
 std::string write_sacm(const Argument& argument, const Exhibits& exhibits, const std::string& version);
 
 }  // namespace canproof::host

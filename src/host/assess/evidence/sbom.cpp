@@ -72,7 +72,9 @@ std::string write_sbom(const Provenance& provenance, const PackageRecords& recor
                              {"licenses", Json::array({Json{{"expression", "Apache-2.0"}}})}};
     metadata["properties"] = Json::array(
         {Json{{"name", "canproof:vulnerabilities"},
-              {"value", "those on record; reports/packages.toml names the lists that were read"}}});
+              {"value",
+               "no vulnerability database was searched; reports/packages.toml records the assessed vulnerabilities "
+               "and the lists that were read"}}});
     document["metadata"] = metadata;
     document["components"] = components;
     document["dependencies"] = Json::array({Json{{"ref", ref}, {"dependsOn", uses}}});

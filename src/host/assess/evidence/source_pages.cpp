@@ -47,7 +47,7 @@ std::string way_back_from(const std::string& page) {
     return way;
 }
 
-/// Returns the lines of a source as markup, with the items that each implements or tests.
+/// Returns the lines of a source as markup, each with the items that the line implements or tests.
 std::string lines_markup(const std::string& file, const std::string& text, const ItemsByPlace& items,
                          const ItemLinks& links) {
     std::string markup;

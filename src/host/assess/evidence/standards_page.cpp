@@ -27,10 +27,10 @@ std::string counts_of(const std::vector<Technique>& techniques) {
 std::string standards_page(const PackInput& input) {
     const auto& all = input.argument.techniques;
     std::string text = fmt::format(
-        "<p>What IEC 61508-3:2010 recommends for SIL 3, and ISO 26262-6 and -8:2018 for ASIL D, in our words, with "
-        "what is "
-        "here. {}</p>\n<p>The authors judge themselves: this is no assessment. The levels are as the authors read the "
-        "standards; compare them with a copy.</p>\n",
+        "<p>The tables list, in our words, the techniques that IEC 61508-3:2010 recommends for SIL 3 and ISO 26262-6 "
+        "and -8:2018 for ASIL D, with their use in this project. {}</p>\n<p>The authors judge their own work: this is "
+        "no independent assessment. The levels are as the authors read the standards; compare them with a copy of the "
+        "standards.</p>\n",
         counts_of(all));
     for (auto first = all.begin(); first != all.end();) {
         const auto last =

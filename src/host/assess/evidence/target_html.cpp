@@ -31,9 +31,7 @@ std::string memory_table(const json& footprint) {
     const json& budgets = footprint.at("budgets");
     std::string text =
         "<div class=wrap tabindex=0 role=\"region\" aria-label=\"Table, scrolls sideways\"><table><tr><th>Image, -Os, "
-        "bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen "
-        "layer: "
-        "code<th>RAM without values<th>stack\n";
+        "bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen layer: code<th>RAM without values<th>stack\n";
     for (const auto& [device, found] : footprint.at("devices").items()) {
         const json& budget = budgets.at("devices").at(device);
         const json& layer = found.at("canopen");
@@ -69,12 +67,10 @@ std::string work_table(const json& work) {
         "Work with the most instructions, by device",
         {{"Device", 12}, {"Work", 11}, {"Times", 10}, {"Instructions at most", 12}, {"Frame", 18}, {"Where"}}, rows);
     text += fmt::format(
-        "<p>A bus at {} bit/s full of the frame with the most instructions for its bits, {} cycles an instruction "
-        "assumed, a core "
-        "of {} MHz: instructions × cycles × bit rate ÷ bits ÷ clock. The bits are those of the frame and of the "
-        "answers "
-        "to it whose identifier gives them the bus before the next frame like it; of each 47 and its data, no stuff "
-        "bits.</p><ul>\n",
+        "<p>The load assumes a bus at {} bit/s that is full of the frame with the most instructions per bit, {} cycles "
+        "per instruction and a core of {} MHz. The load is instructions × cycles × bit rate ÷ bits ÷ clock. The bits "
+        "are those of the frame and of each answer whose identifier has priority over the next such frame. Each frame "
+        "counts 47 bits and its data, without stuff bits.</p><ul>\n",
         grouped(work.at("bit_rate").get<std::uint64_t>()), work.at("cycles_an_instruction").get<double>(),
         work.at("core_hz").get<std::uint64_t>() / 1000000U);
     for (const auto& [device, kinds] : work.at("devices").items()) {
@@ -100,8 +96,8 @@ std::string work_table(const json& work) {
     }
     return text +
            "</ul><p>Frames and ticks may each take half of the core. Commands (NMT resets, LSS back to waiting, store "
-           "and "
-           "restore) and a power-on have limits of their own: no claim covers a bus full of them.</p>\n";
+           "or restore) and a power-on have limits of their own: no claim covers a bus that is full of such "
+           "commands.</p>\n";
 }
 
 std::string suites_words(const json& suites) {
@@ -111,8 +107,9 @@ std::string suites_words(const json& suites) {
         tests += one.at("passed").get<std::uint64_t>();
         frames += one.at("frames").get<std::uint64_t>();
     }
-    return fmt::format("<p>{} tests passed on QEMU's STM32F405; {} frames, {} difference(s) to this machine.</p>\n",
-                       grouped(tests), grouped(frames), suites.at("differences").get<std::uint64_t>());
+    return fmt::format(
+        "<p>{} tests passed on QEMU's STM32F405; {} frames compared with this machine, {} difference(s).</p>\n",
+        grouped(tests), grouped(frames), suites.at("differences").get<std::uint64_t>());
 }
 
 }  // namespace
@@ -123,7 +120,7 @@ std::string write_target_html(const std::filesystem::path& build) {
     const json work = read_json(build / "work.json");
     std::string text = "<h2 id=\"target\">Performance and memory</h2>\n<p>STM32F405 (Cortex-M4F).</p>\n";
     if (footprint.is_null() && suites.is_null()) {
-        return text + "<p class=open>Not measured in this build; ./test measures it.</p>\n";
+        return text + "<p class=open>Flash, RAM and tests were not measured in this build; ./test measures them.</p>\n";
     }
     text += footprint.is_null() ? "" : memory_table(footprint);
     text += suites.is_null() ? "" : suites_words(suites);

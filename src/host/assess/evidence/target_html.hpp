@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Performance and memory on the microcontroller as a report.
+// The section of the report about performance and memory on the microcontroller.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 /// Returns a section of the report with the results that src/target/footprint and run_suites wrote to `build`. Without
-/// results, the section says that they did not run.
+/// footprint.json and suites.json, the section states that nothing was measured.
 std::string write_target_html(const std::filesystem::path& build);
 
 }  // namespace canproof::host

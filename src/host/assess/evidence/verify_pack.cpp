@@ -24,7 +24,8 @@ std::map<std::string, std::string> sums_in(const std::string& manifest, const fs
     try {
         return content.at("sha256").get<std::map<std::string, std::string>>();
     } catch (const nlohmann::json::exception&) {
-        throw InputError{fmt::format("{} is no manifest of a pack; `canproof evidence` writes one", file.string())};
+        throw InputError{fmt::format("{} is no manifest of a pack; `canproof evidence` writes a pack with its manifest",
+                                     file.string())};
     }
 }
 
@@ -66,8 +67,9 @@ std::vector<std::string> faults_of_pack(const fs::path& folder, const fs::path& 
             faults.push_back(
                 fmt::format("there is no {}; `canproof evidence --sign KEY` writes it", manifest_signature));
         } else if (!is_signed(manifest, read_file(signature), public_key)) {
-            faults.push_back(fmt::format("{} was not made with the private key that belongs to {}", manifest_signature,
-                                         public_key.string()));
+            faults.push_back(fmt::format(
+                "{} is not valid for {}: the manifest has changed since it was signed, or another key signed it",
+                manifest_signature, public_key.string()));
         }
     }
     return faults;

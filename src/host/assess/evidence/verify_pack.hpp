@@ -12,7 +12,8 @@ namespace canproof::host {
 inline constexpr const char* manifest_signature = "manifest.json.sig";
 
 /// Returns the faults of the pack, one sentence each: files that differ, are missing, or are not in the manifest. If
-/// `public_key` is not empty, also reports a missing or invalid signature. Throws InputError when there is no manifest.
+/// `public_key` is not empty, also reports a missing or invalid signature. Throws InputError when the manifest is
+/// missing or not valid.
 std::vector<std::string> faults_of_pack(const std::filesystem::path& folder, const std::filesystem::path& public_key);
 
 }  // namespace canproof::host

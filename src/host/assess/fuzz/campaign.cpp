@@ -51,7 +51,7 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
             if (!std::filesystem::exists(program)) {
                 throw InputError{
                     fmt::format("{} is missing; build it with `cmake --preset {} && cmake --build --preset {} --target "
-                                "fuzz_targets`, name another folder with --{}-build, or do without with --no-{}",
+                                "fuzz_targets`, name another folder with --{}-build, or skip this phase with --no-{}",
                                 program.string(), preset, preset, option,
                                 std::string{option} == "replay" ? "second-pass" : "coverage")};
             }
@@ -106,7 +106,8 @@ bool has_targets(const CampaignState& state, const std::vector<FuzzTarget>& targ
                       [](const FuzzTarget& target, const TargetRecord& record) { return target.name == record.name; });
 }
 
-/// Returns the state of the unfinished campaign if the same command started it; otherwise the state of a new campaign.
+/// Returns the state of the unfinished campaign; the state of a new campaign if there is none or with --restart. Throws
+/// InputError if another command or another version of canproof started the unfinished campaign.
 CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<FuzzTarget>& targets,
                              const CampaignFiles& files, CampaignDisplay& display) {
     const auto kept = options.restart ? nlohmann::json{} : read_json(files.state());
@@ -121,10 +122,10 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         const bool same =
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
-            throw InputError{
-                fmt::format("{} contains an unfinished campaign of {} minutes, started {}; give the same command to "
-                            "continue, or --restart for a new one",
-                            files.work().string(), state.minutes, state.started)};
+            throw InputError{fmt::format(
+                "{} contains an unfinished campaign of {} minutes, started {}; run the same command again to "
+                "continue it, or add --restart to start a new campaign",
+                files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
         state.remarks.push_back(
@@ -157,7 +158,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Returns whether a target ended before its time and left no finding.
+/// Returns whether a slice of a target ended before its time without a finding.
 bool is_broken(const CampaignState& state) {
     return std::any_of(state.targets.begin(), state.targets.end(),
                        [](const TargetRecord& one) { return one.broken_slices > 0; });

@@ -27,8 +27,8 @@ struct CampaignOptions {
     std::string build{"build/fuzz"};  ///< folder with libFuzzer programs that have sanitizers
     std::string replay_build{"build/release"};
     std::string coverage_build{"build/fuzz-coverage"};
-    /// Folder whose subfolder TARGET receives findings as regression tests. Without a value, the target's own corpus
-    /// receives them; an empty path means no regression tests.
+    /// Folder whose subfolder TARGET receives findings as regression tests. Without a value, the target's committed
+    /// corpus receives the findings; an empty path means no regression tests.
     std::optional<std::string> land;
     unsigned jobs{0};       ///< number of parallel processes; 0: all cores
     std::uint64_t seed{0};  ///< seed of the random numbers; 0: taken from the clock and printed
@@ -36,8 +36,8 @@ struct CampaignOptions {
     bool coverage{true};
     bool plain{false};  ///< lines instead of a table, even on a terminal
     bool restart{false};
-    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets and leaves the later passes to `merge`
-    /// folder with the corpus folders of all shards, which are merged instead of a new campaign; empty: fuzzes
+    std::optional<Shard> shard{};  ///< fuzzes only this part of the targets and leaves the later phases to `merge`
+    /// folder that contains the corpus folders of all shards; they are merged instead of fuzzing; empty: fuzzes
     std::string merge;
 };
 

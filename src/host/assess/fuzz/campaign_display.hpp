@@ -16,11 +16,12 @@ class CampaignDisplay {
 
     /// Prints a line that is not overwritten.
     void say(const std::string& text);
-    /// Prints the progress of one target; `inputs` is the number of its inputs that have ended a run.
+    /// Prints the progress of one target, unless a table shows it; `inputs` is the number of its inputs that made a run
+    /// fail.
     void news(const TargetRecord& target, std::size_t inputs);
-    /// Redraws the table, at most twice a second.
+    /// Redraws the table, if there is one, at most twice a second.
     void draw(const CampaignState& state);
-    /// Draws the table for the last time.
+    /// Draws the table of this phase for the last time.
     void leave(const CampaignState& state);
 
   private:

@@ -45,7 +45,8 @@ struct CampaignContext {
     void save() const { write_json(files.state(), state); }
 };
 
-/// Returns the environment of a fuzz target: sanitizers that name functions, and a scratch folder of the campaign.
+/// Returns the environment variables of a fuzz target: the sanitizers print names of functions, and temporary files go
+/// to the campaign's scratch folder. Creates this folder.
 std::map<std::string, std::string> fuzzer_environment(const CampaignFiles& files);
 /// Returns the regular files of a folder in alphabetical order; none when the folder does not exist.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);

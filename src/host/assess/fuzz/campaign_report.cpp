@@ -133,7 +133,7 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
 std::string coverage(const CampaignState& state, const std::optional<Night>& last) {
     const LineCoverage& all = state.coverage;
     if (!all.measured) {
-        return "<h2>Lines</h2><p>Not measured in this campaign.</p>";
+        return "<h2>Lines</h2><p>This campaign did not measure the lines that it reached.</p>";
     }
     const auto before =
         last && last->lines_hit > 0 && same_targets(state, *last) ? std::optional{last->lines_hit} : std::nullopt;

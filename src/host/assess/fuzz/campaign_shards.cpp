@@ -30,7 +30,7 @@ ReadShard read_shard(const fs::path& folder) {
         return {files, folder.string(), shard, std::move(state)};
     } catch (const nlohmann::json::exception&) {
         throw InputError{
-            fmt::format("{} is not what `canproof fuzz --shard` of this version leaves; run that shard "
+            fmt::format("{} is no state that `canproof fuzz --shard` of this version wrote; run this shard "
                         "again",
                         files.state().string())};
     }
@@ -65,7 +65,7 @@ void require_one_campaign(const std::vector<ReadShard>& all) {
     require_all_shards(all);
 }
 
-/// Copies the files of a folder and keeps their times: they show when the campaign found each input.
+/// Copies the files of a folder and keeps their times, which show when the campaign found each input.
 void copy_files(const fs::path& from, const fs::path& to) {
     fs::create_directories(to);
     for (const fs::path& file : files_in(from)) {

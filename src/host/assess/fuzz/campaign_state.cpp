@@ -50,7 +50,7 @@ nlohmann::json read_json(const std::filesystem::path& file) {
     try {
         return nlohmann::json::parse(in);
     } catch (const nlohmann::json::exception& error) {
-        throw InputError{fmt::format("{} cannot be read ({}); remove it", file.string(), error.what())};
+        throw InputError{fmt::format("{} is no valid JSON ({}); remove this file", file.string(), error.what())};
     }
 }
 
@@ -58,8 +58,8 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     try {
         replace_file(file, text);
     } catch (const std::system_error& error) {
-        throw InputError{fmt::format("cannot write {}: {}; name a folder that can be written to", file.string(),
-                                     error.code().message())};
+        throw InputError{
+            fmt::format("cannot write {}: {}; name a writable folder", file.string(), error.code().message())};
     }
 }
 

@@ -24,7 +24,7 @@ struct TargetRecord {
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
-    std::size_t inputs_before{0};  ///< number of inputs in the corpus folder, without the seeds
+    std::size_t inputs_before{0};  ///< number of inputs in the corpus folder before the campaign, without the seeds
     std::size_t inputs_found{0};
     std::size_t inputs_kept{0};         ///< number of inputs after minimisation
     unsigned broken_slices{0};          ///< number of slices that ended before their time without a finding
@@ -84,7 +84,7 @@ struct CampaignState {
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
-    std::vector<std::string> remarks;  ///< steps that failed, with the reason
+    std::vector<std::string> remarks;  ///< interruptions, and steps that failed with the reason
 
     std::uint64_t executions() const;
     double seconds() const;
@@ -113,11 +113,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, 
                                    coverage, remarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hit, edges, per_second, findings)
 
-/// Returns the JSON of the file; `null` when the file does not exist. Throws InputError for invalid content; the
-/// message says how to continue.
+/// Returns the JSON of the file; `null` when the file does not exist. Throws InputError for invalid content.
 nlohmann::json read_json(const std::filesystem::path& file);
-/// Replaces the file atomically: after an interruption it has the old or the new content. Throws InputError when it
-/// cannot be written.
+/// Replaces the file atomically: after an interruption the file has the old or the new content. Throws InputError when
+/// the file cannot be written.
 void write_text(const std::filesystem::path& file, const std::string& text);
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
 /// Returns the current time as `2026-11-21T04:05:06Z`.

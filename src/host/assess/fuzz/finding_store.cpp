@@ -20,13 +20,14 @@ void copy_over(const std::filesystem::path& from, const std::filesystem::path& t
     std::ifstream in{from, std::ios::binary};
     std::ostringstream bytes;
     if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(bytes << in.rdbuf()))) {
-        throw InputError{fmt::format("cannot read {}", from.string())};
+        throw InputError{
+            fmt::format("cannot read {}; check that the file exists and its access rights", from.string())};
     }
     write_text(to, bytes.str());
 }
 
 /// Starts the target's replay program, which writes frames.log with all frames up to the failure. A target without
-/// frames writes nothing.
+/// frames writes nothing. Does nothing when the replay program is not built.
 void write_frames(const CampaignContext& context, const FoundInput& found, const std::filesystem::path& folder) {
     const auto program = std::filesystem::path{context.options.replay_build} / (found.target->name + "_fuzz");
     if (!std::filesystem::exists(program)) {

@@ -18,8 +18,8 @@ struct FoundInput {
 };
 
 /// Saves the input and the output in the folder of the finding. For a target that sends frames to a device, also saves
-/// the candump log and the command that replays it. Adds the input as a regression test if it reproduces the failure.
-/// If this campaign has already found the bug, only counts it.
+/// the candump log and the command that replays it. Adds the input as a regression test if it reproduces the failure
+/// and the options permit it. If this campaign has already found the bug, only adds `times` to its count.
 void store_finding(const CampaignContext& context, const FoundInput& found);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fuzzing phase. It runs each target in slices, so that every target has run even if the campaign is interrupted.
+// The fuzzing phase. It runs the targets in slices by turns, so that an interrupted campaign has run every target for
+// some time.
 #include "host/assess/fuzz/fuzz_all.hpp"
 
 #include <fmt/format.h>

@@ -77,7 +77,7 @@ std::map<std::string, Line> lines_of(const std::filesystem::path& build) {
 FuzzTarget target_of(const std::filesystem::path& build, const Line& line) {
     const auto program = build / (line.name + "_fuzz");
     if (!std::filesystem::exists(program)) {
-        throw InputError{fmt::format("{} is not built; build it with {}, or name others with --targets",
+        throw InputError{fmt::format("{} is not built; build it with {}, or name other targets with --targets",
                                      program.string(), how_to_build)};
     }
     const auto dictionary = line.folder / (line.name + ".dict");
@@ -99,7 +99,7 @@ std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, co
         const auto line = listed.find(name);
         if (line == listed.end()) {
             throw InputError{
-                fmt::format("{} has no target `{}`; there are {}", build.string(), name, fmt::join(known, ", "))};
+                fmt::format("{} has no target `{}`; its targets are {}", build.string(), name, fmt::join(known, ", "))};
         }
         targets.push_back(target_of(build, line->second));
     }

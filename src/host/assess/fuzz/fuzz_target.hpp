@@ -16,11 +16,11 @@ struct FuzzTarget {
     std::vector<std::string> options;  ///< arguments such as `-max_len=4096`
 };
 
-/// Returns the targets in `names`, or all targets of `build` if `names` is empty, in alphabetical order. The configure
-/// step lists the targets in fuzz_targets.txt. Each line has three fields separated by tabs: the name, the folder of
-/// NAME.dict and NAME.options, and the folder of the seeds. NAME.options has the form of OSS-Fuzz: `[libfuzzer]`,
-/// `max_len = 4096`. Throws InputError when there is no list, a name is unknown, a program is not built, or the list or
-/// an options file cannot be read.
+/// Returns the targets in the order of `names`; if `names` is empty, all targets of `build` in alphabetical order. The
+/// configure step lists the targets in fuzz_targets.txt. Each line has three fields separated by tabs: the name, the
+/// folder of NAME.dict and NAME.options, and the folder of the seeds. NAME.options has the form of OSS-Fuzz:
+/// `[libfuzzer]`, `max_len = 4096`. Throws InputError when there is no list, a name is unknown, a program is not built,
+/// or the list or an options file cannot be read.
 std::vector<FuzzTarget> find_fuzz_targets(const std::filesystem::path& build, const std::vector<std::string>& names);
 
 }  // namespace canproof::host

@@ -17,7 +17,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the name of a C++ function without arguments.
+/// Returns the demangled name of a function with its parameter types; the name itself when it is not mangled.
 std::string demangled(const std::string& name) {
     // llvm-cov puts the file before a function in an anonymous namespace: `file.cpp:_ZN…`.
     const auto colon = name.rfind(':');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures which lines of the firmware the corpora reach, and in which part of the campaign it first reached them. The
-// modification time of an input shows when the campaign found it.
+// Measures which lines of the firmware the corpora reach, and in which part of the campaign they first reached each
+// line. The modification time of an input shows when the campaign found it.
 #include "host/assess/fuzz/measure_coverage.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t steps = 4;  ///< number of equal parts of the campaign's time; step 0 is the state before it
+constexpr std::size_t steps = 4;  ///< equal parts of the campaign's time; step 0 is the state before the campaign
 constexpr std::size_t most_arguments = 1000;
 constexpr double run_limit = 900.0;
 
@@ -88,9 +88,8 @@ bool run_all(const CampaignContext& context, const std::vector<Run>& runs) {
         task.limit_seconds = run_limit;
         task.ended = [&context, &run, log = task.log](const TaskEnd& end) {
             if (end.status != 0 && !end.interrupted) {
-                context.state.remarks.push_back(
-                    fmt::format("{}: some inputs end the replay, their lines are not counted; see {}", run.target->name,
-                                log.string()));
+                context.state.remarks.push_back(fmt::format(
+                    "{}: a replay failed, so its lines may not be counted; see {}", run.target->name, log.string()));
             }
         };
         tasks.push_back(std::move(task));

@@ -7,7 +7,7 @@
 namespace canproof::host {
 
 /// Keeps only those inputs of each corpus that together reach the same code as all inputs. Returns false when
-/// interrupted; it may be called again.
+/// interrupted; another call minimises all corpora again.
 bool minimise_corpora(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -18,8 +18,8 @@ namespace canproof::host {
 namespace {
 
 constexpr std::size_t chunk_size = 10;
-constexpr double chunk_limit = 600.0;     ///< in seconds; a program that runs longer hangs and is ended
-constexpr std::size_t most_findings = 5;  ///< for each target; each finding needs a separate run
+constexpr double chunk_limit = 600.0;     ///< in seconds; a process that runs longer is ended
+constexpr std::size_t most_findings = 5;  ///< for each chunk; each finding needs a separate run
 constexpr int valgrind_found = 99;
 constexpr double share_of_fuzzing = 0.25;
 
@@ -111,7 +111,7 @@ bool look_again_with_valgrind(const CampaignContext& context) {
         record.inputs_second_pass = 0;
     }
     std::vector<Chunk> chunks = chunks_of(context);
-    // The first chunk of every target runs without a time limit; the others start only while time is left.
+    // The first chunk of every target runs without a limit for the pass; the other chunks run until this limit.
     const auto first_of = [&](const Chunk& chunk) { return chunk.target == chunks.front().target; };
     const auto second_round = chunks.empty() ? chunks.end() : std::find_if(chunks.begin() + 1, chunks.end(), first_of);
     const auto sure = static_cast<std::size_t>(second_round - chunks.begin());

@@ -6,7 +6,8 @@
 
 namespace canproof::host {
 
-/// Runs the kept inputs under valgrind. Returns false when interrupted; it may be called again.
+/// Runs the kept inputs under valgrind and stores its findings. Returns false when interrupted; another call runs the
+/// pass again.
 bool look_again_with_valgrind(const CampaignContext& context);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns inputs that ended a run into findings: one per bug, minimised, with the files to replay it.
+// Turns inputs that ended a run into findings: one for each bug, with a minimised input and the files to replay it.
 #include "host/assess/fuzz/sort_findings.hpp"
 
 #include <fmt/format.h>
@@ -93,7 +93,7 @@ bool reproduce(const CampaignContext& context, std::vector<Crash>& crashes) {
     return run_tasks(std::move(tasks), context.options.jobs, context.interrupted, [] {});
 }
 
-/// Returns a tenth of the campaign's time in seconds, limited to a range.
+/// Returns a tenth of the fuzzing time in seconds, but at least `least_shrinking` and at most `most_shrinking`.
 double shrinking_seconds(const CampaignContext& context) {
     return std::clamp(context.state.minutes * 6.0, least_shrinking, most_shrinking);
 }

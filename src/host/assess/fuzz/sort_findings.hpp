@@ -6,8 +6,8 @@
 
 namespace canproof::host {
 
-/// Stores one finding for each bug, minimised, with the files to replay it. Returns false when interrupted; it may be
-/// called again.
+/// Stores one finding for each bug, with a minimised input and the files to replay it. Returns false when interrupted;
+/// it may be called again.
 bool sort_findings(const CampaignContext& context);
 
 }  // namespace canproof::host

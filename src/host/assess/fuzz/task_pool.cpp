@@ -85,7 +85,9 @@ class Child {
         posix_spawn_file_actions_destroy(&files);
         posix_spawnattr_destroy(&attributes);
         if (error != 0) {
-            throw InputError{fmt::format("cannot start {}: {}", task_.command[0], std::strerror(error))};
+            throw InputError{
+                fmt::format("cannot start {}: {}; install this program or name the folder that contains it",
+                            task_.command[0], std::strerror(error))};
         }
     }
 

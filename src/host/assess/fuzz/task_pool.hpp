@@ -24,7 +24,7 @@ struct Task {
     std::filesystem::path log{};                       ///< file for stdout and stderr
     double limit_seconds{0.0};                         ///< time limit; 0: none
     std::function<void()> began{};
-    std::function<void(const std::string&)> line{};  ///< called for each complete line of the output
+    std::function<void(const std::string&)> line{};  ///< called for each line of the output
     std::function<void(const TaskEnd&)> ended{};
 };
 
@@ -32,8 +32,8 @@ struct Task {
 using Interrupted = std::function<bool()>;
 
 /// Starts all tasks in their order and runs up to `width` in parallel. Calls `tick` several times a second. After an
-/// interrupt, each running program gets SIGINT and, some seconds later, SIGKILL; no other task starts. Returns whether
-/// all tasks ran. Throws InputError when a program cannot be started.
+/// interrupt, each running program gets SIGINT and, some seconds later, SIGKILL; no other task starts. Returns false
+/// after an interrupt. Throws InputError when a program cannot be started.
 bool run_tasks(std::vector<Task> tasks, unsigned width, const Interrupted& interrupted,
                const std::function<void()>& tick);
 

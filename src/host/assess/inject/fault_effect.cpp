@@ -60,8 +60,8 @@ bool differ(const DeviceRun& a, const DeviceRun& b, Chosen chosen) {
     return chosen_frames(a, chosen) != chosen_frames(b, chosen);
 }
 
-/// Returns whether `faulty` sends an EMCY message more often than `faultless`. Messages are the same if identifier and
-/// data are.
+/// Returns whether `faulty` sends an EMCY message that `faultless` does not send or sends less often. Messages with the
+/// same data are the same.
 bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
     std::multiset<std::vector<std::uint8_t>> expected;
     for (const LoggedFrame& one : faultless.frames) {
@@ -83,15 +83,14 @@ bool reports_an_error(const DeviceRun& faultless, const DeviceRun& faulty) {
 
 using Values = std::map<std::uint64_t, std::vector<std::uint8_t>>;  ///< data by the time at which a PDO was sent, in µs
 
-/// Returns whether `value` was the last value sent before `time`, was sent at `time`, or was the next value sent after
-/// it.
+/// Returns whether `value` was the last value sent at or before `time`, or the first value sent after `time`.
 bool was_sent_around(const Values& values, std::uint64_t time, const std::vector<std::uint8_t>& value) {
     const auto after = values.upper_bound(time);
     return (after != values.end() && after->second == value) ||
            (after != values.begin() && std::prev(after)->second == value);
 }
 
-/// Returns whether `faulty` sends a PDO with data that `faultless` did not send about this time.
+/// Returns whether `faulty` sends a PDO with data that `faultless` did not send with this identifier around this time.
 bool sends_a_wrong_value(const DeviceRun& faultless, const DeviceRun& faulty) {
     std::map<std::uint32_t, Values> expected;
     for (const LoggedFrame& one : faultless.frames) {
@@ -160,7 +159,7 @@ DeviceRun read_run(const std::string& frames, const std::string& outputs) {
         const auto first = line.find(',');
         const auto last = line.rfind(',');
         if (first == std::string::npos || first == last) {
-            throw InputError{"a line is no change of an output: " + line};
+            throw InputError{"a line of outputs does not have the form TIME,SIGNAL,VALUE: " + line};
         }
         run.outputs.push_back({line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)});
     }

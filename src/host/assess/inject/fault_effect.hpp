@@ -39,13 +39,13 @@ struct OutputChange {
 /// The frames and output changes of one run.
 struct DeviceRun {
     std::vector<LoggedFrame> frames;
-    std::vector<OutputChange> outputs;  ///< the first changes of each signal are its values after power-on
+    std::vector<OutputChange> outputs;  ///< the first change of each signal is its value after power-on
 };
 
-/// Parses the output of replay(): `frames` and `outputs`. Throws InputError when they are not in its form.
+/// Parses the two texts that replay() writes. Throws InputError when they do not have the form of these texts.
 DeviceRun read_run(const std::string& frames, const std::string& outputs);
 
-/// Compares a run that was completed with the run without a fault. Indicators (LEDs) count as outputs.
+/// Compares a completed run with a fault with the run without a fault. Indicators (LEDs) count as outputs.
 FaultEffect effect_of(const DeviceRun& faultless, const DeviceRun& faulty);
 
 /// Returns the effect's name for tables: `wrong output`.

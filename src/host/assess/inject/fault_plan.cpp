@@ -9,8 +9,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns a number below `limit`. std::uniform_int_distribution differs between standard libraries. The remainder
-/// favours small numbers by less than limit / 2^64.
+/// Returns a random number below `limit`. Does not use std::uniform_int_distribution, which differs between standard
+/// libraries. The remainder favours small numbers by less than limit / 2^64.
 std::size_t below(std::mt19937_64& random, std::size_t limit) {
     return static_cast<std::size_t>(random() % limit);
 }

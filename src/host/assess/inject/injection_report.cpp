@@ -80,7 +80,7 @@ ShardFile read_shard(const std::filesystem::path& path) {
             const auto numbers = one.get<std::array<std::size_t, 5>>();
             if (numbers[4] >= fault_effects || numbers[1] >= file.campaign.regions.size()) {
                 throw InputError{fmt::format(
-                    "{}: a run has an unknown effect or region; write it again with `canproof inject --shard`",
+                    "{}: a run has an unknown effect or region; write this file again with `canproof inject --shard`",
                     path.string())};
             }
             file.campaign.runs.push_back({{numbers[0], numbers[1], numbers[2], static_cast<unsigned>(numbers[3])},
@@ -138,9 +138,9 @@ EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region
 
 std::string injection_table(const std::string& device, const InjectionOptions& options,
                             const InjectionCampaign& campaign) {
-    std::string text =
-        fmt::format("{}: {} single bits turned in {} bytes, before one of {} calls of the device, seed {}\n\n", device,
-                    campaign.runs.size(), memory_size(campaign), campaign.calls, options.seed);
+    std::string text = fmt::format(
+        "{}: {} runs with one inverted bit each, in {} bytes, before one of {} calls of the device, seed {}\n\n",
+        device, campaign.runs.size(), memory_size(campaign), campaign.calls, options.seed);
     std::vector<EffectCounts> counts;
     text += fmt::format("{:<22}", "");
     for (std::size_t i = 0; i < campaign.regions.size(); ++i) {
@@ -215,8 +215,9 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
         }
     }
     if (files.empty()) {
-        throw InputError{fmt::format("{}: there is no file {}I-of-N.json; `canproof inject {} --shard I/N` writes them",
-                                     folder.string(), start, device)};
+        throw InputError{
+            fmt::format("{}: there is no file {}I-of-N.json; `canproof inject {} --shard I/N` writes these files",
+                        folder.string(), start, device)};
     }
     sort_shards(files);
     require_all_shards(files);
@@ -234,7 +235,7 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
     for (std::size_t place = 0; place < count; ++place) {
         const auto& runs = files[place % files.size()].campaign.runs;
         if (place / files.size() >= runs.size()) {
-            throw InputError{fmt::format("{}: runs are missing; write it again with `canproof inject --shard`",
+            throw InputError{fmt::format("{}: runs are missing; write this file again with `canproof inject --shard`",
                                          files[place % files.size()].name)};
         }
         merged.runs.push_back(runs[place / files.size()]);

@@ -44,7 +44,8 @@ void be_quiet() {
     }
 }
 
-/// Limits the processor time of this process. At the limit, the kernel ends the process with SIGXCPU.
+/// Limits the processor time of this process to the next whole second above `seconds`, and forbids core files. At the
+/// limit, the kernel ends the process with SIGXCPU.
 void limit_time(double seconds) {
     const auto whole = static_cast<rlim_t>(seconds + 1.0);
     const rlimit limit{whole, whole + 1};
@@ -115,8 +116,8 @@ class Injector {
     std::size_t most_calls() const { return 4 * calls_ + 10'000; }
     [[noreturn]] static void end(FaultEffect effect) { _exit(static_cast<int>(effect)); }
 
-    /// Starts the process of each fault whose call is next. In that process, limits the number of calls: too many calls
-    /// mean that the device wakes and triggers its watchdog far too often.
+    /// Starts the process of each fault whose call is next. In that process, limits the number of calls: far too many
+    /// calls count as the effect `watchdog`.
     void inject() {
         if (is_child_) {
             if (++call_ > most_calls()) {

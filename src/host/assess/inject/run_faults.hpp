@@ -38,10 +38,10 @@ struct InjectionOptions {
 /// Makes the device in the state before power-on. Each call returns an equal device.
 using MakeDevice = std::function<std::unique_ptr<SimulatedDevice>()>;
 
-/// Plays `input` (its `frames`, not its `source`) without a fault, then once for each fault. The run without a fault
-/// stops before the call of each fault. There a copy of the process inverts the bit and continues to the end.
-/// `progress` receives the number of completed runs. Throws InputError for a device without a description of its
-/// memory, and when a process cannot be started.
+/// Plays `input` (its `frames`, not its `source`) twice without a fault. During the second run, before the call of each
+/// fault, a copy of the process inverts the bit and continues to the end. `progress` receives the number of completed
+/// runs with a fault. Throws InputError for a device without a description of its memory, and when a process cannot be
+/// started or its effect cannot be judged.
 InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
                              const std::function<void(std::size_t)>& progress);
 

@@ -15,8 +15,8 @@ class ManualText {
     const std::vector<std::string>& lines() const { return lines_; }
     /// Returns the letters and digits of all lines in lower case.
     const std::string& letters() const { return letters_; }
-    /// Returns the positions at which words begin, ascending. A word begins at the start of the text or after a
-    /// character that is neither a letter nor a digit.
+    /// Returns the positions at which words begin, ascending. A word begins at the start of a line or after a character
+    /// that is neither a letter nor a digit.
     const std::vector<std::size_t>& word_begins() const { return word_begins_; }
     /// Returns whether a word ends before this position.
     bool is_word_end(std::size_t at) const { return word_end_[at]; }

@@ -12,7 +12,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns, for each letter and digit of the text, whether it belongs to a passage with a mark.
+/// Returns, for each letter and digit of the text, whether it belongs to a passage with a mark. Sets the number of
+/// marks and the missing marks in `coverage`.
 std::vector<bool> covered_characters(const Manual& manual, const ManualText& text, TextCoverage& coverage) {
     std::set<Mark> marks;
     for (const Statement& statement : manual.statements) {
@@ -36,13 +37,14 @@ std::vector<bool> covered_characters(const Manual& manual, const ManualText& tex
     return covered;
 }
 
-/// Returns whether the line is a Markdown heading without a number, or the caption of a table or figure.
+/// Returns whether the line is a Markdown heading or the caption of a table or figure.
 bool is_title(const std::string& line) {
     const std::string words = without_markup(line);
     return line.rfind('#', 0) == 0 || words.rfind("Table ", 0) == 0 || words.rfind("Figure ", 0) == 0;
 }
 
-/// Returns the words of a line from its first letter or digit that is not covered. Cuts them to about 70 characters.
+/// Returns the words of a line from its first letter or digit that is not covered. Cuts them at the last space within
+/// the first 70 characters.
 std::string words_from(const ManualText& text, const std::size_t line, const std::vector<bool>& covered) {
     const auto begin = covered.begin() + static_cast<std::ptrdiff_t>(text.begin_of(line));
     const auto end = covered.begin() + static_cast<std::ptrdiff_t>(text.end_of(line));

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// A line of text in a normative section that no statement covers.
+/// A line of text in a normative section that the statements do not cover completely.
 struct UncoveredLine {
     std::size_t line{0};  ///< line number from 1
     std::string section;
@@ -34,7 +34,7 @@ struct TextCoverage {
 };
 
 /// Compares the marks of the manual's statements with a text version of the manual. All text, tables and figures belong
-/// to the numbered section whose heading stands above them.
+/// to the numbered section with the nearest heading above them.
 TextCoverage cover_text(const Manual& manual, const std::string& text);
 
 }  // namespace canproof::host

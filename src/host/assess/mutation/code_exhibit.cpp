@@ -17,7 +17,7 @@ std::string reason_of(const MutationOutcome& outcome) {
     if (outcome.record != nullptr) {
         return outcome.record->reason;
     }
-    return outcome.claimed ? "open" : "open: it changes no computation in any test";
+    return outcome.claimed ? "open" : "open: the mutant changes no computation in any test";
 }
 
 std::string sentence(const char* of_what, const MutationCount& count) {
@@ -57,13 +57,13 @@ std::map<std::string, std::string> code_exhibit(const std::vector<MutationOutcom
                                     {{"mutants", all.altered},
                                      {"noticed by a test", all.noticed},
                                      {"survive with a reason", all.justified},
-                                     {"survive without", all.open()}}}};
+                                     {"survive without a reason", all.open()}}}};
     if (host.altered != 0) {
         exhibit["says"] = sentence("the firmware", all) + " " + sentence("the host's buses and replay", host);
         exhibit["figures"]["mutants of the host"] = host.altered;
-        exhibit["figures"]["of these noticed"] = host.noticed;
+        exhibit["figures"]["mutants of the host noticed by a test"] = host.noticed;
         exhibit["figures"]["survive with a reason on the host"] = host.justified;
-        exhibit["figures"]["survive without on the host"] = host.open();
+        exhibit["figures"]["survive without a reason on the host"] = host.open();
     }
     return {{"exhibit.json", exhibit.dump(1) + "\n"},
             {"survivors.csv", survivors_csv(outcomes)},

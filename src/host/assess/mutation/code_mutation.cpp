@@ -28,7 +28,7 @@ constexpr double most_seconds = 1.5;
 constexpr double quick_seconds = 0.1;
 /// Name of the entry for the time before the first test.
 const char* const startup = "startup";
-/// Shortest time in seconds that the start of a test takes.
+/// Time in seconds that each test counts at least, because its start takes time.
 constexpr double least_seconds = 0.001;
 
 /// Tests to run, and the processor time in seconds after which the mutant counts as noticed.
@@ -70,7 +70,7 @@ std::filesystem::path told_by(const std::filesystem::path& program, const std::f
     }
     fs::create_directories(folder);
     if (!run_unaltered(program, folder / "verdicts.xml", {"CANPROOF_TOLD=" + running.string()})) {
-        throw InputError{fmt::format("{} fails without any mutant; fix this test first", program.string())};
+        throw InputError{fmt::format("a test of {} fails without any mutant; fix this test first", program.string())};
     }
     fs::rename(running, told);
     return told;
@@ -171,7 +171,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
             }
             if (outcome.killed_by.empty() && starting.at(number) &&
                 fails_when_started_altered(setup.program, number, "*")) {
-                outcome.killed_by = "a test of a program started with it";
+                outcome.killed_by = "a test of a program that started with the mutant";
             }
             log.note(outcome);
             return outcome;

@@ -49,8 +49,8 @@ struct CodeMutationSetup {
     unsigned jobs{2};
 };
 
-/// Runs the program without a mutant, then with each mutant. `progress` receives the number of judged mutants. Throws
-/// InputError when a test fails without a mutant.
+/// Runs the program without a mutant, then with each of `mutants`. `count` is the number of all mutants of the program.
+/// `progress` receives the number of judged mutants. Throws InputError when a test fails without a mutant.
 std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const std::vector<AlteredCell>& mutants,
                                          std::size_t count, const std::function<void(std::size_t)>& progress);
 

@@ -71,8 +71,7 @@ class Sources {
     }
 
   private:
-    /// Returns the lines of a file without comments and contents of literals. Returns no lines when the file does not
-    /// exist.
+    /// Returns the lines of a file without comments and literals. Returns no lines when the file does not exist.
     const std::vector<std::string>& lines(const std::string& file) {
         auto& all = lines_[file];
         if (all.empty() && std::filesystem::is_regular_file(root_ / file)) {

@@ -24,7 +24,7 @@ namespace {
 
 /// Number of mutants of one item that a test runs with first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
-/// Longest processor time in seconds for one test and one item.
+/// Longest processor time in seconds for one test with the cells of one item, and again with the mutants of its code.
 constexpr double most_seconds = 3.0;
 
 using Numbers = std::vector<std::size_t>;
@@ -185,7 +185,7 @@ Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     std::filesystem::create_directories(verdicts);
     for (const char* name : {"canproof_tests", "canproof_properties"}) {
         if (!run_unaltered(setup.programs / name, verdicts / fmt::format("{}.xml", name))) {
-            throw InputError{fmt::format("{} fails without any alteration; fix this test first", name)};
+            throw InputError{fmt::format("a test of {} fails without any alteration; fix this test first", name)};
         }
     }
     return collect_evidence(setup.root, verdicts, content);

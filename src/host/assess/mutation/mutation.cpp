@@ -34,7 +34,7 @@ Program prepare(const std::filesystem::path& path, const std::filesystem::path& 
     const auto folder = verdicts / path.filename();
     std::filesystem::create_directories(folder);
     if (!run_unaltered(path, folder / "verdicts.xml")) {
-        throw InputError{fmt::format("{} fails without any alteration; fix its tests first", path.string())};
+        throw InputError{fmt::format("a test of {} fails without any alteration; fix this test first", path.string())};
     }
     return {path, filters_by_item(read_verdict_files(folder))};
 }
@@ -52,7 +52,7 @@ MutationOutcome judge(const AlteredCell& cell, const std::vector<Program>& progr
     for (std::size_t i = 0; i < programs.size() && outcome.killed_by.empty(); ++i) {
         const std::string* filter = programs[i].filter(cell.item);
         if (filter != nullptr && fails_when_started_altered(programs[i].path, cell.number, *filter)) {
-            outcome.killed_by = "a test of a program started with it";
+            outcome.killed_by = "a test of a program that started with the alteration";
         }
     }
     return outcome;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation of generated cells: each cell is altered, and the tests that claim its requirement must fail.
+// Mutation of generated cells: each cell is altered, and a test that claims the cell's item must fail.
 #pragma once
 
 #include <cstdint>
@@ -31,14 +31,14 @@ struct MutationSetup {
 };
 
 /// Runs both programs unaltered, then with each cell altered. `progress` receives the number of judged cells. Throws
-/// InputError when a test fails unaltered.
+/// InputError when a test fails with unaltered cells.
 std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std::vector<AlteredCell>& cells,
                                           const std::function<void(std::size_t)>& progress);
 
 using Servers = std::vector<std::unique_ptr<TestServer>>;
 
 /// Calls `judge` for each cell on `jobs` threads. Each thread has its own servers, one for each program. `progress`
-/// receives the number of judged cells. Throws InputError when a server ends unexpectedly.
+/// receives the number of judged cells. Throws InputError when `judge` throws or a server cannot be started.
 std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
                                        const std::vector<std::filesystem::path>& programs, unsigned jobs,
                                        const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,

@@ -25,7 +25,8 @@ struct MutationCount {
 using CountsByItem = std::map<std::string, MutationCount>;
 CountsByItem count_by_item(const std::vector<MutationOutcome>& outcomes);
 MutationCount total(const CountsByItem& counts);
-/// Returns the sum of the counts for the mutants of the host's buses and replay (`host`), or for all others.
+/// Returns the sum of the counts for the mutants of the host's buses and replay if `host` is true, otherwise for all
+/// other mutants.
 MutationCount total_of(const CountsByItem& counts, bool host);
 
 }  // namespace canproof::host

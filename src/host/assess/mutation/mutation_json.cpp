@@ -66,7 +66,8 @@ CountsByItem read_mutation_json(const std::filesystem::path& file) {
                           count.at("justified").get<std::size_t>()};
         }
     } catch (const nlohmann::json::exception&) {
-        throw InputError{fmt::format("{} is not what `canproof mutate` writes; run it again", file.string())};
+        throw InputError{
+            fmt::format("{} is no result of `canproof mutate`; run `canproof mutate` again", file.string())};
     }
     return counts;
 }

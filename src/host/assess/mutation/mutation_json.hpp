@@ -12,7 +12,8 @@
 namespace canproof::host {
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
-/// Returns the same JSON and the faults of the records, one line each, for `canproof mutate --json`.
+/// Returns the JSON of write_mutation_json() with the faults of the records, one line each, for `canproof mutate
+/// --json`.
 std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
                                     const std::vector<std::string>& faults);
 /// Reads the counts. Returns no counts when the file does not exist. Throws InputError for content of another form.

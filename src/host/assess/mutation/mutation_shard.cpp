@@ -45,7 +45,7 @@ ReadShard read_shard(const std::filesystem::path& file) {
         return read;
     } catch (const nlohmann::json::exception&) {
         throw InputError{
-            fmt::format("{} is not what `canproof mutate --shard` writes; run that shard again", file.string())};
+            fmt::format("{} is no result of `canproof mutate --shard`; run this shard again", file.string())};
     }
 }
 

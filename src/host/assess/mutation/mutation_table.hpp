@@ -17,21 +17,21 @@ namespace canproof::host {
 /// or literal.
 std::string operator_of(const std::string& change);
 
-/// Returns `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for src/devices/ax130751/firmware/relay.cpp,
-/// `host/bus` for src/host/sim/bus/candump.cpp.
+/// Returns the layer of a source: `canopen` for src/firmware/canopen/emcy.cpp, `ax130751` for
+/// src/devices/ax130751/firmware/relay.cpp, `host/bus` for src/host/sim/bus/candump.cpp.
 std::string layer_of(const std::string& file);
 
 /// Returns whether the file belongs to the host's buses and replay instead of the firmware.
 bool is_host(const std::string& file);
 
-/// Returns the harness that contains the file of a test: `conformance`, `units` or `properties`. Returns `otherwise`
-/// for an empty path.
+/// Returns the test suite to which the file of a test belongs: `conformance`, `units` or `properties`. Returns
+/// `otherwise` for an empty path.
 std::string harness_of(const std::string& test_file);
 
 /// One line of the table.
 struct OperatorCount {
     std::size_t mutants{0};
-    std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by the harness whose test noticed them
+    std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by test suite (harness_of())
     std::size_t justified{0};
     std::size_t open{0};
 };

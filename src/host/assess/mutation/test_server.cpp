@@ -66,8 +66,8 @@ std::string TestServer::run(std::size_t number, const std::string& filter, unsig
             return parts[1] == "survived" ? "" : parts.size() > 2 ? parts[2] : "died";
         }
     }
-    throw InputError{
-        fmt::format("the test program ended at alteration {}; run it with CANPROOF_ALTER={}", number, number)};
+    throw InputError{fmt::format(
+        "the test program ended at alteration {}; run this program with CANPROOF_ALTER={} to see why", number, number)};
 }
 
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter) {

@@ -34,7 +34,7 @@ std::size_t comment_end(const std::string& text, std::size_t at) {
     return at;
 }
 
-/// Returns whether a literal begins at `at`. An apostrophe between the digits of a number begins none.
+/// Returns whether a literal begins at `at`. An apostrophe between the digits of a number begins no literal.
 bool begins_literal(const std::string& text, std::size_t at) {
     return text[at] == '"' || (text[at] == '\'' && (at == 0 || !is_word(text[at - 1])));
 }

@@ -10,8 +10,7 @@ namespace canproof::host {
 /// Returns whether `c` can be part of a name or a number.
 bool is_word(char c);
 
-/// Returns the source with spaces in place of comments and contents of literals. All other characters keep their line
-/// and column.
+/// Returns the source with spaces in place of comments and literals. All other characters keep their line and column.
 std::string code_only(const std::string& source);
 
 /// Returns the source without comments, and without spaces outside literals except one space between two words.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short marks of the code and the tests of an item. A review records them, so that a later change is visible.
+// Marks (short hashes) of the code and the tests of an item. A review records the marks, so that a later change is
+// visible.
 #pragma once
 
 #include <filesystem>

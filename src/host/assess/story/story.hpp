@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< whether an item of the story is failed, open or suspect
+    bool open{false};  ///< whether an item, section, statement or test of the story is not shown
 };
 
 class StoryTeller {
@@ -23,7 +23,7 @@ class StoryTeller {
 
     /// Returns the story of an item or a decision by its id, of a section ("AX130751:1.3"), a statement
     /// ("AX130751:1.3/2"), a file of the code, or a test ("Suite.Name"). Returns nothing when `subject` is none of
-    /// them.
+    /// these.
     std::optional<Story> tell(const std::string& subject) const;
 
   private:

@@ -47,7 +47,8 @@ DecisionsByItem decisions_by_item(const Register& content) {
 }
 
 /// Returns whether an item needs hand-written code. An object needs none because it is a row of the generated
-/// dictionary. A signal needs none because it is a member of the device's inputs or outputs.
+/// dictionary. A signal needs none because it is a member of the device's inputs or outputs. An item that only
+/// inspection or analysis verifies needs none either.
 bool needs_code(const AuditedItem& audited) {
     if (audited.word == "object" || audited.word == "signal") {
         return false;
@@ -118,14 +119,14 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a failed test claims it", id));
+            audit_.gaps.push_back(fmt::format("{}: a test that claims this item has failed", id));
         } else if (!audited.missing.empty()) {
             audit_.gaps.push_back(
-                fmt::format("{}: it has no passed {}", id, fmt::join(audited.missing, ", no passed ")));
+                fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));
         }
         if (audited.without_code) {
             const std::string& by = done_by(*audited.item);
-            audit_.gaps.push_back(fmt::format("{}: no code implements {}", id, by == id ? "it" : by));
+            audit_.gaps.push_back(fmt::format("{}: no code implements {}", id, by == id ? "this item" : by));
         }
         if (!audited.suspect.empty()) {
             audit_.suspects.push_back(fmt::format("{}: {}", id, audited.suspect));
@@ -150,7 +151,7 @@ class PartAuditor {
             audit_.sections.push_back({&section, items, !items.empty()});
             if (items.empty() && manual.statements.empty()) {
                 audit_.gaps.push_back(
-                    fmt::format("{}:{} ({}): the section is normative, but no item has it as its source", manual.key,
+                    fmt::format("{}:{} ({}): the section is normative, but no item names it as its source", manual.key,
                                 section.ref, section.title));
             }
         }
@@ -194,7 +195,7 @@ std::vector<PartAudit> audit_all(const Register& content, const Evidence& eviden
 std::vector<std::string> orphans(const Evidence& evidence) {
     std::vector<std::string> all;
     for (const auto& file : evidence.untraced) {
-        all.push_back(fmt::format("{}: no requirement belongs to this code or to code that includes it", file));
+        all.push_back(fmt::format("{}: no requirement belongs to this file or to code that includes this file", file));
     }
     all.insert(all.end(), evidence.misplaced.begin(), evidence.misplaced.end());
     for (const auto& run : evidence.runs) {

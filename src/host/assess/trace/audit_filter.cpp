@@ -30,7 +30,8 @@ std::string with_key(const std::string& ref, const Register& content, const std:
         }
     }
     if (found.empty()) {
-        throw InputError{fmt::format("no manual has a section {}", ref)};
+        throw InputError{
+            fmt::format("no manual has a section {}; write a section that the requirements register contains", ref)};
     }
     if (found.size() > 1) {
         throw InputError{
@@ -46,7 +47,8 @@ void check_section(const std::string& section, const Register& content) {
     const std::string ref = section.substr(colon + 1);
     const bool is_section = !ref.empty() && ref.find_first_not_of("0123456789.") == std::string::npos;
     if (is_section && !has_section(manual, ref)) {
-        throw InputError{fmt::format("{} has no section {}", key, ref)};
+        throw InputError{fmt::format(
+            "the manual {} has no section {}; write a section that the requirements register contains", key, ref)};
     }
 }
 
@@ -64,8 +66,8 @@ void check_kind(const std::string& kind, const std::vector<PartAudit>& audits) {
         }
     }
     if (kinds.count(kind) == 0) {
-        throw InputError{
-            fmt::format("no item is of the kind `{}`; there are {}, condition-of-use", kind, fmt::join(kinds, ", "))};
+        throw InputError{fmt::format("no item is of the kind `{}`; the kinds are {}, condition-of-use", kind,
+                                     fmt::join(kinds, ", "))};
     }
 }
 
@@ -78,7 +80,7 @@ const Manual& manual_with(const std::string& key, const Register& content) {
         for (const auto& one : content.manuals) {
             keys.push_back(one.key);
         }
-        throw InputError{fmt::format("no manual has the key {}; there are {}", key, fmt::join(keys, ", "))};
+        throw InputError{fmt::format("no manual has the key {}; the keys are {}", key, fmt::join(keys, ", "))};
     }
     return *manual;
 }

@@ -55,7 +55,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The part and the item of each generated name.
+/// The id of the item to which each generated name of a part belongs.
 using Names = std::map<std::string, std::string>;
 
 Names generated_names(const Part& part) {

@@ -18,7 +18,7 @@ namespace canproof::host {
 std::vector<std::string> untraced_files(const std::filesystem::path& source, const Evidence& evidence);
 
 /// Returns, by the id of an item, the places where code names what is generated from the item: a table, a constant, an
-/// enumeration, an object's field or a signal. A place is `src/…:line`; there is one for each file.
+/// enumeration, an object's field or a signal. A place is `src/…:line`; only the first place in each file is returned.
 std::map<std::string, std::vector<std::string>> generated_uses(const std::filesystem::path& root,
                                                                const Register& content);
 

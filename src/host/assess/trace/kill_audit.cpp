@@ -78,7 +78,7 @@ class Auditor {
         }
         if (const auto killers = killers_.find(id); !shown && killers != killers_.end()) {
             audit_.regressions.push_back(
-                fmt::format("{}: {} noticed a mutant of it, but no test in its present form does", id,
+                fmt::format("{}: {} noticed a mutant of this item, but no test in its present form does", id,
                             fmt::join(killers->second.begin(),
                                       killers->second.begin() +
                                           static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, killers->second.size())),

@@ -20,7 +20,7 @@ struct KillAudit {
     std::vector<std::string> changed;  ///< tests whose body has changed since they were judged
     std::vector<std::string> never;    ///< tests with claims that no mutation run has judged
     std::vector<std::string> idle;     ///< tests that notice no mutant of any item that they claim
-    /// one sentence for each item that the record shows but the present tests do not
+    /// one sentence for each item that the record shows but the present tests do not, and for each lost test
     std::vector<std::string> regressions;
 };
 

@@ -20,7 +20,7 @@ struct KillLine {
 /// The results by the test's name, Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
-/// Reads the record; returns an empty one when the file does not exist. Throws InputError with the line of invalid
+/// Reads the record; returns an empty record when the file does not exist. Throws InputError with the line of invalid
 /// content.
 KillRecord read_kill_record(const std::filesystem::path& file);
 /// Returns one line for each test, sorted by name: `test,body,kills,without mutants`. Spaces separate the items.

@@ -67,7 +67,9 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
                 first, links, most_links));
         }
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
-            all.push_back(fmt::format("{}:{}: no code that can implement it follows the link", name, first));
+            all.push_back(fmt::format(
+                "{}:{}: no code that can implement the item follows the link; put the link directly above the code",
+                name, first));
         }
     }
     return all;

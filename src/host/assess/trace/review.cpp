@@ -128,7 +128,7 @@ std::string ReviewState::suspicion(const std::string& id, const std::vector<std:
     }
     for (const auto& decision : decisions) {
         if (const std::string change = change_of(decision); !change.empty()) {
-            return fmt::format("{}, which affects it, {}", decision, change);
+            return fmt::format("{}, which affects this item, {}", decision, change);
         }
     }
     return "";

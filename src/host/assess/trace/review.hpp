@@ -46,8 +46,8 @@ class ReviewState {
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work);
 
-/// Returns the text of reviews.toml with new marks of code and tests for each review of an item whose text and
-/// decisions are unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A new mark does
+/// Returns the text of reviews.toml with new marks of code and tests for each review of an item or decision
+/// that is itself unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A new mark does
 /// not mean that someone has read the code.
 std::string write_marked_reviews(const Register& content, const Part& part, const std::string& date,
                                  const WorkByItem& work);

@@ -58,8 +58,8 @@ AuditedStatement audited(const Statement& statement, const std::string& key,
 void add_gaps(const Manual& manual, PartAudit& audit) {
     for (const auto& one : audit.statements) {
         if (one.statement->is_open()) {
-            audit.gaps.push_back(fmt::format("{}: no item covers the statement, and it has no reason ({})", one.id,
-                                             brief(one.statement->text)));
+            audit.gaps.push_back(fmt::format("{}: no item covers the statement, and the statement has no reason ({})",
+                                             one.id, brief(one.statement->text)));
         }
     }
     const auto statements = by_section(manual, audit.statements);

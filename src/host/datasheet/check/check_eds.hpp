@@ -11,16 +11,15 @@
 
 namespace canproof::host {
 
-/// Returns every rule, in the order of the groups: text, lists, objects, entries, values, mapping, PDO, services,
-/// sections.
+/// Returns every rule, in the order of the groups: text, FileInfo, DeviceInfo, small sections, lists, objects, entries,
+/// values, mapping, PDO, services.
 std::vector<EdsRule> eds_rules();
 
 /// Returns the findings of all rules, ascending by line, at most Faults::most. `name` is the name of the file without
-/// its folder. If it is empty, checks that depend on it are left out.
-/// A text is a device configuration file if its name ends in .dcf. It is also one if it contains [DeviceComissioning]
-/// and the name does not end in .eds. Such a file may have additional keys.
-/// Throws InputError for a text that is no EDS: XML, more than most_strange_lines invalid lines, more than a million
-/// lines, or no section.
+/// its folder. If `name` is empty, leaves out the checks that depend on the name. A text is a device configuration file
+/// if its name ends in .dcf. A text with [DeviceComissioning] is also a device configuration file if its name does not
+/// end in .eds. Such a file may have additional keys. Throws InputError for a text that is no EDS: XML, more than
+/// most_strange_lines invalid lines, more than a million lines, or no section.
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

@@ -22,10 +22,10 @@ struct EdsRule {
     EdsSeverity severity;  ///< severity of all findings of this rule
     const char* what;      ///< general description of the fault
     const char* fix;       ///< remedy
-    const char* source;    ///< section of CiA 301 or CiA 306 that requires it
+    const char* source;    ///< section of the CiA document that the fault violates
 };
 
-/// A change of one line that belongs to the fix of a finding. It does not change the meaning of the sheet.
+/// A change of one line that belongs to the fix of a finding. The change does not alter the meaning of the sheet.
 struct EdsEdit {
     enum class Kind { replace, insert_after, erase, crlf } kind{Kind::replace};
     unsigned line{0};  ///< line number from 1

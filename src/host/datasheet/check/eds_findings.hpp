@@ -13,7 +13,7 @@ namespace canproof::host {
 
 class EdsFindings {
   public:
-    /// `rules` contains the rules by id. The findings keep a reference to it.
+    /// Keeps a reference to `rules`, which contains the rules by id.
     explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
 
     /// Adds a finding of the rule with this id. Throws std::out_of_range for an unknown rule. Drops findings beyond
@@ -28,8 +28,8 @@ class EdsFindings {
     std::vector<EdsFinding> all_;
 };
 
-/// Returns an edit that replaces the line. The two functions below return edits that insert lines after it, and that
-/// erase it.
+/// Returns an edit that replaces the line. The two functions below return edits that insert lines after the line, and
+/// that erase the line.
 inline std::vector<EdsEdit> replace_line(unsigned line, std::string text) {
     return {{EdsEdit::Kind::replace, line, std::move(text)}};
 }

@@ -42,7 +42,7 @@ struct EdsSheetEntry {
     bool mappable{false};                ///< whether PDOMapping is not 0
     bool compact{false};                 ///< whether CompactSubObj describes the entry
 
-    /// Returns the default of an entry with an unsigned number; nothing for any other default.
+    /// Returns the default if it is an unsigned number, also with `$NODEID`; nothing for any other default.
     std::optional<EdsNumber> number() const;
     /// Returns the line of a key; without the key, the line of the section.
     unsigned line_of(const char* key) const;
@@ -56,7 +56,7 @@ struct EdsSheetEntry {
 struct EdsSheetObject {
     std::uint16_t index{0};
     const IniSection* section{nullptr};    ///< section of the object; nullptr: only sections of sub-indices describe it
-    std::optional<std::uint64_t> code{7};  ///< ObjectType; nothing when it is not a number
+    std::optional<std::uint64_t> code{7};  ///< ObjectType, 7 when it is missing; nothing when it is not a number
     std::uint64_t compact{0};              ///< value of CompactSubObj
     std::map<std::uint8_t, const IniSection*> subs;  ///< sections [XXXXsubY] by sub-index
     std::vector<EdsSheetEntry> entries;              ///< ascending by sub-index

@@ -80,7 +80,7 @@ class EntryCheck {
                           fmt::format("AccessType {} of {} is unknown", given->text, entry_.title()));
         } else if (entry_.access != given->text) {
             findings_.add("access-case", given->line,
-                          fmt::format("AccessType {} is written {}", given->text, entry_.access),
+                          fmt::format("AccessType {} must be written {}", given->text, entry_.access),
                           replace_line(given->line, "AccessType=" + entry_.access));
         }
     }
@@ -159,7 +159,7 @@ const std::vector<EdsRule>& entry_rules() {
         {"access-missing", error, "an entry lacks AccessType", "add ro, wo, rw, rwr, rww or const", access_source},
         {"access-unknown", error, "an AccessType is unknown", "write ro, wo, rw, rwr, rww or const", access_source},
         {"access-case", warning, "an AccessType has capital letters", "write small letters", access_source},
-        {"const-default", error, "a constant has no default", "add its value", access_source},
+        {"const-default", error, "a constant has no default", "add its value as DefaultValue", access_source},
         {"domain-type", error, "a DOMAIN has the type of a value", "write DataType 0x000F", type_source},
         {"domain-object", warning, "an entry of type DOMAIN has another ObjectType", "write ObjectType 0x2",
          type_source},
@@ -168,11 +168,11 @@ const std::vector<EdsRule>& entry_rules() {
         {"mapping-type", error, "an entry that fits no PDO can be mapped", "write PDOMapping=0", mapping_source},
         {"mapping-text", warning, "a text or octets of any length can be mapped",
          "write PDOMapping=0, unless the value never has more than 8 octets", mapping_source},
-        {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or ro", mapping_source},
+        {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or AccessType=ro", mapping_source},
         {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},
         {"mapping-direction-unused", warning, "the access of an entry that cannot be mapped names a direction",
-         "write rw, or PDOMapping=1", access_source},
+         "write AccessType=rw, or PDOMapping=1", access_source},
         {"mapping-parameter", warning, "a communication parameter can be mapped", "write PDOMapping=0",
          mapping_source}};
     return rules;

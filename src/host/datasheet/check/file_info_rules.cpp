@@ -233,8 +233,8 @@ const std::vector<EdsRule>& file_info_rules() {
          source},
         {"fileinfo-no-such-day", error, "a date is no day of the calendar",
          "write a day that exists, as mm-dd-yyyy: the month comes first", source},
-        {"fileinfo-time", error, "a time is not of the form hh:mmAM or hh:mmPM", "write the time with 12 hours",
-         source},
+        {"fileinfo-time", error, "a time is not of the form hh:mmAM or hh:mmPM",
+         "write the time with hours from 01 to 12 and AM or PM", source},
         {"fileinfo-modified-before", warning, "the file was modified before it was created",
          "correct one of the two dates", source}};
     return rules;

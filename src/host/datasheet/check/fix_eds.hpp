@@ -15,8 +15,9 @@ struct EdsFixed {
     std::vector<EdsFinding> done;  ///< findings that were fixed; their lines refer to the text before that fix
 };
 
-/// Applies the edits of all findings that have edits, and checks again until no such finding is left. If a device can
-/// be read from the sheet, the fixed sheet gives the same device. Throws InputError as check_eds() does.
+/// Applies the edits of all findings that have edits, and checks again until no such finding is left (at most 20
+/// times). If a device can be read from the sheet, the fixed sheet gives the same device. Throws InputError as
+/// check_eds() does.
 EdsFixed fix_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

@@ -28,7 +28,7 @@ struct Section {
 
 const Words dcf_keys{"ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"};
 
-/// Returns the sections with fixed names. A # at the end of a name stands for any number.
+/// Returns the sections with fixed names. A # at the end of a key stands for any number.
 const std::map<std::string, Section>& sections() {
     static const std::vector<Section> listed{
         {"FileInfo",

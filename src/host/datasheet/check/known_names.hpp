@@ -8,11 +8,11 @@
 namespace canproof::host {
 
 /// Returns the section's name in the spelling of CiA 306, also for names such as [1018sub1]. Returns an empty text when
-/// CiA 306 has no such section.
+/// CiA 306 has no such section. Also accepts [DeviceCommissioning], with two m.
 std::string known_section(const std::string& name);
 
-/// Returns a key of a section in the spelling of CiA 306; empty when the section has no such key. Upper and lower case
-/// of both names do not matter.
+/// Returns a key of a section in the spelling of CiA 306; empty when the section has no such key. Returns a key of an
+/// unknown section unchanged. Upper and lower case of both names do not matter.
 std::string known_key(const std::string& section, std::string_view key);
 
 /// Returns whether the key of an object exists only in device configuration files.

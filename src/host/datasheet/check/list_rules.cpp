@@ -89,8 +89,8 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// Makes one fix that writes all three lists again. All findings of the lists share it. Makes none when a list has
-    /// an invalid line.
+    /// Makes one fix that writes all three lists again. All findings that this fix removes share it. Makes no fix when
+    /// a list has an invalid line.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {
@@ -221,18 +221,20 @@ const std::vector<EdsRule>& list_rules() {
          "write the number of objects", source},
         {"list-key", warning, "a key of a list is not a number", "write the entries as 1=0x1000, 2=0x1001 …", source},
         {"list-no-index", error, "an entry of a list is no index", "write an index from 0x1000 to 0xFFFF", source},
-        {"list-numbering", error, "the entries of a list are not numbered from 1 without gap", "number them again",
-         source},
+        {"list-numbering", error, "the entries of a list are not numbered from 1 without gap",
+         "number the entries from 1 on", source},
         {"list-order", warning, "a list is not ascending", "list the objects by ascending index", source},
-        {"list-duplicate", error, "an object is in a list twice", "list it once", source},
-        {"list-two", error, "an object is in two lists", "list it once, in the list of its kind", source},
-        {"list-form", warning, "an index is not hexadecimal", "write it as 0x and four digits", source},
-        {"list-no-section", error, "an object is listed but not described", "describe it, or remove it from the list",
-         source},
-        {"list-data-type", error, "a data type is listed as an object", "remove it from the list", source},
+        {"list-duplicate", error, "an object is in a list twice", "list the object once", source},
+        {"list-two", error, "an object is in two lists", "list the object once, in the list of its kind", source},
+        {"list-form", warning, "an index is not hexadecimal", "write the index as 0x and four digits", source},
+        {"list-no-section", error, "an object is listed but not described",
+         "describe the object, or remove it from the list", source},
+        {"list-data-type", error, "a data type is listed as an object", "remove the data type from the list", source},
         {"list-wrong", error, "an object is in a list of another kind",
-         "1000h, 1001h and 1018h are mandatory, 2000h to 5FFFh the manufacturer's, all others optional", source},
-        {"list-none", error, "an object is described but not listed", "add it to the list of its kind", source}};
+         "list 1000h, 1001h and 1018h as mandatory, 2000h to 5FFFh as manufacturer's, all other objects as optional",
+         source},
+        {"list-none", error, "an object is described but not listed", "add the object to the list of its kind",
+         source}};
     return rules;
 }
 

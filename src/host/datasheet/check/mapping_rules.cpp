@@ -45,7 +45,7 @@ class MappingCheck {
             }
             if (entry.type != nullptr && entry.type->number != 7) {
                 findings_.add("map-type", entry.line_of("DataType"),
-                              fmt::format("{} is {}", entry.title(), entry.type->name));
+                              fmt::format("{} is {} instead of UNSIGNED32", entry.title(), entry.type->name));
             }
             if (entry.sub <= count) {
                 check_mapped(entry);
@@ -69,7 +69,9 @@ class MappingCheck {
         const auto length = static_cast<unsigned>(value->bits & 0xFFU);
         bits_ += length;
         if (value->bits == 0) {
-            findings_.add("map-empty", at.value_line(), fmt::format("{} is counted, but maps nothing", at.title()));
+            findings_.add(
+                "map-empty", at.value_line(),
+                fmt::format("{} is 0: sub-index 0 counts this entry, but the entry maps nothing", at.title()));
             return;
         }
         if (index < first_object) {
@@ -84,8 +86,7 @@ class MappingCheck {
         }
         check_target(at, *target, length);
         if (!mapped_.insert(static_cast<unsigned>(value->bits >> 8U)).second && is_rpdo_) {
-            findings_.add("map-twice", at.value_line(),
-                          fmt::format("{} maps {} once more", at.title(), target->title()));
+            findings_.add("map-twice", at.value_line(), fmt::format("{} maps {} again", at.title(), target->title()));
         }
     }
 
@@ -98,8 +99,8 @@ class MappingCheck {
         if (!varies && target.type->bits != length) {
             const bool byte = target.type->bits == 1 && length == 8;
             findings_.add(byte ? "map-boolean-byte" : "map-length", at.value_line(),
-                          fmt::format("{} maps {} bit(s) of {}, which has {}", at.title(), length, target.title(),
-                                      target.type->bits));
+                          fmt::format("{} maps {} bit(s) of {}, which has {} bit(s)", at.title(), length,
+                                      target.title(), target.type->bits));
         }
         const std::string& access = target.access;
         const bool never = is_rpdo_ ? access == "ro" || access == "const" : access == "wo";
@@ -134,9 +135,9 @@ class MappingCheck {
             return;
         }
         if (type->bits != length) {
-            findings_.add(
-                "map-dummy-length", at.value_line(),
-                fmt::format("{} skips {} bit(s) by {}, which has {}", at.title(), length, type->name, type->bits));
+            findings_.add("map-dummy-length", at.value_line(),
+                          fmt::format("{} maps a gap of {} bit(s) with {}, which has {} bit(s)", at.title(), length,
+                                      type->name, type->bits));
         }
         const IniSection* usage = sheet_.section("DummyUsage");
         const IniValue* flag = usage == nullptr ? nullptr : usage->filled(fmt::format("Dummy{:04X}", index));
@@ -170,15 +171,16 @@ const std::vector<EdsRule>& mapping_rules() {
         {"map-length", error, "the mapped length differs from the data type",
          "write the bits of the type into the last byte of the entry", source},
         {"map-boolean-byte", warning, "a BOOLEAN is mapped with 8 bits", "map 1 bit, or use UNSIGNED8", source},
-        {"map-twice", warning, "a receive PDO maps an object twice", "map it once: the last value wins", source},
+        {"map-twice", warning, "a receive PDO maps an object twice", "map the object once: the last value wins",
+         source},
         {"map-access", error, "the access of a mapped object forbids the direction of the PDO",
          "map an object that can be written by a receive PDO, or read by a transmit PDO", access_source},
-        {"map-direction", error, "a mapped object has the other direction",
+        {"map-direction", error, "the access of a mapped object names the other direction",
          "write rww for a receive PDO, rwr for a transmit PDO", access_source},
         {"map-no-direction", warning, "the default mapping has an object whose access names no direction",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},
-        {"map-dummy-transmit", error, "a transmit PDO maps a data type", "gaps exist in receive PDOs only",
-         "CiA 301, dummy mapping"},
+        {"map-dummy-transmit", error, "a transmit PDO maps a data type",
+         "map an object: only a receive PDO may have gaps", "CiA 301, dummy mapping"},
         {"map-dummy-length", error, "the length of a gap differs from its data type", "write the bits of the type",
          "CiA 301, dummy mapping"},
         {"map-dummy-usage", error, "a gap is mapped that [DummyUsage] does not allow",

@@ -75,7 +75,7 @@ class ObjectCheck {
                           fmt::format("{} is described as a data type", object.title()));
         } else if (object.index < first_object && code != 5 && code != 6) {
             findings_.add("object-data-type", section.line,
-                          fmt::format("[{}] is at the index of a data type, but is none", section.name));
+                          fmt::format("[{}] is at the index of a data type, but describes none", section.name));
         }
         if (object.is_single() && !object.subs.empty()) {
             findings_.add("object-single-subs", section.line,
@@ -117,8 +117,8 @@ class ObjectCheck {
         }
     }
 
-    /// Reports DataType, AccessType and the like in the section of an ARRAY or RECORD, where they have a meaning only
-    /// with CompactSubObj.
+    /// Reports DefaultValue, limits, PDOMapping and AccessType in the section of an ARRAY or RECORD with sub-objects,
+    /// where these keys have a meaning only with CompactSubObj.
     void check_own_values(const EdsSheetObject& object) {
         if (!object.is_several() || object.compact != 0 || object.subs.empty()) {
             return;
@@ -166,14 +166,14 @@ class ObjectCheck {
         }
         if (zero->type != nullptr && zero->type->number != 5) {
             findings_.add("sub0-type", zero->line_of("DataType"),
-                          fmt::format("{} is {}", zero->title(), zero->type->name));
+                          fmt::format("{} is {} instead of UNSIGNED8", zero->title(), zero->type->name));
         }
         const bool counts = is_mapping(object.index) || object.index == 0x1003;
         const bool communication = object.index < 0x2000;
         if (zero->access == "wo" || (communication && !counts && zero->access != "ro" && zero->access != "const" &&
                                      object.index != 0x1016 && !zero->access.empty())) {
             findings_.add("sub0-access", zero->line_of("AccessType"),
-                          fmt::format("{} is {}", zero->title(), zero->access));
+                          fmt::format("{} has the access {}", zero->title(), zero->access));
         }
         const auto value = zero->number();
         if (zero->value == nullptr) {
@@ -208,7 +208,7 @@ class ObjectCheck {
             first = first == nullptr ? &entry : first;
             if (entry.type != nullptr && first->type != nullptr && entry.type != first->type) {
                 findings_.add("array-types", entry.line_of("DataType"),
-                              fmt::format("{} is {}, {} is {}", entry.title(), entry.type->name, first->title(),
+                              fmt::format("{} is {}, but {} is {}", entry.title(), entry.type->name, first->title(),
                                           first->type->name));
             }
         }
@@ -249,7 +249,7 @@ class ObjectCheck {
         }
     }
 
-    /// Checks the sections [1018Name] and [1018Value] of every object.
+    /// Checks all sections such as [1018Name] and [1018Value].
     void check_compact_lists() {
         for (const auto& [name, section] : sheet_.ini().sections) {
             const auto found = eds_object_name(name);
@@ -312,22 +312,22 @@ const std::vector<EdsRule>& object_rules() {
         {"object-single-subs", error, "a single value has sub-objects",
          "write ObjectType 0x8 or 0x9, or remove the sub-objects", types_source},
         {"object-single-number", warning, "a single value has SubNumber", "remove the line", source},
-        {"object-no-subs", error, "an ARRAY or RECORD has no sub-objects", "describe them, or use CompactSubObj",
-         source},
+        {"object-no-subs", error, "an ARRAY or RECORD has no sub-objects",
+         "describe the sub-objects, or use CompactSubObj", source},
         {"object-own-value", warning, "an ARRAY or RECORD has a value of its own beside its sub-objects",
-         "move it to the sub-object", source},
+         "move the value to the sub-object", source},
         {"sub-alone", error, "a sub-object exists without its object", "describe the object", source},
         {"sub-object-type", error, "a sub-object is no single value", "write ObjectType 0x7, or 0x2 for a DOMAIN",
          types_source},
         {"subnumber-missing", error, "an ARRAY or RECORD lacks SubNumber", "add the number of sub-objects", source},
         {"subnumber", error, "SubNumber differs from the sub-objects that are described",
          "write the number of sub-objects, sub-index 0 included", source},
-        {"sub0-missing", error, "an ARRAY or RECORD lacks sub-index 0", "describe it: the highest sub-index",
-         "CiA 301, sub-index 0"},
+        {"sub0-missing", error, "an ARRAY or RECORD lacks sub-index 0",
+         "describe it; its value is the highest sub-index", "CiA 301, sub-index 0"},
         {"sub0-type", error, "sub-index 0 is not UNSIGNED8", "write DataType 0x0005", "CiA 301, sub-index 0"},
         {"sub0-access", warning, "sub-index 0 can be written", "write ro or const", "CiA 301, sub-index 0"},
         {"sub0-default-missing", warning, "sub-index 0 has no default",
-         "write the highest sub-index; in 1003h the number of errors, in a mapping that of mapped objects",
+         "write the highest sub-index; in 1003h the number of errors, in a mapping the number of mapped objects",
          "CiA 301, sub-index 0"},
         {"sub0-value", error, "the default of sub-index 0 is not the highest sub-index", "write the highest sub-index",
          "CiA 301, sub-index 0"},
@@ -342,7 +342,8 @@ const std::vector<EdsRule>& object_rules() {
          compact_source},
         {"compact-alone", error, "names or values exist without CompactSubObj", "add CompactSubObj to the object",
          compact_source},
-        {"compact-beyond", error, "a name or value is beyond CompactSubObj", "correct its number", compact_source},
+        {"compact-beyond", error, "a name or value is beyond CompactSubObj", "correct the number of the entry",
+         compact_source},
         {"compact-entries", error, "NrOfEntries differs from the entries", "write the number of entries",
          compact_source}};
     return rules;

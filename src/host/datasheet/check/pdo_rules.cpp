@@ -78,8 +78,8 @@ class PdoCheck {
                           fmt::format("{} has an identifier of 29 bits", entry->title()));
             return;
         }
-        // CiA 301 reserves an identifier at all node-IDs or at none, so only the lowest and the highest node-ID are
-        // tried.
+        // Tries only the lowest and the highest node-ID. Among all bases, only $NODEID+681h is reserved at node-IDs
+        // between these two alone.
         for (const unsigned node : {1U, 127U}) {
             const unsigned id = identifier(*value, node);
             if (is_reserved(id)) {
@@ -137,15 +137,17 @@ class PdoCheck {
             }
             if (object_.entry(6) != nullptr) {
                 findings_.add("pdo-rpdo-sync-start", object_.entry(6)->section->line,
-                              fmt::format("{}, the SYNC start value, is of transmit PDOs", object_.entry(6)->title()));
+                              fmt::format("{} is the SYNC start value, which only transmit PDOs have",
+                                          object_.entry(6)->title()));
             }
             return;
         }
         const EdsSheetEntry* start = object_.entry(6);
         const auto counter = start == nullptr ? std::nullopt : start->number();
         if (counter && counter->bits > 240) {
-            findings_.add("pdo-sync-start", start->value_line(),
-                          fmt::format("{} is {}; the counter goes to 240", start->title(), counter->bits));
+            findings_.add(
+                "pdo-sync-start", start->value_line(),
+                fmt::format("{} is {}, but the SYNC counter counts to 240 at most", start->title(), counter->bits));
         }
         const EdsSheetEntry* inhibit = object_.entry(3);
         const EdsSheetEntry* event = object_.entry(5);
@@ -185,25 +187,26 @@ void check_same(const EdsSheet& sheet, EdsFindings& findings) {
 const std::vector<EdsRule>& pdo_rules() {
     static const std::vector<EdsRule> rules{
         {"pdo-no-mapping", error, "a PDO has communication parameters, but no mapping",
-         "describe the mapping, 200h above", mapping_source},
+         "describe the mapping, whose index is 200h higher", mapping_source},
         {"pdo-no-communication", error, "a PDO has a mapping, but no communication parameters",
-         "describe the communication parameters, 200h below", mapping_source},
+         "describe the communication parameters, whose index is 200h lower", mapping_source},
         {"pdo-record", error, "communication parameters are no RECORD", "write ObjectType 0x9", source},
         {"pdo-entry-missing", error, "communication parameters lack COB-ID or transmission type", "describe the entry",
          source},
         {"pdo-sub-type", error, "a communication parameter has another type than CiA 301 gives",
          "write the type of CiA 301", source},
-        {"pdo-sub-unknown", error, "a communication parameter is beyond sub-index 6", "remove it", source},
-        {"pdo-sub-reserved", warning, "sub-index 4 is reserved", "remove it", source},
+        {"pdo-sub-unknown", error, "a communication parameter is beyond sub-index 6", "remove the entry", source},
+        {"pdo-sub-reserved", warning, "sub-index 4 is reserved", "remove the entry", source},
         {"pdo-cob-id-extended", warning, "a PDO has an identifier of 29 bits by default",
          "write an identifier of 11 bits", source},
         {"pdo-cob-id-reserved", error, "the COB-ID of a PDO belongs to another service", "write another identifier",
          "CiA 301, restricted identifiers"},
         {"pdo-cob-id-default", warning, "one of the first four PDOs has another COB-ID than the pre-defined one",
          "write $NODEID and the pre-defined base, or set bit 31", "CiA 301, pre-defined connection set"},
-        {"pdo-cob-id-same", error, "two PDOs have one COB-ID", "give each its own, or set bit 31 of one", source},
+        {"pdo-cob-id-same", error, "two PDOs have one COB-ID",
+         "give each PDO its own COB-ID, or set bit 31 of one COB-ID", source},
         {"pdo-transmission-reserved", error, "a transmission type is reserved",
-         "write 0 to 240, 254 or 255; 252 and 253 for transmit PDOs", source},
+         "write 0 to 240, 254 or 255; a transmit PDO may also have 252 or 253", source},
         {"pdo-transmission-remote", warning, "a PDO on request allows no remote frame", "clear bit 30 of the COB-ID",
          source},
         {"pdo-without-sync", warning, "a synchronous PDO is in a device without SYNC",

@@ -72,7 +72,7 @@ class ServiceCheck {
                 const bool reads_only = one.access == "ro" || one.access == "const";
                 if (standard.access == StandardObject301::Access::read && !reads_only && !one.access.empty()) {
                     findings_.add("standard-read-only", one.line_of("AccessType"),
-                                  fmt::format("{} is {}, but nothing may write it", one.title(), one.access));
+                                  fmt::format("{} is {}, but must be read-only", one.title(), one.access));
                 } else if (standard.access == StandardObject301::Access::write && reads_only) {
                     findings_.add("standard-writable", one.line_of("AccessType"),
                                   fmt::format("{} is {}, but must be writable", one.title(), one.access));
@@ -104,11 +104,11 @@ class ServiceCheck {
         const EdsSheetEntry* count = entry(0x1003);
         if (count != nullptr && !count->is_single && count->access != "rw" && !count->access.empty()) {
             findings_.add("error-list-access", count->line_of("AccessType"),
-                          fmt::format("1003h:00 is {}; a write of 0 clears the list", count->access));
+                          fmt::format("1003h:00 is {}, but a write of 0 must clear the list", count->access));
         }
         const auto cob_id = number(0x1014);
         if (cob_id && !is_off(cob_id->bits) && (!cob_id->node_id || (cob_id->bits & 0x7FFU) != 0x80)) {
-            add("emcy-cob-id", 0x1014, 0, fmt::format("1014h is {}", entry(0x1014)->value->text));
+            add("emcy-cob-id", 0x1014, 0, fmt::format("1014h is {}, not $NODEID+0x80", entry(0x1014)->value->text));
         }
         if (entry(0x1015) != nullptr && entry(0x1014) == nullptr) {
             findings_.add("emcy-inhibit-alone", entry(0x1015)->section->line, "there is 1015h, but no 1014h");
@@ -118,7 +118,8 @@ class ServiceCheck {
             const EdsSheetEntry& one = behaviour->entries[i];
             const auto value = one.number();
             if (one.sub == 1 && value && value->bits > 2) {
-                findings_.add("error-behaviour", one.value_line(), fmt::format("{} is {}", one.title(), value->bits));
+                findings_.add("error-behaviour", one.value_line(),
+                              fmt::format("{} is {}, not 0, 1 or 2", one.title(), value->bits));
             }
         }
     }
@@ -127,7 +128,7 @@ class ServiceCheck {
         constexpr std::uint64_t producer = 0x40000000;
         const auto cob_id = number(0x1005);
         if (cob_id && (cob_id->node_id || (cob_id->bits & 0x1FFFFFFFU) != 0x80)) {
-            add("sync-cob-id", 0x1005, 0, fmt::format("1005h is {}", entry(0x1005)->value->text));
+            add("sync-cob-id", 0x1005, 0, fmt::format("1005h is {}, not 0x80", entry(0x1005)->value->text));
         }
         if (cob_id && (cob_id->bits & producer) != 0 && entry(0x1006) == nullptr) {
             add("sync-producer", 0x1005, 0, "1005h produces SYNC, but there is no 1006h");
@@ -140,11 +141,11 @@ class ServiceCheck {
         }
         const std::uint64_t overflow = plain(0x1019);
         if (overflow == 1 || overflow > 240) {
-            add("sync-counter", 0x1019, 0, fmt::format("1019h is {}", overflow));
+            add("sync-counter", 0x1019, 0, fmt::format("1019h is {}, not 0 or 2 to 240", overflow));
         }
         const auto time = number(0x1012);
         if (time && (time->node_id || (time->bits & 0x1FFFFFFFU) != 0x100)) {
-            add("time-cob-id", 0x1012, 0, fmt::format("1012h is {}", entry(0x1012)->value->text));
+            add("time-cob-id", 0x1012, 0, fmt::format("1012h is {}, not 0x100", entry(0x1012)->value->text));
         }
     }
 
@@ -180,8 +181,8 @@ class ServiceCheck {
             const std::uint64_t time = value->bits & 0xFFFFU;
             if (value->bits > 0xFFFFFFU || node > 127 || (node == 0 && time != 0)) {
                 findings_.add("heartbeat-consumer", one.value_line(),
-                              fmt::format("{} is 0x{:08X}: bits 24 to 31 are 0, bits 16 to 23 a node-ID", one.title(),
-                                          value->bits));
+                              fmt::format("{} is 0x{:08X}, but bits 24 to 31 must be 0, bits 16 to 23 a node-ID",
+                                          one.title(), value->bits));
             } else if (time != 0) {
                 const auto [first, is_new] = nodes.emplace(node, one.title());
                 if (!is_new) {
@@ -201,7 +202,7 @@ class ServiceCheck {
                 const std::uint64_t most = index == 0x1010 ? 3 : 1;
                 if (one.sub != 0 && value && value->bits > most) {
                     findings_.add("storage-default", one.value_line(),
-                                  fmt::format("{} is 0x{:X}; a read gives its capability, 0 to {}", one.title(),
+                                  fmt::format("{} is 0x{:X}, but a read returns the capability, 0 to {}", one.title(),
                                               value->bits, most));
                 }
             }
@@ -235,7 +236,7 @@ class ServiceCheck {
                 if (one != nullptr && at->first == 0x1200 && one->access != "ro" && one->access != "const" &&
                     !one->access.empty()) {
                     findings_.add("sdo-default-access", one->line_of("AccessType"),
-                                  fmt::format("{} is {}", one->title(), one->access));
+                                  fmt::format("{} has the access {}", one->title(), one->access));
                 }
             }
         }
@@ -261,7 +262,7 @@ const std::vector<EdsRule>& service_rules() {
          "CiA 301, object 1018h"},
         {"identity-vendor-zero", warning, "the vendor-ID is 0", "write the number that CiA gave the manufacturer",
          "CiA 301, object 1018h"},
-        {"identity-sub", error, "1018h (identity) has more than four values", "remove what is beyond sub-index 4",
+        {"identity-sub", error, "1018h (identity) has more than four values", "remove the entries beyond sub-index 4",
          "CiA 301, object 1018h"},
         {"error-list-default", warning, "1003h (error list) is not empty by default", "write 0",
          "CiA 301, object 1003h"},
@@ -281,20 +282,20 @@ const std::vector<EdsRule>& service_rules() {
          "CiA 301, object 1005h"},
         {"sync-counter", error, "1019h (SYNC counter overflow) is 1 or above 240", "write 0, or 2 to 240",
          "CiA 301, object 1019h"},
-        {"time-cob-id", warning, "1012h (COB-ID TIME) is not the pre-defined one", "write 0x100, with bits 30 and 31",
-         "CiA 301, object 1012h"},
-        {"guarding-half", error, "one of 100Ch (guard time) and 100Dh (life time factor) is missing", "describe both",
-         "CiA 301, objects 100Ch and 100Dh"},
+        {"time-cob-id", warning, "1012h (COB-ID TIME) is not the pre-defined one",
+         "write 0x100, and set bits 30 and 31 as needed", "CiA 301, object 1012h"},
+        {"guarding-half", error, "one of 100Ch (guard time) and 100Dh (life time factor) is missing",
+         "describe both objects", "CiA 301, objects 100Ch and 100Dh"},
         {"error-control-missing", error, "the device has neither heartbeat nor node guarding",
          "describe 1017h (producer heartbeat time)", "CiA 301, error control services"},
         {"heartbeat-guarding", warning, "heartbeat and guarding are both on by default",
-         "write 0 for one of them: the heartbeat switches guarding off", "CiA 301, error control services"},
+         "write 0 for one of the two: the heartbeat switches guarding off", "CiA 301, error control services"},
         {"heartbeat-consumer", error, "an entry of 1016h (consumer heartbeat time) has no node-ID from 1 to 127",
          "write node-ID and time in ms as 0x00NNTTTT", "CiA 301, object 1016h"},
         {"heartbeat-consumer-twice", error, "1016h (consumer heartbeat time) watches a node twice",
          "write each node-ID once", "CiA 301, object 1016h"},
         {"storage-default", warning, "the default of 1010h or 1011h is no capability",
-         "write what a read gives: 1 is on command", "CiA 301, objects 1010h and 1011h"},
+         "write the capability that a read returns: 1 means on command", "CiA 301, objects 1010h and 1011h"},
         {"sdo-record", error, "the parameters of an SDO server are no RECORD", "write ObjectType 0x9",
          "CiA 301, objects 1200h to 127Fh"},
         {"sdo-entry-missing", error, "an SDO server lacks a COB-ID", "describe sub-indices 1 and 2",

@@ -50,7 +50,7 @@ void check_comments(const EdsSheet& sheet, EdsFindings& findings) {
                      insert_after_line(section->line, right));
     } else if (eds_unsigned(said->text) != lines.size()) {
         findings.add("comments-count", said->line,
-                     fmt::format("Lines is {}, but there are {}", said->text, lines.size()),
+                     fmt::format("Lines is {}, but there are {} comment lines", said->text, lines.size()),
                      replace_line(said->line, right));
     }
     unsigned due = 0;
@@ -82,8 +82,9 @@ void check_dummies(const EdsSheet& sheet, EdsFindings& findings) {
         const auto number = digits.size() == 4 ? eds_unsigned("0x" + digits) : std::nullopt;
         const EdsDataType* type = number ? eds_data_type(*number) : nullptr;
         if (type == nullptr || !type->fits_pdo() || *number == 0) {
-            findings.add("dummy-key", value.line,
-                         fmt::format("{} names no data type that a PDO can skip", sheet.line(value.line).name));
+            findings.add(
+                "dummy-key", value.line,
+                fmt::format("{} names no data type that can fill a gap in a PDO", sheet.line(value.line).name));
         } else if (eds_unsigned(value.text).value_or(2) > 1) {
             findings.add("dummy-flag", value.line,
                          fmt::format("{} {} is neither 0 nor 1", sheet.line(value.line).name, value.text));
@@ -95,7 +96,7 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
     constexpr std::array<unsigned, 8> rates{10, 20, 50, 125, 250, 500, 800, 1000};
     const IniSection* misspelled = sheet.section("DeviceCommissioning");
     if (misspelled != nullptr) {
-        findings.add("dcf-section-name", misspelled->line, "[DeviceCommissioning] is not the name that CiA 306 gives");
+        findings.add("dcf-section-name", misspelled->line, "[DeviceCommissioning] is not the spelling of CiA 306");
     }
     const IniSection* section = sheet.section("DeviceComissioning");
     if (section == nullptr) {
@@ -141,10 +142,10 @@ const std::vector<EdsRule>& small_section_rules() {
         {"comments-lines-missing", error, "[Comments] lacks Lines", "add the number of comment lines", comments_source},
         {"comments-count", error, "Lines differs from the number of comment lines", "write the number of comment lines",
          comments_source},
-        {"comments-gap", warning, "the comment lines are not numbered from 1 without gap", "number them from 1",
-         comments_source},
-        {"comments-key-unknown", warning, "[Comments] has a key that is no comment line", "write it as Line1, Line2 …",
-         comments_source},
+        {"comments-gap", warning, "the comment lines are not numbered from 1 without gap",
+         "number the comment lines from 1", comments_source},
+        {"comments-key-unknown", warning, "[Comments] has a key that is no comment line",
+         "write comments as Line1, Line2 …", comments_source},
         {"dummy-missing", warning, "a device with receive PDOs lacks [DummyUsage]",
          "add the data types that can be mapped as gaps", dummy_source},
         {"dummy-key", warning, "a key of [DummyUsage] names no data type of fixed length",
@@ -152,8 +153,8 @@ const std::vector<EdsRule>& small_section_rules() {
         {"dummy-flag", error, "a value of [DummyUsage] is neither 0 nor 1", "write 0 or 1", dummy_source},
         {"dcf-section", warning, "an EDS has [DeviceComissioning]",
          "remove the section, or save the file as a device configuration file (.dcf)", dcf_source},
-        {"dcf-section-name", warning, "[DeviceComissioning] is spelled with two m", "CiA 306 spells it with one m",
-         dcf_source},
+        {"dcf-section-name", warning, "[DeviceComissioning] is spelled with two m",
+         "write [DeviceComissioning], with one m, as CiA 306 does", dcf_source},
         {"dcf-node-id", error, "a device configuration file has no node-ID from 1 to 127", "write the node-ID",
          dcf_source},
         {"dcf-bit-rate", error, "a device configuration file has no bit rate of CiA 301",

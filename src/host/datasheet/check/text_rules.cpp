@@ -102,7 +102,7 @@ class TextCheck {
     void check_section_name(const EdsLine& line) {
         const auto object = eds_object_name(line.name);
         const std::string known = known_section(line.name);
-        // An entry without ParameterName gets the name of its section.
+        // An entry without ParameterName is named after its section, so renaming the section would rename the entry.
         const IniSection* section = sheet_.ini().find(line.name);
         const bool named = !object || (section != nullptr && section->filled("ParameterName") != nullptr) ||
                            object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
@@ -114,7 +114,7 @@ class TextCheck {
         } else if (known.empty()) {
             findings_.add("section-unknown", number_, fmt::format("[{}] is no section of CiA 306", line.name));
         } else if (known != line.name) {
-            findings_.add("section-case", number_, fmt::format("[{}] is written [{}]", known, line.name),
+            findings_.add("section-case", number_, fmt::format("[{1}] must be written [{0}]", known, line.name),
                           named ? replace_line(number_, "[" + known + "]") : std::vector<EdsEdit>{});
         }
     }
@@ -134,7 +134,7 @@ class TextCheck {
         }
         const std::string known = known_key(section_, line.name);
         if (!known.empty() && known != line.name) {
-            findings_.add("key-case", number_, fmt::format("{} is written {}", known, line.name),
+            findings_.add("key-case", number_, fmt::format("{1} must be written {0}", known, line.name),
                           replace_line(number_, known + "=" + line.behind));
         }
     }
@@ -160,21 +160,23 @@ const std::vector<EdsRule>& text_rules() {
         {"text-byte-order-mark", warning, "a byte order mark begins the file", "save the file as ASCII", format},
         {"text-line-ends", warning, "lines end in two ways", "end every line with CR LF", format},
         {"text-long-line", warning, "a line is longer than 255 characters", "shorten the line", format},
-        {"text-not-ascii", warning, "a character is beyond ASCII", "write it with ASCII characters", format},
-        {"text-control", error, "a control character is in a line", "remove it", format},
+        {"text-not-ascii", warning, "a character is beyond ASCII", "write ASCII characters instead", format},
+        {"text-control", error, "a control character is in a line", "remove the character", format},
         {"text-strange-line", error, "a line is neither section, value nor comment",
          "write [Section] or Key=Value, or begin the line with a semicolon", format},
-        {"text-before-section", error, "a value is before the first section", "move it below its section", format},
-        {"text-behind-section", warning, "text follows the name of a section", "remove it, or begin it with ;", format},
-        {"section-duplicate", error, "a section occurs twice", "join the two or rename one", format},
+        {"text-before-section", error, "a value is before the first section", "move the value below its section",
+         format},
+        {"text-behind-section", warning, "text follows the name of a section",
+         "remove the text, or begin it with a semicolon", format},
+        {"section-duplicate", error, "a section occurs twice", "join the two sections, or rename one", format},
         {"section-unknown", warning, "CiA 306 has no such section", "correct the name, or remove the section", format},
         {"section-case", warning, "the name of a section is spelled in another case",
-         "write it as CiA 306 does; some tools compare the case", format},
+         "write the name as CiA 306 does; some tools compare the case", format},
         {"section-sub-zeros", warning, "a sub-index has leading zeros", "write the sub-index without leading zeros",
          "CiA 306, object sections"},
-        {"key-duplicate", error, "a key occurs twice in a section", "keep one of the two", format},
+        {"key-duplicate", error, "a key occurs twice in a section", "keep one of the two lines", format},
         {"key-case", warning, "a key is spelled in another case",
-         "write it as CiA 306 does; some tools compare the case", format}};
+         "write the name as CiA 306 does; some tools compare the case", format}};
     return rules;
 }
 

@@ -107,7 +107,7 @@ class ValueCheck {
             case Kind::octets:
                 if (!eds_octets(text)) {
                     add("default-octets",
-                        fmt::format("default of {} is no pairs of hexadecimal digits", entry_.title()));
+                        fmt::format("default of {} does not consist of pairs of hexadecimal digits", entry_.title()));
                 }
                 return;
             case Kind::text:
@@ -164,7 +164,7 @@ class ValueCheck {
                     "$NODEID+" + plain.substr(0, cut));
         } else if (plain.rfind("$NODEID", 0) != 0) {
             respell("default-node-id-case",
-                    fmt::format("default {} of {} does not spell $NODEID", text, entry_.title()),
+                    fmt::format("default {} of {} does not spell $NODEID in capital letters", text, entry_.title()),
                     "$NODEID" + plain.substr(std::string{"$NODEID"}.size()));
         }
     }
@@ -194,14 +194,16 @@ class ValueCheck {
         }
     }
 
-    /// Returns the limit of this key as a number; nothing when it is absent. Reports a limit that is not a number.
+    /// Returns the limit of this key as a number; nothing when the limit is absent, contains the node-ID, or does
+    /// not fit the type. Reports a limit that is not a number of the type.
     std::optional<Number> limit(const char* key) {
         const IniValue* given = entry_.section->filled(key);
         if (given == nullptr) {
             return std::nullopt;
         }
         if (!type_.is_number()) {
-            findings_.add("limit-type", given->line, fmt::format("{} of {}, a {}", key, entry_.title(), type_.name));
+            findings_.add("limit-type", given->line,
+                          fmt::format("{} of {} has no meaning for a {}", key, entry_.title(), type_.name));
             return std::nullopt;
         }
         if (type_.kind == Kind::real) {
@@ -229,7 +231,8 @@ class ValueCheck {
         return term->has_node_id ? std::nullopt : value;
     }
 
-    /// Returns the default as a number. Returns nothing when it is absent, is not a number, or contains the node-ID.
+    /// Returns the default as a number. Returns nothing when the default is absent, is not a number of the type, or
+    /// contains the node-ID.
     std::optional<Number> plain_default() const {
         if (entry_.value == nullptr || entry_.value->text.find('$') != std::string::npos) {
             return std::nullopt;
@@ -259,21 +262,22 @@ const std::vector<EdsRule>& value_rules() {
         {"default-boolean", error, "the default of a BOOLEAN is neither 0 nor 1", "write 0 or 1", default_source},
         {"default-real", error, "the default of a real is neither a number nor the bits of one",
          "write a decimal number, or the bits of IEEE 754 as 0x and hexadecimal digits", default_source},
-        {"default-octets", error, "the default of an OCTET_STRING is no pairs of hexadecimal digits",
+        {"default-octets", error, "the default of an OCTET_STRING does not consist of pairs of hexadecimal digits",
          "write two hexadecimal digits for each octet", default_source},
-        {"default-quotes", warning, "a text is in quotation marks", "remove them: they are part of the value",
-         default_source},
+        {"default-quotes", warning, "a text is in quotation marks",
+         "remove the quotation marks: they are part of the value", default_source},
         {"default-node-id-form", error, "$NODEID is not part of a sum", "write $NODEID+0x…", "CiA 306, $NODEID"},
         {"default-node-id-order", warning, "$NODEID is not at the beginning", "write $NODEID+0x…", "CiA 306, $NODEID"},
         {"default-node-id-case", warning, "$NODEID is spelled in another case", "write $NODEID", "CiA 306, $NODEID"},
         {"default-outside-limits", error, "a default is outside of its limits", "correct the default or the limits",
          limit_source},
-        {"number-octal", warning, "a number begins with 0", "remove the zeros, unless octal is meant", number_source},
+        {"number-octal", warning, "a number begins with 0", "remove the leading zeros, unless the number is octal",
+         number_source},
         {"number-suffix", warning, "a number has a suffix of the C language", "remove the suffix", number_source},
         {"limit-no-number", error, "a limit is not a number", "write a decimal number, or 0x and hexadecimal digits",
          limit_source},
         {"limit-outside-type", error, "a limit does not fit the type", "correct the limit or the type", limit_source},
-        {"limit-order", error, "LowLimit is above HighLimit", "exchange or correct them", limit_source},
+        {"limit-order", error, "LowLimit is above HighLimit", "exchange or correct the two limits", limit_source},
         {"limit-type", warning, "a type without order has a limit", "remove the limit", limit_source}};
     return rules;
 }

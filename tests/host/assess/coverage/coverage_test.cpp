@@ -244,7 +244,7 @@ TEST_F(Coverage, FunctionIsNamedWithoutTemplateArguments) {
 }
 
 TEST_F(Coverage, InvalidFilesAreReportedWithTheirRemedy) {
-    EXPECT_THAT(told("absent.json"), HasSubstr("tests/coverage makes it"));
+    EXPECT_THAT(told("absent.json"), HasSubstr("run tests/coverage"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));
     write("empty.json", R"({"data": [{"files": [], "functions": []}]})");

@@ -286,15 +286,16 @@ mode = "missing"
 TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     const std::string mode = "[[failure_mode]]\ndevices = [\"box\"]\nsignals = [\"AO4-S-SUPPLY\"]\n";
     EXPECT_THAT(refusal(mode + "mode = \"on fire\"\n"),
-                HasSubstr("a.toml:1: a signal like `AO4-S-SUPPLY` has no mode `on fire`; it has: too low, too high"));
+                HasSubstr("a.toml:1: the signal `AO4-S-SUPPLY` has no failure mode `on fire`; its modes are (none for "
+                          "an output): too low, too high"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\ndetected = [\"AO4-A-009\"]\n"),
                 HasSubstr("`AO4-A-009` is no requirement in force"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\nerrors = [\"fire\"]\n"),
-                HasSubstr("no table of errors of box has `fire`"));
+                HasSubstr("no table of errors of box contains the error `fire`"));
     EXPECT_THAT(refusal("[[failure_mode]]\ndevices = [\"bax\"]\nat = \"x\"\nmode = \"y\"\n"),
                 HasSubstr("`bax` is no device"));
     EXPECT_THAT(refusal("[[failure_mode]]\ndevices = [\"box\"]\nmode = \"y\"\n"),
-                HasSubstr("it must name either `signals` or `at`"));
+                HasSubstr("a failure mode must name either `signals` or `at`, not both"));
     EXPECT_EQ(refusal(mode + "mode = \"NaN\"\n"), "");
 }
 

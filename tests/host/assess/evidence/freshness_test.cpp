@@ -132,7 +132,7 @@ TEST(ArgumentFile, ValidArgumentIsReadAndInvalidOnesAreReportedWithTheirLine) {
     };
     EXPECT_EQ(told("[[claim]]\nid = \"C\"\ntext = \"t\"\n[[claim]]\nid = \"D\"\nparent = \"C\"\ntext = \"t\"\n"), "2");
     EXPECT_THAT(told("[[claim]]\nid = \"C\"\nparent = \"B\"\ntext = \"t\"\n"),
-                HasSubstr("argument.toml:3: there is no claim `B` before this one"));
+                HasSubstr("argument.toml:3: there is no claim `B` above this claim"));
     EXPECT_THAT(told("[[claim\n"), HasSubstr("argument.toml:1: "));
     std::filesystem::remove(file);
 }

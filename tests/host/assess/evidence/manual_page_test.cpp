@@ -145,7 +145,7 @@ TEST_F(ManualPage, ManualWithoutStatementsIsCountedBySection) {
     EXPECT_THAT(tile("2"), HasSubstr("rates: uncovered"));
     content_.parts[0].requirements = {first_};
     EXPECT_THAT(tile("1"), HasSubstr("lamps &amp; more: proven"));
-    EXPECT_THAT(page(), HasSubstr("This manual has no statements"));
+    EXPECT_THAT(page(), HasSubstr("The register has no statements of this manual"));
 }
 
 TEST_F(ManualPage, ClaimAboutStatementsIsOpenWhileAStatementIsUncovered) {

@@ -80,11 +80,9 @@ TEST_F(SignedPack, SignatureIsVerifiedByTheSigningKeyOnly) {
         EXPECT_THAT(faults(mine.string() + ".pub"), ElementsAre(HasSubstr("there is no manifest.json.sig")));
         write(manifest_signature, sign(manifest_, mine.string() + ".key"));
         EXPECT_THAT(faults(mine.string() + ".pub"), IsEmpty());
-        EXPECT_THAT(faults(other.string() + ".pub"),
-                    ElementsAre(HasSubstr("was not made with the private key that belongs to")));
+        EXPECT_THAT(faults(other.string() + ".pub"), ElementsAre(HasSubstr("is not valid for")));
         write("manifest.json", manifest_ + " ");
-        EXPECT_THAT(faults(mine.string() + ".pub"),
-                    ElementsAre(HasSubstr("was not made with the private key that belongs to")));
+        EXPECT_THAT(faults(mine.string() + ".pub"), ElementsAre(HasSubstr("is not valid for")));
         write("manifest.json", manifest_);
     }
 }

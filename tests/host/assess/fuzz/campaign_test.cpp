@@ -233,7 +233,7 @@ TEST_F(Campaign, MissingToolIsReportedWithItsRemedy) {
     EXPECT_NE(complaint().find("cmake --preset fuzz"), std::string::npos);
     add_target("a", "");
     options.targets = {"c"};
-    EXPECT_NE(complaint().find("no target `c`; there are a"), std::string::npos);
+    EXPECT_NE(complaint().find("no target `c`; its targets are a"), std::string::npos);
     list_target("c");
     EXPECT_NE(complaint().find("c_fuzz is not built"), std::string::npos);
     options.targets = {"a"};

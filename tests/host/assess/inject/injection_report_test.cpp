@@ -47,7 +47,8 @@ void write_shards(const std::filesystem::path& folder, std::size_t count) {
 
 TEST(InjectionReport, TableHasCountsAndShares) {
     const std::string table = injection_table("box", seven(), seven_runs());
-    EXPECT_NE(table.find("box: 7 single bits turned in 128 bytes, before one of 40 calls of the device, seed 9"),
+    EXPECT_NE(table.find(
+                  "box: 7 runs with one inverted bit each, in 128 bytes, before one of 40 calls of the device, seed 9"),
               std::string::npos);
     EXPECT_NE(table.find("masked                         1         1         2\n"), std::string::npos) << table;
     // 5 of 7 have an effect; 2 of 5 are detected, 1 of 5 is safe, 2 of 5 are silent.

@@ -111,7 +111,7 @@ TEST_F(MutationShards, InvalidShardFileIsNamed) {
     const fs::path file = folder / mutation_shard_name(true, {2, 2});
     for (const char* text : {"", "{", "[]", "{}", R"({"shard": "2/2", "outcomes": [{"number": "x"}]})"}) {
         write_file(file, text);
-        EXPECT_THAT(complaint(), HasSubstr(file.string() + " is not what")) << text;
+        EXPECT_THAT(complaint(), HasSubstr(file.string() + " is no result of")) << text;
     }
     write_file(file, R"({"shard": "3/2", "outcomes": []})");
     EXPECT_THAT(complaint(), HasSubstr("`3/2` is not a shard"));

@@ -100,24 +100,24 @@ TEST_F(AuditOfASmallRegister, StoryOfADecisionHasItsTopicChoiceAndReason) {
 
 TEST_F(AuditOfASmallRegister, MissingKindOfTestIsAGap) {
     evidence.verdicts["D-A-001"].pop_back();
-    EXPECT_THAT(gaps(), ElementsAre("D-A-001: it has no passed property"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-001: there is no passed property"));
 }
 
 TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
     evidence.verdicts.erase("D-A-002");
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: it has no passed test"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: there is no passed test"));
     EXPECT_EQ(audit().items[1].status(), "open");
 }
 
 TEST_F(AuditOfASmallRegister, FailedTestIsAGapBesideAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a failed test claims it"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims this item has failed"));
     EXPECT_EQ(audit().items[1].status(), "failed");
 }
 
 TEST_F(AuditOfASmallRegister, RequirementWithoutCodeIsAGap) {
     evidence.implemented.erase("D-A-002");
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements it"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements this item"));
     part().requirements[1].verify = {"inspection"};
     evidence.verdicts["D-A-002"] = {{"S.Two", "inspection", true}};
     EXPECT_THAT(gaps(), IsEmpty()) << "what is read needs no code";
@@ -138,13 +138,13 @@ TEST_F(AuditOfASmallRegister, ChangeOfTheImplementingRequirementNeedsNoNewReview
 }
 
 TEST_F(AuditOfASmallRegister, MisplacedLinkIsListedWithTheOrphans) {
-    evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement it follows the link"};
-    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement it")));
+    evidence.misplaced = {"src/firmware/a.cpp:3: no code that can implement the item follows the link"};
+    EXPECT_THAT(orphans(evidence), ElementsAre(HasSubstr("a.cpp:3: no code that can implement the item")));
 }
 
 TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
     part().requirements[1].sources = {"M:1"};
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): the section is normative, but no item has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (more): the section is normative, but no item names it as its source"));
 }
 
 TEST_F(AuditOfASmallRegister, SectionIsCoveredByItsObjectToo) {
@@ -169,7 +169,7 @@ TEST_F(AuditOfASmallRegister, EditedRequirementIsSuspectUntilItIsReviewedAgain) 
 TEST_F(AuditOfASmallRegister, ItemsAffectedByAnEditedDecisionAreSuspect) {
     part().decisions[0].chosen = "the second";
     EXPECT_THAT(audit().suspects,
-                ElementsAre("D-A-002: D-D-001, which affects it, changed since its review of 2026-01-02"));
+                ElementsAre("D-A-002: D-D-001, which affects this item, changed since its review of 2026-01-02"));
 }
 
 TEST_F(AuditOfASmallRegister, UnreviewedItemIsSuspect) {
@@ -245,10 +245,13 @@ TEST_F(AuditOfASmallRegister, FilterRefusesUnknownNames) {
         }
         return "taken";
     };
-    EXPECT_EQ(refusal({"9.9", "", ""}), "no manual has a section 9.9");
-    EXPECT_EQ(refusal({"M:9.9", "", ""}), "M has no section 9.9");
-    EXPECT_EQ(refusal({"X:1", "", ""}), "no manual has the key X; there are M");
-    EXPECT_THAT(refusal({"", "timings", ""}), HasSubstr("no item is of the kind `timings`; there are functional, "));
+    EXPECT_EQ(refusal({"9.9", "", ""}),
+              "no manual has a section 9.9; write a section that the requirements register contains");
+    EXPECT_EQ(refusal({"M:9.9", "", ""}),
+              "the manual M has no section 9.9; write a section that the requirements register contains");
+    EXPECT_EQ(refusal({"X:1", "", ""}), "no manual has the key X; the keys are M");
+    EXPECT_THAT(refusal({"", "timings", ""}),
+                HasSubstr("no item is of the kind `timings`; the kinds are functional, "));
 }
 
 TEST_F(AuditOfASmallRegister, StoryOfAnItemGoesFromItsSectionToItsMutants) {

@@ -86,7 +86,7 @@ TEST_F(Kills, RemovedTestIsARegression) {
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);
     EXPECT_THAT(found.regressions,
-                ElementsAre("A: Relay.Closes noticed a mutant of it, but no test in its present form does",
+                ElementsAre("A: Relay.Closes noticed a mutant of this item, but no test in its present form does",
                             "Relay.Closes: the test no longer exists; it noticed mutants of A"));
 }
 
@@ -107,7 +107,7 @@ TEST_F(Kills, TestWithoutItsAssertionsShowsNothing) {
     EXPECT_THAT(found.changed, ElementsAre("Relay.Closes"));
     EXPECT_THAT(found.unjudged, ElementsAre("A"));
     EXPECT_THAT(found.regressions,
-                ElementsAre("A: Relay.Closes noticed a mutant of it, but no test in its present form does"));
+                ElementsAre("A: Relay.Closes noticed a mutant of this item, but no test in its present form does"));
 }
 
 TEST_F(Kills, NewTestIsListedAsUnjudged) {

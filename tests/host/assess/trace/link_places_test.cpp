@@ -58,7 +58,8 @@ TEST(LinkPlaces, LinkAboveNoCodeIsMisplaced) {
                                Lines{"break;"}, Lines{"friend class X;"}, Lines{"{"}, Lines{}}) {
         Lines lines{"static_assert(implements<req::A>);"};
         lines.insert(lines.end(), below.begin(), below.end());
-        EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr(":1: no code that can implement it follows the link")));
+        EXPECT_THAT(misplaced(lines),
+                    ElementsAre(HasSubstr(":1: no code that can implement the item follows the link")));
     }
 }
 

@@ -110,7 +110,8 @@ TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
     statements()[1].covered.clear();
     EXPECT_THAT(
         gaps(),
-        ElementsAre("M:6411h/1: no item covers the statement, and it has no reason (The lamp of 6411h blinks.)"));
+        ElementsAre(
+            "M:6411h/1: no item covers the statement, and the statement has no reason (The lamp of 6411h blinks.)"));
     EXPECT_EQ(status()["M:6411h/1"], "open");
 }
 
@@ -136,7 +137,7 @@ TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemThatNamesIt) {
 
 TEST_F(AuditOfStatements, ManualWithoutStatementsIsAuditedBySection) {
     statements().clear();
-    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): the section is normative, but no item has it as its source"));
+    EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): the section is normative, but no item names it as its source"));
 }
 
 TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
@@ -146,7 +147,7 @@ TEST_F(AuditOfStatements, StatementHasTheStateOfItsWeakestItem) {
     EXPECT_EQ(status()["M:2/1"], "failed") << "the decision affects D-A-002";
     evidence.verdicts.erase("D-A-002");
     EXPECT_EQ(status()["M:6411h/1"], "open");
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: it has no passed test"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: there is no passed test"));
 }
 
 TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
@@ -165,7 +166,7 @@ TEST_F(AuditOfStatements, SharedRulesOfAnotherProjectCountAsShown) {
     statements()[0].covered = {"CO-A-001"};
     EXPECT_EQ(audits().size(), 1U);
     EXPECT_EQ(status()["M:1/1"], "shown");
-    EXPECT_THAT(story("M:1/1")->text, HasSubstr("CO-A-001               shared, shown with canproof"));
+    EXPECT_THAT(story("M:1/1")->text, HasSubstr("CO-A-001               shared item; the audit of canproof shows it"));
 }
 
 TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
