@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary for tools: EDS (CiA 306), XDD (CiA 311), JSON and Markdown, written by hand for a box of five objects.
+// The object dictionary as EDS (CiA 306), XDD (CiA 311), JSON and Markdown. The expected texts are written by hand for
+// a box with five objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -89,7 +89,7 @@ TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
     }
 }
 
-TEST(RequestGuard, LongestBodyPasses_OneByteMoreDoesNot) {
+TEST(RequestGuard, LongestBodyIsAccepted_AndOneByteMoreIsRefused) {
     PanelRequest request = post();
     request.body = std::string(4096, ' ');
     EXPECT_EQ(status(request), 0);

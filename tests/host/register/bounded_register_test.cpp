@@ -148,7 +148,7 @@ TEST_F(RegisterFolder, FolderWithoutTomlFilesIsRefused) {
     EXPECT_THAT(refusal(), HasSubstr("contains no .toml file; name the folder of a register"));
 }
 
-TEST_F(RegisterFolder, FolderWithANonFileIsRefused) {
+TEST_F(RegisterFolder, FolderWithAPipeOrDeviceAsTomlFileIsRefused) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe.toml").c_str(), 0600), 0);
     EXPECT_THAT(refusal(), HasSubstr("pipe.toml: it is a pipe without a writer"));
     std::filesystem::remove(folder_ / "pipe.toml");

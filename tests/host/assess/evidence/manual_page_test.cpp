@@ -103,7 +103,7 @@ TEST_F(ManualPage, EachSectionIsShownWithItsState) {
     EXPECT_THAT(tile("Table 1"), HasSubstr("href=\"#Table-1\" title=\"colours: proven\">✓"));
 }
 
-TEST_F(ManualPage, SectionWithAnUnshownItemIsMarked) {
+TEST_F(ManualPage, SectionWithAFailedItemIsMarked) {
     failed_ = true;
     EXPECT_THAT(tile("1"), HasSubstr("\"tile unproven\" href=\"#1\" title=\"lamps &amp; more: not proven\">◐"));
     EXPECT_THAT(tile("Table 1"), HasSubstr("proven\">✓"));

@@ -159,7 +159,7 @@ TEST_F(Pack, ArgumentIsExportedAsSacm) {
     EXPECT_STREQ(element("artifact.tests").attribute("version").value(), "abc");
 }
 
-TEST_F(Pack, McdcIsExportedBesideCobertura) {
+TEST_F(Pack, McdcIsExportedAsJson) {
     FileCoverage file;
     file.file = "src/firmware/base/one.cpp";
     file.conditions = {3, 4};
@@ -177,7 +177,7 @@ TEST_F(Pack, McdcIsExportedBesideCobertura) {
     EXPECT_EQ(coverage.at("gaps").at(0).at("reason"), "b is always true");
 }
 
-TEST_F(Pack, SameInputGivesTheSameBytesAndTheManifestTheirHashes) {
+TEST_F(Pack, PackIsReproducible_AndTheManifestHasTheHashesOfItsFiles) {
     const PackFiles files = make();
     EXPECT_EQ(files, make());
     const auto manifest = nlohmann::json::parse(write_manifest({{"a.txt", "abc"}}, input_.provenance));

@@ -161,7 +161,7 @@ TEST_F(SocketcandLimits, SubscribeTakesThreeWordsAndUnsubscribeOne) {
     }
 }
 
-TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
+TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndUnsubscribeAllowsANewOne) {
     say("< open can0 >");
     for (unsigned id = 0; id < 256; ++id) {
         EXPECT_EQ(say(fmt::format("< subscribe 0 0 {:03X} >", id)), "") << id;
@@ -176,7 +176,7 @@ TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
     EXPECT_EQ(heard(), "< frame 700 0.000000  >");
 }
 
-TEST_F(SocketcandLimits, StatisticsTakeUpToAnHour) {
+TEST_F(SocketcandLimits, StatisticsPeriodIsUpToAnHour) {
     say("< open can0 >");
     EXPECT_EQ(say("< statistics 3600000 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{3600000000U});
@@ -292,7 +292,7 @@ TEST(SocketcandClientLimits, LatestServerErrorIsKeptAndIsARefusalBeforeJoiningOn
     EXPECT_FALSE(client.is_refused());
 }
 
-TEST(SocketcandClientLimits, ServerAnswersCountInTheirOrderOnly) {
+TEST(SocketcandClientLimits, ServerAnswersOutOfOrderAreIgnored) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< ok >< ok >");
     EXPECT_EQ(client.output(), "");

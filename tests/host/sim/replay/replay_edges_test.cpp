@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, one microsecond off.
+// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, with limits tested
+// to one microsecond.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -181,7 +182,7 @@ TEST_F(ReplayEdges, FramesAfterTheEndOfAMarkedLogFollowWaitingFrames) {
     EXPECT_EQ(frames, "(0.050000) can0 301#05\n(0.100000) can0 705#7F\n(0.200000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, StimulusEndsASilenceToo) {
+TEST_F(ReplayEdges, StimulusEndsASilence) {
     RecordingDevice device;
     play(device, "(1.000000) can0 080#\n", "3601.000000,one,1\n7200.000000,one,2\n");
     EXPECT_THAT(notices, IsEmpty());
