@@ -353,7 +353,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadWithAFlippedBitIsNeverAccepted, ()) {
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }
 
-RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
+RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_047>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});

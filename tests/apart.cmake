@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Each of these tests names something as another test of its folder does: canproof_join() compiles it by itself.
+# Each of these tests defines a name that another test of its folder defines too, so canproof_join() compiles it separately.
 set(tests_apart can_transmitter undefined_angles math_block broken_register ax060805/filters run_cases request_guard arbitrated_load blocks/ramp
           host/register/fingerprint conform/report panel/panel cbx-ao412/output socketcan_rules candump_forms own_xdd
           ax188001/storage blocks/relay blocks/lookup_table blocks/limit_fault

@@ -63,7 +63,7 @@ constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
 
-TEST(ParameterJournal, BlankFlashHoldsABlankJournal) {
+TEST(ParameterJournal, BlankFlashIsReadAsABlankJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};

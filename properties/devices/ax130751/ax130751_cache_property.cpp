@@ -67,7 +67,7 @@ void change_one_input(ModelPair& pair) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Cache, ParameterChangedAndRestoredLeavesNoTrace, ()) {
+RC_GTEST_PROP(Ax130751Cache, DeviceAgreesWithTheNaiveModelAfterAParameterIsChangedAndRestored, ()) {
     verifies<req::AOR_OUT_005, req::AOR_SRC_007, req::AOR_SRC_009, req::AOR_LT_007, req::AOR_LT_008, req::AOR_LT_018,
              req::AOR_MATH_001, req::AOR_MATH_008>("property");
     const Focus focus{Group::output, Group::output, Group::relay, Group::table, Group::table,

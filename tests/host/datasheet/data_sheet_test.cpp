@@ -233,7 +233,7 @@ PDOMapping=1
 )"));
 }
 
-TEST_F(DataSheet, XddHoldsEachObjectWithItsEntries) {
+TEST_F(DataSheet, XddHasObjectCountsEntryAttributesAndDeviceData) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_xdd(loaded_.content, box()).c_str()));
     const auto list = document.select_node("//CANopenObjectList").node();

@@ -246,7 +246,7 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
     EXPECT_THAT(told, HasSubstr("bytes; at most 65535 can be run"));
 }
 
-TEST(BrokenEds, FilesCutAtEverySeventhByteAreReadWithoutACrash) {
+TEST(BrokenEds, TruncatedFilesAreReadWithoutACrash) {
     for (std::size_t length = 0; length < box.size(); length += 7) {
         EdsResult read = read_eds(box.substr(0, length), "x");
         if (read.faults.empty()) {

@@ -69,7 +69,7 @@ TEST(TomlDepth, DottedKeysAndBracketsAreCounted) {
     EXPECT_EQ(too_deep_in(repeated("a.b = 1.5\n[c.d]\n", 1000)), std::nullopt);
 }
 
-TEST(TomlDepth, TextsAndCommentsAreNotCounted) {
+TEST(TomlDepth, KeysAndBracketsInTextsAndCommentsAreNotCounted) {
     const std::string dots = repeated(".[", 40);
     for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
         EXPECT_EQ(too_deep_in("a = " + quote + dots + quote + "\n"), std::nullopt) << quote;

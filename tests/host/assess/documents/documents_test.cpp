@@ -248,7 +248,7 @@ TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
                 Contains(ElementsAre("2000h:01", "Level 1", "INTEGER16", "rw", "5", "-10 … 10", "tpdo", "yes", "mV")));
 }
 
-TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksMissingOnes) {
+TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksErrorsWithoutOne) {
     const Document matrix = error_matrix(content_, box(), {});
     EXPECT_THAT(rows_of(matrix, "Errors"),
                 ElementsAre(ElementsAre("supply", "3100h", "05h", "", "AO4-A-001", "no lamp", "AO4-T-ERRORS"),

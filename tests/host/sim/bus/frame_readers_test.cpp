@@ -39,7 +39,7 @@ TEST(FrameReaders, BaseAndExtendedIdentifiersAreSeparate) {
     EXPECT_THAT(readers.of(frame_of("00000205#")), ElementsAre(2U));
 }
 
-TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOnce) {
+TEST(FrameReaders, ReaderIsListedOnceForEachIdentifierOfItsFilters) {
     FrameReaders readers;
     readers.set(3, accept_everything());
     readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and 705h a second time

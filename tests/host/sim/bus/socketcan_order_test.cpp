@@ -109,7 +109,7 @@ TEST_F(SocketCan, NearlyEqualClocksKeepTheirOffset) {
     EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
 }
 
-TEST_F(SocketCan, FrameAtRunTimeZeroIsDueAtZero) {
+TEST_F(SocketCan, FrameFromTheStartOfTheRunIsDueAtZero) {
     start();
     system.arrive(first, "603#40", 4000000);
     bus->poll(now);

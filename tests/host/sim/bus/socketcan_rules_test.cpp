@@ -233,7 +233,7 @@ TEST_F(SocketCan, InterfaceDownAtTheStartIsBusOffForItsNodes) {
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, InterfaceThatReturnsWithoutSocketsIsSearchedAgain) {
+TEST_F(SocketCan, InterfaceOnWhichSocketsCannotBeOpenedIsTriedAgainLater) {
     start();
     system.number = 0;
     system.up = false;

@@ -209,7 +209,7 @@ TEST_F(ScriptedBus, LastErrorOfAClosingServerIsQuotedAsTheReason) {
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::search_period);
 }
 
-TEST_F(ScriptedBus, LostServerIsSearchedAfterASecondAndMustAcceptInTime) {
+TEST_F(ScriptedBus, LostServerIsContactedAgainAfterASecond_AndMustAnswerInTime) {
     join();
     server.hang_up();
     hear();
@@ -251,7 +251,7 @@ TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, ServerThatRefusesARejoinIsSearchedAgain) {
+TEST_F(ScriptedBus, ServerThatRefusesARejoinIsContactedAgainLater) {
     join();
     server.hang_up();
     hear();

@@ -92,7 +92,7 @@ TEST(SocketcandText, CommandIsReadBetweenItsBrackets) {
     EXPECT_EQ(input, "");
 }
 
-TEST(SocketcandText, CommandMayHaveTheLengthOfTheLimit) {
+TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     bool too_long = false;
     std::string input = "<" + std::string(9, 'a') + ">";  // the closing bracket is the character after the limit of ten
     EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));

@@ -142,7 +142,7 @@ TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
                                      "nothing happens before 7209.500000; the replay leaves out 3 s"));
 }
 
-TEST_F(ReplayEdges, DeviceRunsAlonePastTheLongestSilenceUntilTheGivenTime) {
+TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
     RecordingDevice device{milliseconds(3000000)};
     input.until = Instant{9000000000U};
     play(device, "(1.000000) can0 080#\n");
