@@ -263,7 +263,7 @@ TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
 }
 
-TEST(Flash, ModelDetectsAWrongStateOfTheFlashController) {
+TEST(Flash, ModelDetectsProgrammingOfALockedFlash) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};

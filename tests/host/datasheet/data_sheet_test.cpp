@@ -267,7 +267,7 @@ TEST_F(DataSheet, JsonNamesTypesDefaultsAndLimits) {
     EXPECT_EQ(json.at("objects").at(4).at("entries").at(0).at("values"), nlohmann::json({8, 2}));
 }
 
-TEST_F(DataSheet, MarkdownHasOneRowPerEntry) {
+TEST_F(DataSheet, MarkdownRowHasTheAttributesOfItsEntry) {
     const std::string text = write_object_markdown(box());
     EXPECT_THAT(text, testing::HasSubstr("# Object dictionary of Box 1\n"));
     EXPECT_THAT(text,

@@ -158,7 +158,7 @@ TEST(NewProject, GeneratedTestExpectsEmcyWithTheCobIdOfTheDataSheet) {
     EXPECT_EQ(expected_emergency(0x80000080, true), "return {}");
 }
 
-TEST(NewProject, BitRateOfTheDataSheetIsAmongTheBitRates) {
+TEST(NewProject, BitRateOfTheDataSheetIsAmongThoseOfTheNewProject) {
     NewProject project = project_named("box");
     project.eds = small_sheet();
     project.eds->info.bit_rate = 100000;

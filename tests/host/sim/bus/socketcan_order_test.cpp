@@ -139,7 +139,7 @@ TEST_F(SocketCan, OnlyTheSearchForTheInterfaceIsDueWhileItIsDown) {
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
 }
 
-TEST_F(SocketCan, RecreatedInterfaceKeepsItsNewNumber) {
+TEST_F(SocketCan, LateErrorAfterAnInterfaceWasRecreatedIsIgnored) {
     start();
     system.number = 9;
     system.fail(first, ENODEV);

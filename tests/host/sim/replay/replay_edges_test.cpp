@@ -98,7 +98,7 @@ TEST_F(ReplayEdges, PowerOnIsAtZero_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
                 ElementsAre("power-on at 3600.000001, the first frame of the log; --start SECONDS takes another time"));
 }
 
-TEST_F(ReplayEdges, StartKeepsLaterFramesAndEarlierStimuli) {
+TEST_F(ReplayEdges, OptionStartOmitsEarlierFramesAndAppliesEarlierStimuli) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(1.000000) can0 080#\n(1.999999) can0 081#\n(2.000000) can0 082#\n(2.500000) can0 083#\n",
@@ -242,7 +242,7 @@ TEST_F(ReplayEdges, WaitingFrameIsWrittenAfterASecondWithoutItsEcho) {
     EXPECT_EQ(frames, "(0.001000) can0 301#05\n(1.600000) can0 301#06\n");
 }
 
-TEST_F(ReplayEdges, WaitingFramesOfEqualContentKeepTheirOrder) {
+TEST_F(ReplayEdges, EqualWaitingFramesAreMatchedInTheirOrder) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 300#05 R\n(0.003000) can0 301#05 T\n");
     EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second answer is not in the log
