@@ -109,7 +109,7 @@ TEST_F(Front, SlowClientsDoNotDelayOtherClients) {
 TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
-    EXPECT_TRUE(slow.front()->ended());  // the slowest one
+    EXPECT_TRUE(slow.front()->ended());  // the oldest connection has given way
     EXPECT_FALSE(slow.back()->ended());
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }

@@ -96,7 +96,7 @@ TEST(Panel, PanelShowsTheAccelerationThatFollowsFromThePitch) {
     ASSERT_EQ(inputs.size(), values.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs.at(i).at("name") == "acceleration_x") {
-            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // nose up by 90°: gravity is along X
+            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // a pitch of 90°: gravity is along X
         }
     }
 }
@@ -287,7 +287,7 @@ TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
 TEST(Panel, PageLoadsNothingFromOtherHosts) {
     for (const auto& [name, text] : panel_assets()) {
         for (std::size_t at = text.find("http"); at != std::string::npos; at = text.find("http", at + 1)) {
-            // Names of XML namespaces are no requested addresses.
+            // The page does not request the addresses that name XML namespaces.
             EXPECT_EQ(text.substr(at, 18), "http://www.w3.org/") << name;
         }
     }

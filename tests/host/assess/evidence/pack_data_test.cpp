@@ -148,7 +148,7 @@ TEST_F(Pack, ArgumentIsExportedAsSacm) {
     EXPECT_STREQ(element("C1").select_node("note/content/value/@content").attribute().value(),
                  "Limits: Not on silicon.");
     EXPECT_STREQ(element("C1").attribute("assertionDeclaration").value(), "asserted");
-    // Nobody has fuzzed: the claim, the claim above it and the evidence need support.
+    // Fuzzing was not measured: the claim, the claim above it and the evidence need support.
     for (const char* id : {"C", "C2", "evidence.C2.fuzz"}) {
         EXPECT_STREQ(element(id).attribute("assertionDeclaration").value(), "needsSupport") << id;
     }

@@ -116,7 +116,7 @@ TEST(StimulusFile, LineWithoutThreeFieldsOrWithAnInvalidNumberIsRefused) {
     }
 }
 
-// The acceptance run replays the telegrams of the manual and compares the log byte by byte.
+// Replays telegrams of the manual twice; both logs must have the same bytes as written here.
 TEST(Replay, ReplayOfTheTelegramsOfTheManualGivesTheExpectedFramesTwice) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
