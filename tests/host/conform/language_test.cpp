@@ -72,7 +72,7 @@ TEST(ConformExpression, BytesInExpressionsAreLittleEndian) {
     EXPECT_EQ(number("$x == hex(34 12)"), 1);
 }
 
-TEST(ConformExpression, DivisionByZeroLongShiftAndUnknownVariableAreRefused) {
+TEST(ConformExpression, DivisionByZeroShiftBy64AndUnknownVariableAreRefused) {
     EXPECT_THROW(number("1 / 0"), BrokenCase);
     EXPECT_THROW(number("1 << 64"), BrokenCase);
     EXPECT_THROW(number("$nothing"), BrokenCase);
