@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads logs of any bytes. A log is either refused with a place, or it is written and read back unchanged.
+// Reads logs of any bytes. A log is refused with the place of the fault, or it is written and read back unchanged.
 #include <sstream>
 
 #include "firmware/base/time.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mixes NMT commands, heartbeat, heartbeat consumer and node guarding in any order and at any times. Compares the
 // frames on 705h, their times and the NMT state with a naive model. Input: records of four bytes, an event with its
-// numbers; the highest bit of the first byte adds a frame of any length.
+// numbers; the highest bit of the first byte adds a frame of wrong length or format before it.
 #include <algorithm>
 
 #include "fuzz/support/claims.hpp"
@@ -67,8 +67,8 @@ class Both {
     void pass(std::uint64_t ms) {
         fuzz::keep_deadlines(device_, now_, now_ + milliseconds(ms), [this] { drain(); });
     }
-    /// Checks the frames that were sent. The state may change with an event; EMCY is not sent in stopped only (CiA 301,
-    /// 7.3.2.2.5).
+    /// Checks the format and the identifier of each frame that was sent. Whether the state allows the frame is not
+    /// checked, because an event may change the state.
     void drain() {
         while (!queue_.empty()) {
             const Frame frame = queue_.pop();

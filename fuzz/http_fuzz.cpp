@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Feeds the HTTP reader of the panel with any bytes, in pieces of any size. Memory stays bounded, the pieces do not
-// change the result, and accepted requests contain nothing that HTTP forbids. Input: a byte with the size of a piece,
-// then as many bytes.
+// change the result, and accepted requests contain nothing that HTTP forbids. Input: pieces, each a byte with its size
+// and then that many bytes.
 #include <algorithm>
 #include <string>
 

@@ -123,7 +123,7 @@ class World {
         return all_values(format, device);
     }
 
-    /// Returns the answer to a request; 0 when there is none.
+    /// Returns the abort code or else the first byte of the answer to a request; 0 when there is no answer.
     std::uint32_t ask(const Frame& request) {
         fuzz::deliver(device_, request, Instant{});
         std::uint32_t answer = 0;

@@ -141,7 +141,7 @@ void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std
     require(found == expected);
 }
 
-/// Requests a TPDO. Types 253 to 255 without an inhibit time answer with the present values.
+/// Requests a TPDO. Type 253 answers with the present values, and so do types 254 and 255 without an inhibit time.
 void request_tpdo(Slave& slave, unsigned number) {
     const Pdo& pdo = slave.tpdo(number);
     Frame frame = data_frame(pdo.id(), 0);
@@ -182,7 +182,7 @@ void step(Slave& slave, const std::uint8_t* record) {
             std::copy_n(data, length, frame.data.begin());
             frame.remote = (how & 0x80U) != 0;
             frame.extended = (how & 0x40U) != 0;
-            if (frame.id != 0 && frame.id != 0x7E5) {  // NMT has its own record, LSS its own target
+            if (frame.id != 0 && frame.id != 0x7E5) {  // NMT has its own kind of record, LSS its own fuzz target
                 slave.receive(frame);
             }
             break;

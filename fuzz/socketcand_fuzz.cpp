@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feeds the socketcand server with any bytes of a client, in pieces of any size. Only CAN frames go onto the bus and
-// memory stays bounded. The client gets the same bytes as from a server. Input: a byte with the size of a piece, then
-// as many bytes.
+// Feeds the socketcand server with any bytes of a client, in pieces of any size. Only valid CAN frames go onto the bus
+// and memory stays bounded. The socketcand client gets the same bytes, as if a server had sent them. Input: pieces,
+// each a byte with its size and then that many bytes.
 #include <algorithm>
 #include <string_view>
 
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(client.held() <= host::SocketcandClient::longest_command + 1);
         client.sent(client.output().size());
         require(session.output().size() <= host::SocketcandSession::output_limit);
-        // One frame leaves for every second piece, so that the gateway is full at times.
+        // A frame leaves after about half of the pieces only, so that the gateway is full at times.
         if (const Frame* frame = session.gateway().next_frame(); frame != nullptr && at % 2 == 0) {
             require(frame->length <= max_frame_length && frame->id <= (frame->extended ? 0x1FFFFFFFU : 0x7FFU));
             session.gateway().take_frame();

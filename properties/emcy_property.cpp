@@ -100,7 +100,7 @@ RC_GTEST_PROP(EmcyLaw, ErrorsAreReportedAsByTheNaiveNode, ()) {
     });
 }
 
-// After any events of the CAN controller, 1001h holds the error register of the last emergency message.
+// After any events of the CAN controller, 1001h has the error register of the last emergency message.
 RC_GTEST_PROP(ErrorRegisterLaw, LastEmcyMessageOfEveryDeviceCarriesTheErrorRegister1001h, ()) {
     verifies<req::CO_EMCY_010>("property");
     const std::string name = *rc::gen::elementOf(every_device());

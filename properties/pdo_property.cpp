@@ -182,8 +182,8 @@ RC_GTEST_PROP(PdoLaw, ValuesSentByOneNodeArriveAtTheOther, ()) {
     }
 }
 
-// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries; a refused write
-// keeps the old mapping.
+// A mapping of more than 64 bits is never accepted, whatever the number and the kind of its entries; after a refused
+// count sub-index 0 stays 0.
 RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     verifies<req::CO_PDO_011>("property");
     SlaveBench bench;

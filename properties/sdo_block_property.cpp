@@ -324,7 +324,7 @@ Bytes held(const Ours& ours) {
 
 }  // namespace
 
-RC_GTEST_PROP(SdoBlockLaw, DownloadedValueIsUploadedWhateverSegmentsAreLost, ()) {
+RC_GTEST_PROP(SdoBlockLaw, DownloadedValueIsUploadedDespiteLostSegments, ()) {
     verifies<req::CO_SDO_016, req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_026,
              req::CO_SDO_050, req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_032, req::CO_SDO_033>("property");
     Ours ours;
@@ -353,7 +353,7 @@ RC_GTEST_PROP(SdoBlockLaw, DownloadWithAFlippedBitIsNeverAccepted, ()) {
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }
 
-RC_GTEST_PROP(SdoBlockLaw, DownloadBrokenOffAnywhereLeavesTheOldValue, ()) {
+RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
     verifies<req::CO_SDO_011, req::CO_SDO_047>("property");
     Ours ours;
     ours.device.fill(pair_domain, 0, {1, 2, 3});

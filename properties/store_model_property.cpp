@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares stored parameters with a model of two maps: the present and the saved values. Power fails at any byte of a
-// save or restore; the memory counts the bytes that one writes (CiA 301, 7.5.2.13, 7.5.2.14).
+// save or restore; the memory counts the bytes that a save or restore writes (CiA 301, 7.5.2.13, 7.5.2.14).
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <fmt/format.h>

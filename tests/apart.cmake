@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Each of these tests names something as another test of its folder does: canproof_join() compiles it by itself. A name in a test body
-# is not changed for that, because reports/kills.csv knows the body.
+# Each of these tests defines a name that another test of its folder defines too, so canproof_join() compiles it separately. A name in a
+# test body is not changed for that, because reports/kills.csv knows the body.
 set(tests_apart can_transmitter can_receiver parameter_journal ax060805/dictionary blocks/analogue_output cbx-ao412/output
                 ax188001/simulation/replay host/register/broken_register)
 list(JOIN tests_apart "_test|" tests_apart)

@@ -31,7 +31,8 @@ inline Frame any_frame(unsigned how, const std::uint8_t* data) {
     return frame;
 }
 
-/// Returns an expedited write to any entry, of the right length, so that values are varied and not addresses.
+/// Returns an expedited write to any entry, of the right length, so that the fuzzer varies values rather than
+/// addresses.
 inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uint32_t node_id,
                                         const std::uint8_t* data) {
     const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;

@@ -306,7 +306,8 @@ class DeviceWorld {
     }
 
     /// Checks everything that one event caused: well-formed frames on identifiers of the device, and at most one SDO
-    /// answer. The queue must have free room, so that nothing was lost, unless it was not emptied for long.
+    /// answer. The queue must not be full, because then a frame may be lost; only after a long time without emptying it
+    /// may be full.
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;
@@ -373,8 +374,8 @@ class DeviceWorld {
     Digest digest_;
 };
 
-/// Starts at a multiple of 24 s, in which every LED pattern fits, 1.28 s before the low 32 bits of the microseconds
-/// become 0.
+/// Starts at a multiple of 24 s, which every LED pattern divides without remainder, and 1.28 s before the low 32 bits
+/// of the microseconds become 0.
 constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
 
 }  // namespace canproof::fuzz

@@ -89,7 +89,7 @@ class Entries {
         }
         return read;
     }
-    /// Returns whether the image has other bytes for a value than `seen`.
+    /// Returns whether a value that is not constant has other bytes in the image than in `seen`.
     bool differ(const naive_pdo::Bytes& seen) const {
         const ByteView image = objects_.image();
         return std::any_of(rows_.begin(), rows_.end(), [&](const EntryRow* row) {
@@ -177,7 +177,8 @@ class PdoSlave {
         return sent_;
     }
     void forget() { sent_.clear(); }
-    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: a waiting emergency message keeps its own.
+    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: an emergency message that still waits keeps
+    /// the identifier of the time at which it was queued.
     bool has_emcy_id(std::uint32_t id) {
         const std::uint32_t present = static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF;
         if (std::find(emcy_ids_.begin(), emcy_ids_.end(), present) == emcy_ids_.end()) {

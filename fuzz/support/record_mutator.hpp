@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A libFuzzer mutator for inputs that are records of one size. It removes, repeats, swaps and inserts whole records, so
+// A libFuzzer mutator for inputs that are records of one size. It removes, repeats, swaps or changes whole records, so
 // that the following records keep their meaning. At times it changes bytes as libFuzzer does.
 #pragma once
 

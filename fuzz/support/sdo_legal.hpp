@@ -51,7 +51,7 @@ inline bool is_upload_segment(const Frame& request, const Frame& answer) {
 
 }  // namespace sdo_detail
 
-/// Returns whether `answer` is legal as the immediate answer to `request`; both have 8 bytes.
+/// Returns whether `answer` is legal as the immediate answer to `request`. Both must have 8 bytes.
 inline bool is_legal_answer(const Frame& request, const Frame& answer) {
     using namespace sdo_detail;
     if (request.length != 8 || answer.length != 8) {

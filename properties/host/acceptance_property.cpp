@@ -61,7 +61,7 @@ std::set<Identifier> heard_identifiers(const ObjectDictionary& objects) {
     return heard;
 }
 
-/// Returns a write of a COB-ID or consumer; some are refused.
+/// Returns a write of a COB-ID or of a heartbeat consumer (1016h); the device refuses some of them.
 std::string any_setting() {
     const auto number = *rc::gen::element<std::uint32_t>(0x080, 0x181, 0x185, 0x205, 0x305, 0x701, 0x7FF, 0x10205);
     const auto flags = *rc::gen::element<std::uint32_t>(0, 0, 0x20000000, 0x40000000, 0x80000000, 0xA0000000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that devices send the same frames on every bus: in the process, on a virtual CAN interface of the kernel, and
-// in a second run.
+// Checks that devices send the same frames on the in-process bus, in a second run on it, and on the SocketCAN bus with
+// a virtual CAN interface in this process.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -103,7 +103,7 @@ std::map<std::string, std::vector<std::string>> dialogue(std::unique_ptr<Bus> bu
 
 }  // namespace
 
-RC_GTEST_PROP(AlikeBusesLaw, DevicesSendTheSameFramesOnEveryKindOfBus, ()) {
+RC_GTEST_PROP(AlikeBusesLaw, DevicesSendTheSameFramesOnTheInprocBusAndTheSocketCanBus, ()) {
     const std::vector<std::string> requests = any_requests();
     const auto inproc = [&] {
         return dialogue(std::make_unique<ArbitratedBus>("inproc", 1000000, BusFaultRates{}), nullptr, requests);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the in-process bus with a list of stations and a clock, frame for frame and state for state.
+// Compares the in-process bus with the naive bus of naive_bus.hpp, frame for frame and state for state.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -206,7 +206,7 @@ RC_GTEST_PROP(InprocBusLaw, BusAgreesWithTheNaiveBus, ()) {
     buses.check();
 }
 
-RC_GTEST_PROP(InprocBusLaw, FrameLastsAsLongAsItsBits, ()) {
+RC_GTEST_PROP(InprocBusLaw, FrameLengthEqualsTheNaiveCountOfItsBits, ()) {
     const Frame frame = any_frame(*rc::gen::inRange<std::size_t>(0, 8));
     RC_ASSERT(frame_bits(frame) == naive_frame_bits(frame));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares how a run and a replay recognise the frames of their own nodes with a plain list, which takes the oldest
-// equal frame.
+// Compares the recognition of own frames, in a run and in a replay, with a plain list from which the oldest equal frame
+// is taken.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -74,7 +74,7 @@ RC_GTEST_PROP(OwnFramesLaw, EchoBelongsToTheOldestEqualFrame, ()) {
     }
 }
 
-RC_GTEST_PROP(OwnFramesLaw, LogShowsEachFrameOnceWithinAMinute, ()) {
+RC_GTEST_PROP(OwnFramesLaw, EachOwnFrameIsRecognisedOnceWithinAMinute, ()) {
     OwnFrames own;
     std::vector<Listed> list;
     std::uint64_t now = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Replays any stimuli and frames: time never decreases, and the replay of a run reproduces the run.
+// Replays any stimuli and frames: time never decreases, and the replay of a run contains the frames of the run in their
+// order.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -149,7 +150,7 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 }  // namespace
 
 /// A frame that a reset drops while it waits for the bus is in the replay only, because the replay has no bus.
-RC_GTEST_PROP(ReplayLaw, ReplayOfARunWritesTheSameLinesInTheSameOrder, ()) {
+RC_GTEST_PROP(ReplayLaw, ReplayOfARunContainsItsLinesInTheirOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {
         const auto device = make_device(name);

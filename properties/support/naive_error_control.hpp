@@ -45,7 +45,7 @@ class Node {
                 break;
         }
     }
-    /// Write by SDO. They return false when the write is refused or not answered.
+    /// The write functions below write by SDO. They return false when the write is refused or not answered.
     bool write_heartbeat_time(unsigned ms) {
         if (!has_sdo()) {
             return false;

@@ -13,7 +13,7 @@ namespace canproof::test {
 enum class EventKind : std::uint8_t {
     setting,        ///< a parameter of the device
     communication,  ///< a parameter of the communication
-    entry,          ///< any entry at all, with any value
+    entry,          ///< any entry, with any value
     request,        ///< an SDO request that starts or continues a transfer
     nmt,
     reset,

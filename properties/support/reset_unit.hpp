@@ -116,7 +116,7 @@ class ResetUnit {
         take();
         return found;
     }
-    /// Longest of each delay of activate bit timing.
+    /// The longest value of each of the two delays of activate bit timing (LSS).
     static constexpr Duration longest_silence = milliseconds(20);
     /// Restores a working CAN controller and lets LSS finish a change of the bit rate.
     void recover() {

@@ -128,7 +128,7 @@ std::shared_ptr<host::RunSession> session_of(std::vector<std::unique_ptr<host::D
     return session;
 }
 
-/// Returns the text of eight RPDOs of one byte each, with identifiers from `first` on.
+/// Returns an EDS with eight RPDOs of one byte each, with identifiers from `first` on.
 std::string sheet_of_rpdos(unsigned first) {
     std::string text =
         "[DeviceInfo]\nProductName=Receiver\nBaudRate_1000=1\n[2000]\nParameterName=Output\nObjectType=7\n"

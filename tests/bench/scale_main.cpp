@@ -2,7 +2,7 @@
 // Measures how many AX130751 one core simulates: canproof_scale FOLDER runs 1 to 2,000 of them, in operational with
 // default parameters, through a hundred seconds of virtual time. It writes a table, a plot and their description as an
 // exhibit of the pack (src/host/assess/evidence/exhibit.hpp). Exits with status 1 when 1,000 are slower than real time,
-// or when a device of many costs more than three times a device of a hundred. Times are CPU times.
+// or when one device of 2,000 costs more than three times as much as one of 100. Times are CPU times.
 #include <fmt/format.h>
 
 #include <algorithm>

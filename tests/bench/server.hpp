@@ -24,7 +24,8 @@ class Server {
     /// Sets an entry to a new value, as the device does. Returns the number of frames that this causes.
     virtual std::size_t change(std::uint16_t index, std::uint8_t subindex) = 0;
 
-    /// Set-up: maps 5F02h:1…4 into the RPDO with this identifier, or into this TPDO, which is sent when they change.
+    /// Set-up: receive_words() maps 5F02h:1…4 into the RPDO with this identifier. send_words() maps them into the TPDO
+    /// with this identifier, which is sent when they change.
     virtual void receive_words(std::uint32_t identifier) = 0;
     virtual void send_words(std::uint32_t identifier) = 0;
 

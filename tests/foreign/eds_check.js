@@ -17,7 +17,7 @@ function compare(where, what, found, expected) {
     }
 }
 
-// Returns a number as the sheet writes it; a text unchanged.
+// Returns the number that a text of the sheet denotes; returns any other text unchanged.
 function number(text) {
     return typeof text === 'string' && text.trim() !== '' && !Number.isNaN(Number(text)) ? Number(text) : text;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """in_toto.py PROGRAM: checks signed packs with in-toto-verify (Debian's in-toto). It accepts a signed pack with the
-public key alone. It refuses a pack with a file that is altered, missing or more, a pack signed by another key, and an
+public key alone. It refuses a pack with a file that is altered, missing or added, a pack signed by another key, and an
 altered layout. The keys are made here and thrown away."""
 import json
 import os

@@ -24,7 +24,7 @@ def install():
 
 
 def run(*words):
-    """Runs two devices in-process until the last request of the input is answered."""
+    """Runs one device on the in-process bus for half a second, with the requests as its input."""
     subprocess.run([program, "run", "cbx-ao412@3", "--plain", "--seconds", "0.5", *words], input=REQUESTS, text=True,
                    check=True, stdout=subprocess.PIPE)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the contrast of every visible text with its background (WCAG 2.1). Runs inside the page.
+// Finds the visible texts that have too little contrast with their background (WCAG 2.1). Runs inside the page.
 'use strict';
 
 function lowContrast() {

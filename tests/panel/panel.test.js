@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Actions and displays of the panel in a real browser. Every wait is for a condition. The kernel chooses every port.
+// Tests the actions and displays of the panel in a real browser. Each wait is for a condition, not for a time. The
+// kernel chooses each port.
 'use strict';
 const assert = require('node:assert/strict');
 const { spawn, spawnSync } = require('node:child_process');
@@ -20,7 +21,7 @@ const patience = 120000; // milliseconds; reached only with a broken panel
 let browser;
 let panel;
 
-/** The program on any free port, what it said, and the pages that follow it: these close before it ends. */
+/** Starts the program on a free port. Returns it with its messages and its open pages, which are closed before it ends. */
 async function startPanel(...words) {
   const child = spawn(canproof, ['panel', '--port', '0', ...words]);
   let notices = '';
@@ -48,7 +49,7 @@ async function startPanel(...words) {
   return { child, url, says, pages, stop };
 }
 
-/** A page that has met the program. Whatever it complains of on its console fails the test. */
+/** Opens a page that is connected to the program. An error or a warning on its console fails the test. */
 async function openPage(t, options = {}, program = panel) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();
@@ -73,7 +74,8 @@ const card = (page, device) => page.locator(`[data-device="${device}"]`);
 const control = (page, device, signal) => card(page, device).locator(`[data-signal="${signal}"]`);
 const lamp = (page, device, label) => card(page, device).locator('.lamp', { hasText: label });
 
-/** Waits, a frame at a time, until `holds` does inside the page: the page's policy lets no driver evaluate strings there. */
+/** Waits until `holds` is true inside the page; checks it once per animation frame. The policy of the page forbids the
+    evaluation of strings, which the wait of the driver needs. */
 async function until(page, holds) {
   const end = Date.now() + patience;
   while (!await page.evaluate(holds)) {
@@ -82,7 +84,7 @@ async function until(page, holds) {
   }
 }
 
-/** Does what sends a frame; returns when the program has it. The page's message may be another by then. */
+/** Calls `act`, which sends a frame. Returns when the program has it; the message on the page may have changed by then. */
 async function sends(page, act) {
   const [answer] = await Promise.all([page.waitForResponse((one) => one.url().endsWith('/api/frame')), act()]);
   assert.equal(answer.status(), 200);
@@ -93,7 +95,7 @@ async function send(page, frame) {
   await sends(page, () => page.click('#send button'));
 }
 
-/** When a channel of a device changed, in microseconds of the program's own clock. */
+/** Returns the times at which a channel of a device changed, in microseconds of the program's own clock. */
 async function changesOf(device, channel) {
   const ask = async (path) => (await fetch(`${panel.url}${path}`)).json();
   const names = (await ask('api/panel')).devices.flatMap((one) => one.channels.map((each) => `${one.name}.${each.name}`));
@@ -101,7 +103,7 @@ async function changesOf(device, channel) {
   return (await ask('api/state')).changes.filter(([, at]) => at === wanted).map(([time]) => time);
 }
 
-/** Everything that says that channel `number` is past its shutdown limit: lamp, emergency and frame. */
+/** Waits until the lamp, the emergency and its frame show that channel `number` is past its shutdown limit. */
 async function expectShutdown(page, number) {
   await card(page, 'ax188001').locator('.emcy.error', { hasText: `F011h limit exceeded, channel ${number}, positive shutdown` }).waitFor();
   await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=lit]').waitFor();
@@ -120,7 +122,7 @@ after(async () => {
   await browser?.close();
 });
 
-test('a temperature dragged over the shutdown limit is shown by lamp, emergency and frame', async (t) => {
+test('a temperature dragged past the shutdown limit is shown by lamp, emergency and frame', async (t) => {
   const page = await openPage(t);
   assert.equal(await lamp(page, 'ax188001', 'ERR').locator('.words').innerText(), 'off');
   await send(page, '602#2B30400100000000'); // 4030h:1 error react delay: none
@@ -141,7 +143,7 @@ test('a temperature dragged over the shutdown limit is shown by lamp, emergency 
   await lamp(page, 'ax188001', 'ERR').locator('.bulb[data-look=dark]').waitFor();
 });
 
-test('the same works with the keyboard alone, and the focus is always visible', async (t) => {
+test('a temperature is set past the shutdown limit with the keyboard alone, and the focus is always visible', async (t) => {
   const page = await openPage(t);
   const focus = () => page.evaluate(() => {
     const at = document.activeElement;
@@ -171,7 +173,7 @@ test('the same works with the keyboard alone, and the focus is always visible', 
   await card(page, 'ax188001').locator('.emcy', { hasText: 'negative warning' }).or(card(page, 'ax188001').locator('.emcy:not(.error)')).first().waitFor();
 });
 
-test('an NMT command goes over the bus, and the LED on the page flashes as the device switches it', async (t) => {
+test('a button starts one device by NMT, and its LED and its output are shown as the device sets them', async (t) => {
   const page = await openPage(t);
   const status = lamp(page, 'cbx-ao412', 'S');
   await status.locator('.words', { hasText: 'blinking' }).waitFor();
@@ -189,7 +191,7 @@ test('an NMT command goes over the bus, and the LED on the page flashes as the d
   await card(page, 'cbx-ao412').locator('.gauge', { hasText: 'Output 1' }).locator('.figure', { hasText: /^5\.00/ }).waitFor();
 });
 
-test('a dragged tilt reaches the plant, and the measured angle is shown', async (t) => {
+test('a dragged horizon sets the pitch of the machine, and the measured angle is shown', async (t) => {
   const page = await openPage(t);
   const horizon = card(page, 'ax060805').locator('.attitude');
   await horizon.scrollIntoViewIfNeeded();
@@ -197,13 +199,13 @@ test('a dragged tilt reaches the plant, and the measured angle is shown', async 
   const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   await page.mouse.move(middle.x, middle.y);
   await page.mouse.down();
-  await page.mouse.move(middle.x, middle.y + box.height * 0.15, { steps: 4 }); // 200 units high: 30 degrees
+  await page.mouse.move(middle.x, middle.y + box.height * 0.15, { steps: 4 }); // the drawing is 200 units high, so this is 30 degrees
   await page.mouse.up();
   await until(page, () => Math.abs(Number(document.querySelector('[data-signal=pitch] input[type=number]').value) - 30) <= 2);
   await until(page, () => Math.abs(Number(document.querySelector('[data-device=ax060805] .gauge .figure').textContent) - 30) <= 3);
 });
 
-test('another page shows a value that this page sets', async (t) => {
+test('a value set on one page is shown on another page and is in stimuli.csv', async (t) => {
   const one = await openPage(t);
   const other = await openPage(t);
   const box = control(one, 'ax130751', 'supply').locator('input[type=number]');
@@ -214,7 +216,7 @@ test('another page shows a value that this page sets', async (t) => {
   assert.match(csv, /^\d+\.\d{6},ax130751\.supply,13\.5$/m);
 });
 
-test('lost frames are shown, and nothing is shown without a loss', async (t) => {
+test('lost frames are shown, and without a loss the field is hidden', async (t) => {
   const page = await openPage(t);
   assert.equal(await page.locator('#bus-lost-field').isVisible(), false);
   await page.route('**/api/state*', async (route) => {
@@ -228,7 +230,7 @@ test('lost frames are shown, and nothing is shown without a loss', async (t) => 
   await page.unrouteAll({ behavior: 'ignoreErrors' });
 });
 
-test('a lag of the simulation is shown, and nothing is shown without a lag', async (t) => {
+test('a lag of the simulation is shown, and without a lag the field is hidden', async (t) => {
   const page = await openPage(t);
   await page.route('**/api/state*', async (route) => {
     const response = await route.fetch();
@@ -241,7 +243,7 @@ test('a lag of the simulation is shown, and nothing is shown without a lag', asy
   await page.locator('#bus-lag-field').waitFor({ state: 'hidden' });
 });
 
-test('a client of socketcand and the page show the same bus', async (t) => {
+test('a socketcand client and the page are on the same bus', async (t) => {
   const served = await startPanel('cbx-ao412@3', '--bus', 'socketcand:127.0.0.1:0');
   t.after(served.stop);
   const port = Number(/socketcand listens at port (\d+)/.exec(await served.says(/listens at port \d+/))[1]);
@@ -262,7 +264,7 @@ test('a client of socketcand and the page show the same bus', async (t) => {
   await hears(/< frame 583 \S+ 4F01100000000000 >/i);
 });
 
-test('a refused frame is explained in words', async (t) => {
+test('a refused frame is shown with a message that names its identifier', async (t) => {
   const context = await browser.newContext();
   t.after(() => context.close());
   const page = await context.newPage();
@@ -318,7 +320,7 @@ test('with reduced motion, the LED pattern is written instead of flashing', asyn
   assert.deepEqual(looks, ['pattern']);
 });
 
-test('a page of another site can neither read nor change anything', async (t) => {
+test('a page of another site can neither read the state nor send a frame', async (t) => {
   const evil = http.createServer((_, answer) => answer.setHeader('Content-Type', 'text/html').end('<!doctype html><title>evil</title>'));
   await new Promise((resolve) => { evil.listen(0, '127.0.0.1', resolve); });
   const context = await browser.newContext();

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""by_hand.py PROGRAM: `canproof conform --by-hand` asks its user to switch a slave off and on, and the cases of 1010h (store
-parameters) and 1011h (restore default parameters) that need it run. This script is the user: it kills the slave's process and starts
-it again on the same stored parameters.
+"""by_hand.py PROGRAM: `canproof conform --by-hand` asks its user to switch a slave off and on. This lets it run the cases of
+1010h (store parameters) and 1011h (restore default parameters) that need a power cycle. This script is the user: it
+kills the slave's process and starts it again on the same stored parameters.
 
-A third process serves the bus, so that it stays up. Its port is the kernel's choice.
+A third process serves the bus, so that the bus stays up. The kernel chooses its port.
 """
 import collections
 import json
@@ -91,7 +91,7 @@ def check_cases(folder, bus, slave):
 
 
 def check_end_of_input(folder, bus, slave):
-    """Checks that the run ends and leaves nothing behind when nobody switches the slave."""
+    """Checks that the run ends as interrupted, with everything put back, when nobody switches the slave."""
     test = conform(folder, bus, "store-power-cycle-unsaved")
     test.stdin.close()
     report = json.loads(test.stdout.read())

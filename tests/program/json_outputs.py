@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """json_outputs.py PROGRAM: `--json` of each command prints one JSON object with the members that src/host/app/README.md lists, and nothing
-else on standard output. Values are those of a small project. The checkers of `canproof misra` take minutes: their result is made up here,
-and its writer is called."""
+else on standard output. Values are those of a small project. The checkers of `canproof misra` take minutes: here only
+their JSON writer is called, with a made-up result."""
 import json
 import pathlib
 import re
@@ -28,7 +28,7 @@ elif "CANPROOF_TOLD" in os.environ:
     with open(os.environ["CANPROOF_TOLD"], "w") as told:
         print("Nmt.Starts", "tests/nmt_test.cpp", "0.010", *range(5), sep="\t", file=told)
 '''
-# A test program: writes its verdicts, has one cell, and notices nothing.
+# A stand-in for a test program: it writes its verdicts, has one cell to alter, and notices no alteration.
 TESTS = r'''#!/usr/bin/env python3
 import sys
 for word in sys.argv[1:]:

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""names.py PROGRAM: node-IDs and factory data given to run, panel and replay, as a shell sees them."""
+"""names.py PROGRAM: checks the words of a command line: node-IDs, part numbers, factory data and images of devices,
+options of one word, and --version."""
 import os
 import pathlib
 import re
@@ -33,7 +34,7 @@ def refused():
 
 
 def named():
-    """Each device is named before the first frame. Standard output contains frames only."""
+    """Each device is named on standard error. Standard output contains frames only."""
     status, out, err = call("run", "cbx-ao412@3", "ax188001@5", "ax060805@255", "--seconds", "0.05")
     assert status == 0, status
     assert err.splitlines() == ["cbx-ao412@3: node-ID 3", "ax188001@5: node-ID 5", "ax060805@255: no node-ID"], err

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/outputs.py PROGRAM: runs the real program with files and streams that cannot be read or written.
 
-Runs every command that prints with /dev/full as its standard output: it must end with status 2 and one line on standard error. A folder is
+Runs commands that print with /dev/full as their standard output: each must end with status 2 and one line of error. A folder is
 refused as a log, a pipe is refused as a file of the register, and no file is emptied before everything else was checked."""
 import os
 import pathlib
@@ -32,7 +32,7 @@ def canproof(*words, **how):
 
 
 def refused(result, what, *says):
-    """Checks for status 2 and one line on standard error with these words."""
+    """Checks for status 2, an error as the last line on standard error, and these words."""
     lines = result.stderr.splitlines()
     expect(result.returncode == 2, f"{what}: status {result.returncode}, not 2")
     expect(len(lines) >= 1 and lines[-1].startswith("canproof: "), f"{what}: standard error says {lines[-3:]}")
@@ -41,7 +41,7 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Runs each command that prints, with a standard output that is full."""
+    """Runs commands that print with a standard output that is full, or with a log or outputs that are."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-PATIENCE = 120  # seconds until a program that does not end counts as hanging; nothing waits for it to pass
+PATIENCE = 120  # seconds until a program counts as hanging; no test waits for this time
 program = str(pathlib.Path(sys.argv[1]).resolve())
 failures = []
 

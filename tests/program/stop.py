@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stop.py PROGRAM: checks that nothing keeps the program from obeying its user or from serving other clients. The time to end is measured
+"""stop.py PROGRAM: checks that neither overload nor slow clients keep the program from obeying its user or serving others. The time to end is measured
 in processor time, so that the load of the machine does not matter.
 """
 import collections

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave with a changed dictionary, for data sheets that no device has but that are valid.
+// The conformance slave with a changed dictionary, for valid dictionaries that no device has.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every frame of a bench in a file: `# Suite.Test`, then `microseconds <605#…` for a frame to the device and `>585#…`
-// for a frame from it. The same tests write the same file, byte for byte, on every machine.
+// Writes every frame of a bench to a file: `# Suite.Test`, then `microseconds <605#…` for a frame to the device and
+// `>585#…` for a frame from it. The same tests write the same file, byte for byte, on every machine.
 #pragma once
 
 namespace canproof::test {

@@ -51,7 +51,8 @@ inline std::string hex_le(std::uint64_t value, int bytes) {
     return text;
 }
 
-/// Returns the block segment `sequence` with the seven bytes from `from` on, marked when these are the last bytes.
+/// Returns the block segment `sequence` with the seven bytes from `from` on. Bit 7 of its first byte marks the last
+/// segment.
 inline std::string block_segment(const std::string& id, unsigned sequence, const Bytes& bytes, std::size_t from) {
     const bool last = from + 7 >= bytes.size();
     return id + "#" + hex_le(sequence | (last ? 0x80U : 0U), 1) + hex_bytes(bytes, from, 7, 7);

@@ -90,7 +90,7 @@ TEST(BitTiming, BitRateThatTheClockCannotGiveIsRefused) {
     }
 }
 
-TEST(BitTiming, RegisterValueOfOneMegabitFollowsTheReferenceManual) {
+TEST(BitTiming, RegisterValueHasTheFieldsOfTheReferenceManual) {
     verifies<req::CO_CAN_001>();
     // 3 clocks per quantum, 1 + 11 + 2 quanta, jump 2. The register contains each value minus one, at bits 0, 16, 20
     // and 24.

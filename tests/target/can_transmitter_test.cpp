@@ -110,7 +110,7 @@ TEST(CanTransmitter, FreeMailboxBelowOneWithTheSameIdentifierIsNotUsed) {
                 ElementsAre(Pair(0x083, 1), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));
 }
 
-TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
+TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentFrameOfTheMailboxes) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x703, 3}});
@@ -124,7 +124,7 @@ TEST(CanTransmitter, UrgentFrameReplacesTheLeastUrgentMailbox) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-TEST(CanTransmitter, FramePutBackPrecedesFramesOfItsIdentifier) {
+TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesFramesOfItsIdentifier) {
     verifies<req::CO_CAN_006, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
@@ -176,7 +176,7 @@ TEST(CanTransmitter, AbortedFrameOnTheBusIsSentAgainOnlyIfItsTransmissionFails) 
     }
 }
 
-TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
+TEST(CanTransmitter, AbortedFrameStaysInItsMailboxWhenTheQueueIsFull) {
     verifies<req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}});
@@ -194,7 +194,7 @@ TEST(CanTransmitter, AbortedFrameWithoutRoomInTheQueueStaysInItsMailbox) {
     EXPECT_EQ(rest.front(), std::pair(0x083U, 3));
 }
 
-TEST(CanTransmitter, UrgentFrameLeavesAFullQueueToo) {
+TEST(CanTransmitter, UrgentFrameInAFullQueueIsSentFirst) {
     verifies<req::CO_CAN_012, req::CO_CAN_013>();
     Bench bench;
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}});

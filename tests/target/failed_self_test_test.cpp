@@ -27,8 +27,8 @@ class FailedSelfTest : public testing::Test {
 
     cbx_ao412::Outputs& outputs() { return const_cast<cbx_ao412::Outputs&>(unit_.device.outputs()); }
 
-    /// Runs until the test fails, at most `passes`; then the outputs must be off, the bus silent, and the watchdog near
-    /// its end.
+    /// Runs until the self-test fails, for at most `passes` passes. Then checks that the outputs are off, the bus is
+    /// silent and the watchdog is not refreshed any more.
     void expect_safe_state(SelfTest test, std::uint32_t passes) {
         for (std::uint32_t i = 0; i < passes && unit_.loop.failed() == SelfTest::none; ++i) {
             EXPECT_THAT(unit_.run(1), IsEmpty());
@@ -53,8 +53,8 @@ class FailedSelfTest : public testing::Test {
     Unit unit_{chips_};
 };
 
-/// A device of whose outputs a bit changes between its computation and the pins. Each pass of the loop asks for the bit
-/// rate, compares the outputs, keeps them after the computation, compares them again and drives them.
+/// A device whose outputs change after their computation and before they are driven. In each pass the loop asks for the
+/// bit rate, compares the outputs, keeps them after the computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
     mutable int looks{0};
@@ -85,7 +85,7 @@ TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
     expect_safe_state(SelfTest::ram, 63);
 }
 
-TEST_F(FailedSelfTest, TurnedBitOfFlashEndsInTheSafeState) {
+TEST_F(FailedSelfTest, FlippedBitOfFlashEndsInTheSafeState) {
     verifies<req::CO_SELF_002, req::CO_SELF_008>();
     chips_.image.turn(150, 2);
     // 72 and 204 bytes are 5 and 13 slices, one in every third pass. Two rounds are allowed, because the first may be
@@ -99,13 +99,13 @@ TEST_F(FailedSelfTest, FailedRegisterEndsInTheSafeState) {
     expect_safe_state(SelfTest::core, 3);
 }
 
-TEST_F(FailedSelfTest, StackThatOutgrowsItsRoomEndsInTheSafeState) {
+TEST_F(FailedSelfTest, StackOverflowEndsInTheSafeState) {
     verifies<req::CO_SELF_004, req::CO_SELF_008>();
     chips_.guard.at(7) = 0;
     expect_safe_state(SelfTest::stack, 1);
 }
 
-TEST_F(FailedSelfTest, ClockOfTwiceItsPlanEndsInTheSafeState) {
+TEST_F(FailedSelfTest, ClockOfTwiceThePlannedFrequencyEndsInTheSafeState) {
     verifies<req::CO_SELF_006, req::CO_SELF_008>();
     chips_.capture.timer_mhz = 160;
     expect_safe_state(SelfTest::clock, 10);
@@ -130,7 +130,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
-TEST_F(FailedSelfTest, DoubledStepEndsInTheSafeState) {
+TEST_F(FailedSelfTest, PassWithinAPassEndsInTheSafeState) {
     verifies<req::CO_SELF_005, req::CO_SELF_008>();
     unit_.board.on_read = [this] { unit_.loop.pass(); };
     expect_safe_state(SelfTest::flow, 1);
@@ -166,7 +166,7 @@ TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);
 }
 
-TEST(DeviceLoop, DeviceDoesNotStartWithAFailedProcessor) {
+TEST(DeviceLoop, DeviceDoesNotStartWithAFailedCoreOrRam) {
     verifies<req::CO_SELF_010>();
     for (const bool is_core : {true, false}) {
         Chips chips;

@@ -49,7 +49,8 @@ Bytes with(Bytes bytes, std::size_t at, const Bytes& part) {
     return bytes;
 }
 
-/// The data and place of the `number`th save of a test. Saves are two lines apart, and some cross a border of lines.
+/// The data and the place of the `number`th save of a test. Saves are 36 bytes apart; some cross the border between two
+/// lines of 16 bytes.
 Bytes pattern(std::size_t number) {
     return Bytes(20, static_cast<std::uint8_t>(number));
 }
@@ -62,7 +63,7 @@ constexpr std::size_t small_sector = 20 * 6;
 
 }  // namespace
 
-TEST(ParameterJournal, BlankFlashHoldsABlankJournal) {
+TEST(ParameterJournal, BlankFlashIsReadAsABlankJournal) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     Unit unit{model};
@@ -72,7 +73,7 @@ TEST(ParameterJournal, BlankFlashHoldsABlankJournal) {
     EXPECT_EQ(model.operations(), 0U);
 }
 
-TEST(ParameterJournal, CommittedBytesAreKeptAndNothingElse) {
+TEST(ParameterJournal, OnlyCommittedBytesAreKept) {
     verifies<req::CO_FLASH_002>();
     FlashModel model;
     {
@@ -262,7 +263,7 @@ TEST(ParameterJournal, SlotThatReadsAsBlankAgainIsNotTheEndOfTheJournal) {
     EXPECT_EQ(Unit{model}.content(), with(blank(), 0, {4}));
 }
 
-TEST(Flash, ModelDetectsAWrongStateOfTheFlashController) {
+TEST(Flash, ModelDetectsProgrammingOfALockedFlash) {
     verifies<req::CO_FLASH_001>();
     FlashModel model;
     Flash flash{model.registers(), 100};

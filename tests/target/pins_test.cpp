@@ -77,7 +77,7 @@ TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
     EXPECT_EQ(timer.at(0x38), 10500U);
 }
 
-TEST(Port, PortReadsAndSetsItsPins) {
+TEST(Port, PortReadsSetsAndConfiguresItsPins) {
     verifies<req::CO_IMAGE_002, req::CO_IMAGE_003>();
     PlainModel<GpioRegisters> gpio;
     Port port{gpio.registers()};

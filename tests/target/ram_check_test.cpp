@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The march over RAM, against the fault models of cells: each must be found, and sound RAM must keep its contents.
+// The march test of RAM with models of faulty memory cells: it must find each fault, and RAM without a fault must keep
+// its contents.
 #include "target/stm32f405/selftest/ram_check.hpp"
 
 #include <gmock/gmock.h>

@@ -61,7 +61,7 @@ struct ClockCheckBench {
 
 }  // namespace
 
-TEST(FlashCheck, PassFindsEachTurnedBit) {
+TEST(FlashCheck, PassFindsEachFlippedBit) {
     verifies<req::CO_SELF_002>();
     SealedFlash flash{72, 100};
     FlashCheck check{flash.vectors(), flash.image()};
@@ -115,7 +115,7 @@ TEST(StackGuard, GuardNoticesEachChangedBit) {
     EXPECT_TRUE(guard.is_intact());
 }
 
-TEST(FlowMonitor, OneSequenceOfUpToSixStepsIsAPass) {
+TEST(FlowMonitor, OnlyOneSequenceOfUpToSixStepsIsAPass) {
     verifies<req::CO_SELF_005>();
     std::size_t tried = 0;
     for (std::size_t length = 0, count = 1; length <= 6; ++length, count *= 6) {
@@ -141,7 +141,7 @@ TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {
     }
 }
 
-TEST(FlowMonitor, PassAfterAWrongOneIsWrongToo) {
+TEST(FlowMonitor, PassAfterAWrongPassIsWrong) {
     verifies<req::CO_SELF_005>();
     FlowMonitor flow;
     const auto pass = [&flow] {
@@ -157,7 +157,7 @@ TEST(FlowMonitor, PassAfterAWrongOneIsWrongToo) {
     EXPECT_FALSE(pass());
 }
 
-TEST(OutputCopy, CopyNoticesEachTurnedBitOnEitherSide) {
+TEST(OutputCopy, CopyNoticesEachFlippedBitOfTheOutputsAndOfTheCopy) {
     verifies<req::CO_SELF_007>();
     struct Outputs {
         std::array<float, 2> volts{1.5F, -3.0F};
@@ -203,7 +203,7 @@ TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
     }
 }
 
-TEST(ClockCheck, ClockThatLeavesItsPlanIsNoticedWithinAMillisecond) {
+TEST(ClockCheck, ClockFarFromItsPlannedFrequencyIsNoticedWithinAMillisecond) {
     verifies<req::CO_SELF_006>();
     // 8 periods at 32 kHz are 250 µs. A clock of f times its plan measures 250 f µs: 0.67 gives 167.5, 1.9 gives 475;
     // the limits are 170 and 471.
@@ -221,7 +221,7 @@ TEST(ClockCheck, ClockThatLeavesItsPlanIsNoticedWithinAMillisecond) {
     }
 }
 
-TEST(ClockCheck, OscillatorBeside17To47KilohertzIsAFailure) {
+TEST(ClockCheck, OscillatorOutside17To47KilohertzIsAFailure) {
     verifies<req::CO_SELF_006>();
     for (const double khz : {16.9, 47.2}) {
         ClockCheckBench bench;
@@ -272,7 +272,7 @@ TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
     }
 }
 
-TEST(FailureRecord, RecordReturnsAKeptTestOnce) {
+TEST(FailureRecord, RecordReturnsTheKeptSelfTestOnce) {
     verifies<req::CO_SELF_009>();
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};

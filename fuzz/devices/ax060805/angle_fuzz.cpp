@@ -54,8 +54,7 @@ void check_exponential(float x) {
     }
 }
 
-/// Checks the angles of gravity for lengths that a sensor can measure. Where the sign of z is in doubt the tilt may
-/// jump.
+/// Checks the angles of gravity for lengths that a sensor can measure. The tilt jumps where z changes its sign.
 void check_tilt(const Vector3& g) {
     const Exact x = g.x, y = g.y, z = g.z;
     const Exact length = std::sqrt(x * x + y * y + z * z);
@@ -72,7 +71,7 @@ void check_tilt(const Vector3& g) {
     require((y == 0.0L && z == 0.0L) || apart(euler.roll, degrees(y, z)) < 1.0e-4L, "Euler roll");
 }
 
-/// Checks that undoing an installation keeps the length and equals two rotations in long double.
+/// Checks that undoing an installation equals two rotations in long double.
 void check_rotation(const Vector3& given) {
     const PitchRoll turn{std::fmod(given.x, 90.0F), std::fmod(given.y, 180.0F)};
     if (!std::isfinite(turn.pitch) || !std::isfinite(turn.roll)) {

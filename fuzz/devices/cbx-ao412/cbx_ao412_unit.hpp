@@ -34,8 +34,8 @@ class CbxAo412Unit {
         return keeps && (inputs.internal_fault || inputs.hardware_fault);
     }
 
-    /// Checks that no output exceeds 10.205 V (4.3.1). During an internal failure an output keeps its value, or has 0 V
-    /// or its error value, whatever is written (7.10.3).
+    /// Checks that no output exceeds 10.205 V (4.3.1). During an internal failure an uncalibrated output keeps its
+    /// value, or has 0 V or its error value, whatever is written (7.10.3).
     void check(const Device& device, const Inputs& inputs, bool) {
         check_leds(device, inputs);
         for (std::uint8_t number = 1; number <= 4; ++number) {
@@ -57,7 +57,7 @@ class CbxAo412Unit {
         float volts{0.0F};
         std::uint32_t calibration{0U};
     };
-    /// Checks the states of each LED that do not flash (3.2).
+    /// Checks each LED in the states in which it does not flash (3.2).
     static void check_leds(const Device& device, const Inputs& inputs) {
         const auto& outputs = device.outputs();
         require(outputs.led_p == has_values(device));

@@ -66,7 +66,7 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteIsDefinedForEveryValue, ()) {
+RC_GTEST_PROP(SignalLaw, AnyContinuousValueIsConvertedToDiscreteByTheRule, ()) {
     verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));
@@ -91,7 +91,7 @@ RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreDefinedForEveryInput, ()) {
     RC_ASSERT(std::isnan(x) || apply_unary(0, x) == x);
 }
 
-RC_GTEST_PROP(FunctionLaw, BinaryFunctionsAreDefinedForEveryInput, (std::uint8_t number)) {
+RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNan_AndAreUndefinedForNanInputs, (std::uint8_t number)) {
     verifies<req::INC_BIN_007>("property");
     const float x = any_float();
     const float y = any_float();
@@ -137,7 +137,7 @@ RC_GTEST_PROP(FunctionLaw, OppositeComparisonsGiveOppositeResults, ()) {
     RC_ASSERT(result(7) <= x && result(7) <= y && (result(7) == x || result(7) == y));
 }
 
-RC_GTEST_PROP(FunctionLaw, FunctionBlockIsDefinedForEveryInput, ()) {
+RC_GTEST_PROP(FunctionLaw, FunctionBlockNeverGivesNan, ()) {
     verifies<req::INC_BIN_007>("property");
     FunctionBlock block;
     for (auto& input : block.inputs) {

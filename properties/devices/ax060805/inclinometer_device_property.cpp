@@ -55,7 +55,8 @@ std::vector<Event> any_events() {
     return events;
 }
 
-/// Returns a writable entry above 1FFFh, or of 1017h, 1029h and the timers.
+/// Returns one of the writable entries, except those of 1010h (store parameters) and 1011h (restore default
+/// parameters).
 std::pair<std::uint16_t, std::uint8_t> some_entry(const ObjectDictionary& objects, std::uint32_t choice) {
     const auto& tables = objects.tables();
     std::vector<std::pair<std::uint16_t, std::uint8_t>> writable;
@@ -186,7 +187,7 @@ class Run {
 
 }  // namespace
 
-RC_GTEST_PROP(InclinometerLaw, MeasuredValuesStayWithinTheirLimits, ()) {
+RC_GTEST_PROP(InclinometerLaw, ValuesOfTheDictionaryStayWithinTheirLimits, ()) {
     verifies<req::INC_FV_002, req::INC_BIN_007>("property");
     Run run;
     for (const Event& event : any_events()) {

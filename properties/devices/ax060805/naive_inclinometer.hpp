@@ -128,7 +128,8 @@ class NaiveInclinometer {
     double sensor_temperature() const { return sensor_temperature_; }
     double supply() const { return supply_; }
     double processor_temperature() const { return processor_temperature_; }
-    /// The functions below return the errors 4200h and FF00h, which are raised at a sample.
+    /// The two functions below return whether the errors 4200h (temperature) and FF00h (sensor) are present. They begin
+    /// at a sample.
     bool has_temperature_error() const { return is_too_warm_or_cold(); }
     bool has_sensor_error() const { return !measures_; }
 

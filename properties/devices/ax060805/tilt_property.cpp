@@ -79,7 +79,7 @@ RC_GTEST_PROP(TiltLaw, AnglesMatchTheFormulaeInDoublePrecision, ()) {
     RC_ASSERT(apart(euler.roll, degrees(y, z)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNoAngle, ()) {
+RC_GTEST_PROP(TiltLaw, TurningTheMachineAboutTheVerticalChangesNoTiltOrGravityAngle, ()) {
     verifies<req::INC_ANGLE_010>("property");
     const double yaw = angle(180) * radians;
     const double pitch = angle(90) * radians;
@@ -99,7 +99,7 @@ RC_GTEST_PROP(TiltLaw, GravityAngleIsUnchangedByATurnAboutTheZAxis, ()) {
     RC_ASSERT(apart(gravity_angle(single(turned)), gravity_angle(g)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, AnglesDoNotDependOnTheLengthOfGravity, ()) {
+RC_GTEST_PROP(TiltLaw, TiltAndGravityAnglesDoNotDependOnTheMagnitudeOfGravity, ()) {
     verifies<req::INC_ANGLE_003, req::INC_ANGLE_004>("property");
     const Vector3 g = any_gravity();
     const double length = *rc::gen::inRange(100, 16000) * 1.0e-3;
@@ -109,7 +109,7 @@ RC_GTEST_PROP(TiltLaw, AnglesDoNotDependOnTheLengthOfGravity, ()) {
     RC_ASSERT(apart(gravity_angle(longer), gravity_angle(g)) < stated_error);
 }
 
-RC_GTEST_PROP(TiltLaw, MirroredUnitReadsMirroredAngles, ()) {
+RC_GTEST_PROP(TiltLaw, MirroredGravityGivesMirroredTiltAngles, ()) {
     verifies<req::INC_ANGLE_003>("property");
     const Vector3 g = any_gravity();
     const PitchRoll straight = tilt_angles(g);
@@ -144,7 +144,7 @@ RC_GTEST_PROP(InstallationLaw, UndoingTheInitialAnglesGivesTheMachineFrame, ()) 
     RC_ASSERT(std::fabs(back.z - machine.z) < 1.0e-6F);
 }
 
-RC_GTEST_PROP(InstallationLaw, AutoNullMakesAStillMachineReadZero, ()) {
+RC_GTEST_PROP(InstallationLaw, AutoNullMakesAllAnglesOfAStillMachineZero, ()) {
     verifies<req::INC_INSTALL_004>("property");
     const Vector3 unit = any_gravity();
     RC_PRE(!in_gimbal_lock(unit, 1.0F));

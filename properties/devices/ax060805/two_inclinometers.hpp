@@ -21,7 +21,7 @@
 
 namespace canproof::test {
 
-/// One write by SDO: the number of bytes of an integer, or 0 for a REAL32.
+/// A write by SDO. `bytes` is the length of an integer, or 0 for a REAL32.
 struct Setting {
     std::uint16_t index{0};
     std::uint8_t sub{0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that no value which the AX130751 keeps from an earlier calculation shows. One key, a parameter or an input, is
-// changed and restored while everything else stays. The device must agree with the naive model, which keeps nothing.
+// Checks that the AX130751 uses no outdated result of an earlier calculation. One parameter is changed and restored,
+// then one input is changed, while everything else stays. The device must agree with the naive model, which keeps no
+// results.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -13,7 +14,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Sets all inputs low, high and low again, so that the effect of a parameter shows.
+/// Sets pairs of the extra received values (2500h) high, low and to a third value, so that the effect of a parameter
+/// shows.
 void move_inputs(ModelPair& pair) {
     for (const int value : {300, 0, one_of({50, 100, 300})}) {
         const int first = draw(rc::gen::inRange(1, 7));
@@ -65,7 +67,7 @@ void change_one_input(ModelPair& pair) {
 
 }  // namespace
 
-RC_GTEST_PROP(Ax130751Cache, ParameterChangedAndRestoredLeavesNoTrace, ()) {
+RC_GTEST_PROP(Ax130751Cache, DeviceAgreesWithTheNaiveModelAfterAParameterIsChangedAndRestored, ()) {
     verifies<req::AOR_OUT_005, req::AOR_SRC_007, req::AOR_SRC_009, req::AOR_LT_007, req::AOR_LT_008, req::AOR_LT_018,
              req::AOR_MATH_001, req::AOR_MATH_008>("property");
     const Focus focus{Group::output, Group::output, Group::relay, Group::table, Group::table,

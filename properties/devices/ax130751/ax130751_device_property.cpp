@@ -25,7 +25,7 @@ Write some(std::uint16_t index, int subs, int low, int high, int bytes) {
     return {index, *rc::gen::inRange(1, subs + 1), *rc::gen::inRange(low, high + 1), bytes};
 }
 
-/// Returns one write to a block. All devices refuse some of these writes in the same way.
+/// Returns one write to a parameter. The device may refuse it; the devices under comparison refuse the same writes.
 Write some_write() {
     const auto table = static_cast<std::uint16_t>(0x10 * *rc::gen::inRange(1, 10));
     const auto block = static_cast<std::uint16_t>(0x100 * *rc::gen::inRange(0, 3));
@@ -155,7 +155,7 @@ RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) 
     }
 }
 
-RC_GTEST_PROP(Ax130751Law, OutputsStayInTheRangeOfTheirTypeAfterAnyWrite, ()) {
+RC_GTEST_PROP(Ax130751Law, OutputsStayInTheWidestRangeOfAllTypesAfterAnyWrite, ()) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_034>("property");
     Ax130751Bench bench;
     bench.power_on();

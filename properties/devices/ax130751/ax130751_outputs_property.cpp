@@ -134,7 +134,7 @@ RC_GTEST_PROP(OutputLaw, BlinkingSpendsTheSameTimeInBothStates, ()) {
     RC_ASSERT(now != blinks_on(since, milliseconds(half), since + milliseconds(at + half)));
 }
 
-RC_GTEST_PROP(OutputLaw, DelayedStateNeverChangesBeforeItsDelay, ()) {
+RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
     verifies<req::AOR_RELAY_012>("property");
     const Duration on_delay = some_ms(0, 50);
     const Duration off_delay = some_ms(0, 50);

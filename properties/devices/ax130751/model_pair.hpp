@@ -25,7 +25,7 @@ class ModelPair {
         const std::uint32_t expected = model_.write(index, sub, value);
         expect(fmt::format("answer to {:04X}h:{} := {}", index, sub, value), answer, expected);
     }
-    /// Writes entries of PDOs and heartbeats that the model has built in.
+    /// Writes an entry of PDOs or heartbeats to the device only: the model has these settings built in.
     void set_up(int index, int sub, std::uint32_t value, int bytes) {
         expect(fmt::format("answer to {:04X}h:{}", index, sub), device_.write(index, sub, value, bytes), 0);
     }

@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-/// The groups that a run writes to; a group is chosen as often as it occurs here.
+/// The groups that a run writes to; a group that occurs here twice is chosen twice as often.
 using Focus = std::vector<Group>;
 
 inline bool is_about(const Focus& focus, Group group) {

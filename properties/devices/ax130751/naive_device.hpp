@@ -180,7 +180,7 @@ class Device {
             command(1);
         }
     }
-    /// Measures supply and temperature, and the contact of a relay without supply.
+    /// Measures supply and temperature. Without a supply the relay connects to NC.
     void measure() {
         shown.supply = inputs.supply;
         shown.temperature = inputs.temperature;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values for the parameters of an AX130751: a few of each, so that limits, delays and equal numbers coincide.
+// Values for the parameters of an AX130751. Each parameter gets only a few, so that equal values and values at a limit
+// occur often.
 #pragma once
 
 #include <rapidcheck.h>

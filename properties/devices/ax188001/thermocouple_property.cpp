@@ -61,7 +61,7 @@ RC_GTEST_PROP(ThermocoupleLaw, HigherVoltageNeverGivesALowerTemperature, ()) {
     RC_ASSERT(low <= high + 1e-9);
 }
 
-RC_GTEST_PROP(ThermocoupleLaw, VoltageWithinTheRangeEqualsThatOfItsTemperature, ()) {
+RC_GTEST_PROP(ThermocoupleLaw, VoltageOfTheComputedTemperatureEqualsTheGivenVoltage, ()) {
     verifies<req::TCS_CONV_002>("property");
     const auto& type = any_type();
     const double low = static_cast<double>(type.mv(static_cast<long double>(lowest_rising(type))));
@@ -127,7 +127,7 @@ RC_GTEST_PROP(AverageLaw, AverageLiesBetweenTheValidChannels, ()) {
     RC_ASSERT(!mean.valid || (mean.value >= low - 1e-9 && mean.value <= high + 1e-9));
 }
 
-RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedOnceTheLimitWasPassedForTheWholeDelay, ()) {
+RC_GTEST_PROP(DelayedFaultLaw, FaultIsReportedWhenTheLimitWasPassedForTheWholeDelay, ()) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_002>("property");
     // Naive model: the history of readings, every 165 ms; the limit is 100 degC, the clear threshold 99.
     const auto readings = *rc::gen::container<std::vector<int>>(rc::gen::inRange(980, 1020));

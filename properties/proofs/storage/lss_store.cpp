@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The LSS store when the power fails: it holds the old configuration or the new one, never a mixture.
+// The LSS store when the power fails: it has the old configuration or the new one, never a mixture.
 #include "firmware/canopen/lss_store.hpp"
 
 #include "generated/canopen/requirements.hpp"

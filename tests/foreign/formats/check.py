@@ -19,7 +19,7 @@ from checks.rules import Finding
 from small_project import AWAKE, GREEN, MEASURED, SOURCE, Project
 
 MOST_LINES = 20  # lines of xmllint that are shown
-# Damage to a file of each kind: a text, and what replaces its first place.
+# Damage to a file of each kind: a text, and the text that replaces its first occurrence.
 DAMAGE = {"junit": (" tests=", " test="), "cobertura": (' hits="', ' hits="x'), "reqif": ("LAST-CHANGE=", "LAST-CHANGED="),
           "sacm": (' source="', ' source="no-'), "cyclonedx": ('"type": "application"', '"type": "appliance"'), "sarif": ('"level": "error"', '"level": "fatal"')}
 
@@ -42,7 +42,7 @@ def references_of_sacm(root):
     return (name for one in root.iter() for role in ("source", "target", "referencedArtifactElement") for name in one.get(role, "").split())
 
 
-# Attribute that identifies an element, and what returns all references.
+# The attribute that identifies an element, and the function that returns all references.
 REFERENCES = {"reqif": ("IDENTIFIER", references_of_reqif), "sacm": ("{http://www.omg.org/XMI}id", references_of_sacm)}
 
 

@@ -36,7 +36,7 @@ TEST(ChildProcess, ExitStatusIsReturnedAlthoughSignalsInterruptTheWait) {
     EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", script}, {}, {})), 3);
 }
 
-TEST(ChildProcess, DeathBySignalIs128PlusItsNumber) {
+TEST(ChildProcess, StatusOfAProcessEndedByASignalIs128PlusItsNumber) {
     EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", "kill -TERM $$"}, {}, {})), 128 + SIGTERM);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole files: read to their end, in bounded memory, and refused where there is nothing to read.
+// Whole files are read to their end in bounded memory; folders, missing files and pipes without a writer are refused.
 #include "host/base/read_file.hpp"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST_F(WholeFile, FileIsReadUnchanged) {
     EXPECT_EQ(read_file(file(large), large.size()), large);
 }
 
-TEST_F(WholeFile, FileLongerThanItsLimitIsRefusedByItsSize) {
+TEST_F(WholeFile, FileLongerThanItsLimitIsRefusedWithItsSize) {
     EXPECT_THAT(refusal(file("123456"), 5), HasSubstr("file: it has 6 bytes, more than 5; name a shorter file"));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files and lines: what is read, and errors that must not be taken as the end of the file.
+// Lines of files. A read error must not be taken as the end of the file.
 #include "host/base/reading.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-TEST(Lines, LineEndsByteOrderMarkAndAnUnterminatedLastLineAreHandled) {
+TEST(Lines, LinesAreReadWithoutLineEndsAndByteOrderMark) {
     std::istringstream in{"\xEF\xBB\xBFone\r\n\ntwo"};
     LineReader lines{in, "file"};
     ASSERT_TRUE(lines.next());

@@ -65,7 +65,7 @@ TEST(ReplaceFile, DeviceFileIsWrittenDirectly) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(FileBeside, TemporaryFileTakesAFreeNameAndIsLocked) {
+TEST(FileBeside, TemporaryFileBecomesTheTargetOnlyIfThatDoesNotExist_AndIsLocked) {
     const ScratchFolder folder;
     FileBeside first{folder / "a"};
     FileBeside second{folder / "a"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shards of a list of work: how they are written, what each holds, and whether all are there.
+// Shards of a list of work: how they are written, what each contains, and whether all are there.
 #include "host/base/shard.hpp"
 
 #include <gmock/gmock.h>
@@ -42,7 +42,7 @@ TEST(Shard, InvalidShardTextIsRefused) {
     }
 }
 
-TEST(Shard, ShardOfNHoldsEveryNthElement) {
+TEST(Shard, ShardOfNContainsEveryNthElement) {
     const std::vector<int> all{0, 1, 2, 3, 4, 5, 6};
     EXPECT_THAT(share_of(all, {1, 3}), ElementsAre(0, 3, 6));
     EXPECT_THAT(share_of(all, {2, 3}), ElementsAre(1, 4));

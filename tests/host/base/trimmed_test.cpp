@@ -10,7 +10,7 @@ TEST(Trimmed, TrimmedTextKeepsInnerBlanks) {
     EXPECT_EQ(trimmed("abc"), "abc");
 }
 
-TEST(Trimmed, TrimmedBlanksAreEmpty) {
+TEST(Trimmed, TextOfBlanksOnlyIsTrimmedToNothing) {
     EXPECT_EQ(trimmed(""), "");
     EXPECT_EQ(trimmed("\t  \t"), "");
 }

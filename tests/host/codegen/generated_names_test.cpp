@@ -46,7 +46,7 @@ TEST(GeneratedNames, EachObjectHasItsIndexAsAConstant) {
                                 "inline constexpr std::uint32_t n4_values = 0x6411U;\n"));
 }
 
-TEST(GeneratedNames, ObjectsOfOneNameAreDistinguishedByTheirIndex) {
+TEST(GeneratedNames, ObjectsWithTheSameNameAreDistinguishedByTheirIndex) {
     const std::string text = write_indices(box_with(object("0x2000", "Gain") + object("0x2A01", "gain")));
     EXPECT_THAT(text, HasSubstr(" gain_2000 = 0x2000U;\n"));
     EXPECT_THAT(text, HasSubstr(" gain_2a01 = 0x2A01U;\n"));
@@ -90,7 +90,7 @@ TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
                 HasSubstr("inline const NodeProfile profile{"));
 }
 
-TEST(GeneratedNames, ProfileWithoutServicesEqualsThatOfAPlainNode) {
+TEST(GeneratedNames, ProfileOfADeviceWithoutSettingsHasTheDefaults) {
     SpecFiles files = small_register();
     std::string& device = files[device_file];
     device.replace(device.find("lss = true"), 10, "lss = false");
@@ -146,7 +146,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
                 HasSubstr("AO4-T1 errors fault is no input column of words"));
 }
 
-TEST(GeneratedNames, WrittenParametersAreEnumeratedByObjectAndAFamilyHasOneName) {
+TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneName) {
     const std::string heard = "service = \"device\"\n";
     const std::string family = object("0x3010", "Block {n} source") + heard +
                                "repeat = { first = 1, last = 3, step = 0x10 }\n" + object("0x3014", "Block {n} gain") +

@@ -21,7 +21,7 @@ TEST(BuiltInCases, CasesNameExistingRequirements) {
     }
 }
 
-TEST(BuiltInCases, EachNumberOfThePublicTranscriptIsInOneCase) {
+TEST(BuiltInCases, EachNumberOfThePublicTranscriptIsInAtMostOneCase) {
     std::set<std::string> numbers;
     for (const Case& one : built_in_cases().cases) {
         for (const std::string& number : one.numbers) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conformance cases that stand in place of a test of their own: each runs on the conformance slave, and its verdict
-// counts for the requirements that it names.
+// Conformance cases that take the place of a test: each runs on the conformance slave, and its verdict counts for the
+// requirements that it names.
 //
-// A test of tests/conformance stays a test while it contains more than a case can. It runs on the microcontroller as
-// well, where no case runs. Or it requires one exact abort code, time or frame where CiA 301 leaves a slave the choice.
+// A case does not replace a test of tests/conformance that does more than a case can: the test also runs on the
+// microcontroller, where no case runs, or it requires one exact abort code, time or frame where CiA 301 leaves a slave
+// the choice.
 #include <gtest/gtest.h>
 
 #include <algorithm>

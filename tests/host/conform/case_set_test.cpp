@@ -102,7 +102,7 @@ Object sdo_parameter(std::uint16_t index, const char* access, std::int64_t to_se
     return made;
 }
 
-/// Returns the slave with every service, and with objects that none of our devices has: they store what is written and
+/// Returns the conformance slave with additional objects that none of our devices has. These store what is written and
 /// have no effect.
 Part slave_with_more_objects() {
     Part part = canproof::test::slave_part();
@@ -122,7 +122,7 @@ Part slave_with_more_objects() {
     return part;
 }
 
-/// Returns the slave with its heartbeat on by default, which excludes guarding.
+/// Returns the conformance slave with its heartbeat on by default, which excludes guarding.
 Part slave_with_heartbeat() {
     Part part = canproof::test::slave_part();
     for (Object& one : part.objects) {
@@ -135,7 +135,7 @@ Part slave_with_heartbeat() {
 
 }  // namespace
 
-TEST(ConformCases, CasesCoverThePublicTranscriptNumberByNumber) {
+TEST(ConformCases, EachNumberOfThePublicTranscriptIsInExactlyOneCase) {
     std::map<std::string, int> found;
     for (const Case& one : cases()) {
         for (const std::string& number : one.numbers) {
@@ -165,7 +165,7 @@ TEST(ConformCases, CasesHaveUniqueIds) {
     }
 }
 
-TEST(ConformCases, CasesTestRequirementsInForce) {
+TEST(ConformCases, CasesNameOnlyRequirementsInForce) {
     std::set<std::string> ids;
     for (const Requirement& one : built_in_register().part("canopen")->requirements) {
         if (one.retired.empty()) {
@@ -179,7 +179,7 @@ TEST(ConformCases, CasesTestRequirementsInForce) {
     }
 }
 
-// On equipment that must not change, the runner skips cases that declare a change.
+// The runner skips a case that declares a risk, unless the user permits this risk.
 TEST(ConformCases, CasesDeclareTheirRisksForTheEquipment) {
     const std::vector<std::string> texts = case_texts();
     ASSERT_EQ(texts.size(), cases().size());
@@ -196,7 +196,7 @@ TEST(ConformCases, CasesDeclareTheirRisksForTheEquipment) {
     }
 }
 
-TEST(ConformCases, CasesPassOnEachSlaveAndEachCaseAppliesToOne) {
+TEST(ConformCases, CasesPassOnEachSlave_AndAllButOneCaseApplyToSomeSlave) {
     std::set<std::string> applied;
     for (const std::string& name : canproof::test::every_device()) {
         run_cases_on(make_device(name), sheet_of(built_in_register(), device_named(name)), applied);

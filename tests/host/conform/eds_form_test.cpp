@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The case that checks the data sheet itself: public number 1.0.
+// The case that checks the data sheet itself: number 1.0 of the public transcript.
 #include <gtest/gtest.h>
 
 #include <memory>

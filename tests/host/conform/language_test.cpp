@@ -49,7 +49,7 @@ TEST(ConformExpression, OperatorPrecedenceIsThatOfC) {
     EXPECT_EQ(number("17 % 5 + 17 / 5"), 5);
 }
 
-TEST(ConformExpression, NumbersAreReadByTheirPrefix) {
+TEST(ConformExpression, RadixFollowsFromPrefixSuffixOrContext) {
     EXPECT_EQ(number("0x1F"), 31);
     EXPECT_EQ(number("1Fh"), 31);
     EXPECT_EQ(number("100"), 100);
@@ -63,7 +63,7 @@ TEST(ConformExpression, TimesAreCountedInMicroseconds) {
     EXPECT_EQ(number("(1 + 1) ms"), 2000);
 }
 
-TEST(ConformExpression, BytesReadAreTakenAsLittleEndian) {
+TEST(ConformExpression, BytesInExpressionsAreLittleEndian) {
     EXPECT_EQ(number("$x"), 0x1234);
     EXPECT_EQ(number("$x[1]"), 0x12);
     EXPECT_EQ(number("size(join($x, hex(01 02 03)))"), 5);
@@ -72,7 +72,7 @@ TEST(ConformExpression, BytesReadAreTakenAsLittleEndian) {
     EXPECT_EQ(number("$x == hex(34 12)"), 1);
 }
 
-TEST(ConformExpression, DivisionByZeroAndTooLongShiftsAreRefused) {
+TEST(ConformExpression, DivisionByZeroShiftBy64AndUnknownVariableAreRefused) {
     EXPECT_THROW(number("1 / 0"), BrokenCase);
     EXPECT_THROW(number("1 << 64"), BrokenCase);
     EXPECT_THROW(number("$nothing"), BrokenCase);
@@ -84,7 +84,7 @@ TEST(ConformFunctions, CrcFunctionIsThatOfBlockTransfer) {
     EXPECT_EQ(block_crc(Bytes(digits.begin(), digits.end())), 0x31C3);
 }
 
-TEST(ConformFunctions, PatternRepeatsNoSegment) {
+TEST(ConformFunctions, PatternFunctionRepeatsNoSegmentOfSevenBytes) {
     const Bytes bytes = bytes_of(evaluated("pattern(7 * 300)"));
     std::set<Bytes> segments;
     for (std::size_t i = 0; i < bytes.size(); i += 7) {
@@ -121,7 +121,7 @@ TEST(ConformDataPattern, PatternNeedsTheExactLengthUnlessOpenEnded) {
     EXPECT_FALSE(fits("", {0x00}, none));
 }
 
-TEST(ConformDataPattern, PatternCapturesLittleEndian) {
+TEST(ConformDataPattern, PatternCapturesValuesInLittleEndian) {
     Captures captures;
     EXPECT_TRUE(fits("43 ->size:u32 ->rest:all", {0x43, 0x10, 0x27, 0, 0, 0xAA, 0xBB}, captures));
     EXPECT_EQ(captures.at("size").number, 10000);

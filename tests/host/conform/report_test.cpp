@@ -29,7 +29,7 @@ TEST(ConformReportFiles, ReportsAreTheSameForTheSameRun) {
     EXPECT_EQ(report_files(some_report()), report_files(some_report()));
 }
 
-TEST(ConformReportFiles, ReportShowsEachFailedCaseWithItsFrames) {
+TEST(ConformReportFiles, ReportShowsAFailedCaseWithItsFrames) {
     const auto files = report_files(some_report());
     const std::string page = files.at("case-bad.html");
     EXPECT_THAT(page, HasSubstr("CiA 301 7.2.4.3"));

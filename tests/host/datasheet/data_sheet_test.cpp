@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dictionary for tools: EDS (CiA 306), XDD (CiA 311), JSON and Markdown, written by hand for a box of five objects.
+// The object dictionary as EDS (CiA 306), XDD (CiA 311), JSON and Markdown. The expected texts are written by hand for
+// a box with five objects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -232,7 +233,7 @@ PDOMapping=1
 )"));
 }
 
-TEST_F(DataSheet, XddHoldsEachObjectWithItsEntries) {
+TEST_F(DataSheet, XddHasObjectCountsEntryAttributesAndDeviceData) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_xdd(loaded_.content, box()).c_str()));
     const auto list = document.select_node("//CANopenObjectList").node();
@@ -266,7 +267,7 @@ TEST_F(DataSheet, JsonNamesTypesDefaultsAndLimits) {
     EXPECT_EQ(json.at("objects").at(4).at("entries").at(0).at("values"), nlohmann::json({8, 2}));
 }
 
-TEST_F(DataSheet, MarkdownHasOneRowPerEntry) {
+TEST_F(DataSheet, MarkdownRowHasTheAttributesOfItsEntry) {
     const std::string text = write_object_markdown(box());
     EXPECT_THAT(text, testing::HasSubstr("# Object dictionary of Box 1\n"));
     EXPECT_THAT(text,

@@ -78,7 +78,7 @@ TEST(EdsNumbers, NodeIdIsReadAsATermOfASum) {
     EXPECT_EQ(split("$"), "none");
 }
 
-TEST(EdsNumbers, OctetsComeInPairs) {
+TEST(EdsNumbers, HexadecimalDigitsOfOctetsComeInPairs) {
     EXPECT_EQ(eds_octets("01 a0 FF").value(), std::string("\x01\xA0\xFF", 3));
     EXPECT_EQ(eds_octets("01A0").value(), std::string("\x01\xA0", 2));
     EXPECT_EQ(eds_octets("").value(), "");

@@ -102,7 +102,7 @@ TEST(ForeignEds, KeysOfALongListMayHaveAnyOrderAndTheFirstOfEqualKeysCounts) {
     EXPECT_EQ(read.part.objects[6].name, "Value 7");
 }
 
-TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
+TEST(ForeignEds, MissingOrInvalidAttributesOfAnEntryGetAnAssumedValue) {
     const auto told = [](const std::string& from, const std::string& to) {
         const EdsResult read = read_eds(replaced(box, from, to), "x");
         return texts(read.faults) + texts(read.notes);
@@ -136,7 +136,7 @@ TEST(ForeignEds, MissingOrWrongAttributesOfAnEntryAreAssumed) {
                 HasSubstr("text has 5000 characters; the first 4096 are used"));
 }
 
-TEST(ForeignEds, ImpossibleNodeIdAndBitRateAreReplacedByDefaults) {
+TEST(ForeignEds, InvalidNodeIdAndBitRateAreReplacedByDefaults) {
     const EdsResult read = read_eds(box + "[DeviceComissioning]\nNodeID=0xff\nBaudrate=0\n", "x");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("NodeID 0xff is not a number from 1 to 127; 1 is assumed"));
@@ -155,7 +155,7 @@ TEST(ForeignEds, ObjectMissingInTheObjectListsIsReadWithANote) {
     EXPECT_EQ(to_text(entry(none.part, 0x2000, 0).value), "7");
 }
 
-TEST(ForeignEds, CobIdWithoutAUsableValueIsNeverTheNmtIdentifier) {
+TEST(ForeignEds, MissingOrZeroCobIdIsReplacedByItsDefaultOrIsInvalid) {
     const std::string rest = "DataType=7\nAccessType=rw\n";
     std::string text = "[1005]\n" + rest + "[100E]\n" + rest + "DefaultValue=0\n[1014]\n" + rest;
     for (const char* index : {"1400", "1403", "1404", "1800", "1803", "1804"}) {
@@ -202,7 +202,7 @@ TEST(ForeignEds, InvalidLimitAllowsTheWholeRangeOfTheType) {
     EXPECT_EQ(answer("605#23002000000040C0"), "585#8000200032000906");  // -3 is too low
 }
 
-TEST(ForeignEds, FilesWithErrorsRunAndTheAssumptionsAreReported) {
+TEST(ForeignEds, SheetWithErrorsIsRead_AndEachAssumptionIsReported) {
     std::string text = replaced(box, "SupportedObjects=3\n1=0x1000", "SupportedObjects=7\n1=0x1000");
     text = replaced(text, "SubNumber=3", "SubNumber=9");
     text = replaced(text, "DefaultValue=-5", "DefaultValue=101");
@@ -248,7 +248,7 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
     EXPECT_THAT(told, HasSubstr("bytes; a device can have at most 65535 bytes of values"));
 }
 
-TEST(BrokenEds, FilesCutAtEverySeventhByteAreReadWithoutACrash) {
+TEST(BrokenEds, TruncatedFilesAreReadWithoutACrash) {
     for (std::size_t length = 0; length < box.size(); length += 7) {
         EdsResult read = read_eds(box.substr(0, length), "x");
         if (read.faults.empty()) {

@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The box, switched on as node 5: frames as in a candump log.
+/// The device of box_eds.hpp, powered on with the node-ID 5. Frames are written as in a candump log.
 class RunningBox : public testing::Test {
   protected:
     explicit RunningBox(const std::string& text = box) {
@@ -50,7 +50,7 @@ class RunningBox : public testing::Test {
 
 }  // namespace
 
-TEST(ReadEds, EveryAttributeOfAnEntryIsRead) {
+TEST(ReadEds, AttributesOfTheDeviceAndItsEntriesAreRead) {
     const EdsResult read = read_eds(box, "folder/box.eds");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(texts(read.notes), "");
@@ -87,7 +87,7 @@ TEST(ReadEds, CompactSubObjectsHaveTheirOwnNamesAndValues) {
     EXPECT_EQ(entry(read.part, 0x6200, 2).access, "rw");
 }
 
-TEST(ReadEds, AccessTypeSelectsTheDirectionOfMappingToo) {
+TEST(ReadEds, AccessTypeAlsoSelectsTheDirectionOfMapping) {
     const auto mapping = [](const std::string& access) {
         const EdsResult read = read_eds(replaced(box, "AccessType=rww", "AccessType=" + access), "box.eds");
         EXPECT_EQ(texts(read.faults), "");
@@ -101,7 +101,7 @@ TEST(ReadEds, AccessTypeSelectsTheDirectionOfMappingToo) {
     EXPECT_EQ(mapping("const"), "const tpdo");
 }
 
-TEST(ReadEds, ConfigurationFileSetsValuesNodeAndBitRate) {
+TEST(ReadEds, ConfigurationFileSetsValuesNodeIdAndBitRate) {
     const std::string dcf = replaced(box, "DefaultValue=-5", "DefaultValue=-5\nParameterValue=7") +
                             "[DeviceComissioning]\nNodeID=0x21\nBaudrate=250\nNodeName=Left\n";
     const EdsResult read = read_eds(dcf, "box.dcf");

@@ -155,7 +155,7 @@ TEST(ReadXdd, DeviceFromAnXddRunsAndAnswers) {
     EXPECT_EQ(format_frame(device.queue().pop()), "585#8000200031000906");  // 101 is too high
 }
 
-TEST(ReadXdd, FaultsAreReportedWithTheirLineAndTheRestRuns) {
+TEST(ReadXdd, FaultsAreReportedWithTheirLine_AndTheRestIsRead) {
     std::string text = replaced(box_1_0, "index=\"0x2001\"", "index=\"box\"");
     text = replaced(text, "<CANopenObject index=\"2000\"",
                     "<CANopenObject index=\"1018\"/>\n<CANopenObject index=\"2000\"");

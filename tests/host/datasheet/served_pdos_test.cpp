@@ -38,7 +38,7 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST(ServedPdos, EightPdosOfEachDirectionAreAccepted) {
+TEST(ServedPdos, PdosUpToTheEighthOfEachDirectionAreAccepted) {
     EXPECT_EQ(refusal(box_with({"1407", "1807", "1600", "1A00", "1607", "1A07"})), "");
 }
 

@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import time
 
-LONGEST_WAIT = 120.0  # reached only by a program that hangs
+LONGEST_WAIT = 120.0  # seconds; reached only by a program that hangs
 
 
 class Broken(Exception):
@@ -114,7 +114,7 @@ class Model:
         self.defaults = None
         self.kept = None  # acknowledged
         self.asked = None
-        self.maybe = set()  # requested since the last acknowledgement and not answered or refused: may be stored or not
+        self.maybe = set()  # requested since the last acknowledgement, and either not answered or refused: may be stored or not
         self.past = set()
 
     def kinds(self):
@@ -165,7 +165,7 @@ class Model:
             raise Broken("lost", f"{what}: {(node, values)} was never stored")
 
     def only_kept(self):
-        """Checks that refused values are not stored."""
+        """Drops the refused requests, so that the next start must find the acknowledged state."""
         self.maybe = set()
 
     def ask(self, running, kind=None):

@@ -40,7 +40,7 @@ TEST(RequestGuard, ProgramWithoutOriginMayChangeTheState) {
     EXPECT_EQ(status(request), 0);
 }
 
-TEST(RequestGuard, EveryHostNameOfThisMachineIsAccepted) {
+TEST(RequestGuard, LoopbackAddressesAndLocalhostAreAccepted) {
     for (const std::string host : {"127.0.0.1:8404", "localhost:8404", "[::1]:8404", "localhost", "[::1]"}) {
         PanelRequest request = post_request();
         request.host = host;
@@ -89,7 +89,7 @@ TEST(RequestGuard, FormsOfForeignPagesAreRefusedByTheirType) {
     }
 }
 
-TEST(RequestGuard, LongestBodyPasses_OneByteMoreDoesNot) {
+TEST(RequestGuard, LongestBodyIsAccepted_AndOneByteMoreIsRefused) {
     PanelRequest request = post_request();
     request.body = std::string(4096, ' ');
     EXPECT_EQ(status(request), 0);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes small random C++ functions of three inputs of at most 8 bits: arithmetic, shifts, compares, branches, switch, loops, arrays,
 structs, references, addresses and virtual calls. Some of them are undefined for some inputs: a quotient by zero, an index behind its
-array, a shift that is too far, a sum that overflows. What includes them defines INDEX(index, size) as the index."""
+array, a shift that is too far, a sum that overflows. The file that includes them defines INDEX(index, size), whose value is the index."""
 
 PARTS = """
 struct Item { std::uint8_t low; bool flag; std::uint16_t wide; std::int8_t row[3]; };
@@ -179,7 +179,7 @@ class Function:
         self.numbers, self.in_loop = before, outside
 
     def halving(self, depth):
-        """Returns a loop whose number of passes depends on the inputs: at most eight."""
+        """Writes a loop whose number of passes depends on the inputs: at most eight."""
         if self.in_loop:
             self.assign()
             return

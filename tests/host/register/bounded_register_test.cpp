@@ -69,7 +69,7 @@ TEST(TomlDepth, DottedKeysAndBracketsAreCounted) {
     EXPECT_EQ(too_deep_in(repeated("a.b = 1.5\n[c.d]\n", 1000)), std::nullopt);
 }
 
-TEST(TomlDepth, TextsAndCommentsAreNotCounted) {
+TEST(TomlDepth, KeysAndBracketsInTextsAndCommentsAreNotCounted) {
     const std::string dots = repeated(".[", 40);
     for (const std::string quote : {"\"", "'", "\"\"\"", "'''"}) {
         EXPECT_EQ(too_deep_in("a = " + quote + dots + quote + "\n"), std::nullopt) << quote;
@@ -148,7 +148,7 @@ TEST_F(RegisterFolder, FolderWithoutTomlFilesIsRefused) {
     EXPECT_THAT(refusal(), HasSubstr("contains no .toml file; name the folder of a register"));
 }
 
-TEST_F(RegisterFolder, FolderWithANonFileIsRefused) {
+TEST_F(RegisterFolder, FolderWithAPipeOrDeviceAsTomlFileIsRefused) {
     ASSERT_EQ(::mkfifo((folder_ / "pipe.toml").c_str(), 0600), 0);
     EXPECT_THAT(refusal(), HasSubstr("pipe.toml: it is a pipe without a writer"));
     std::filesystem::remove(folder_ / "pipe.toml");

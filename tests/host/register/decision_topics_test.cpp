@@ -34,7 +34,7 @@ std::string of_all(const std::string& choice, const std::string& last_lines = ""
     return item("CO-R-1", "CiA301:7", choice, last_lines);
 }
 
-/// Loads the small register, its twin `lid` with prefix INC, and the given items.
+/// Loads the small register, a second device `lid` with prefix INC, and the given items.
 LoadResult loaded(const std::string& box, const std::string& lid, const std::string& shared = "",
                   const std::string& maker_of_lid = "Nobody") {
     SpecFiles files = with(items_file, box);

@@ -30,7 +30,7 @@ Table table(std::int64_t output) {
 
 }  // namespace
 
-TEST(Fingerprint, FingerprintIsFnv1a) {
+TEST(Fingerprint, Fnv1aGivesItsPublishedTestValues) {
     // Published test values of FNV-1a, 32 bit: "" and "a" and "foobar".
     EXPECT_EQ(fnv1a(""), 0x811C9DC5U);
     EXPECT_EQ(fnv1a("a"), 0xE40C292CU);

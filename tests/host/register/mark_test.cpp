@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks: the same words have the same mark, whatever their layout; an invalid mark is refused.
+// Marks (length and hash) of passages of a manual: the same words have the same mark, whatever their layout; an invalid
+// mark is refused.
 #include "host/register/mark.hpp"
 
 #include <gtest/gtest.h>

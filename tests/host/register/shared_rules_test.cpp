@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shared rules of canproof in a project that has no shared rules.
+// The shared rules (spec/canopen) of a project: those of the canproof package, or its own.
 #include <gtest/gtest.h>
 
 #include "host/register/spec_files.hpp"

@@ -58,13 +58,13 @@ TEST_F(ZeroRange, ZeroAndTheRangeAreAllowedAndNothingBetween) {
     EXPECT_EQ(writing(5001), AbortCode::value_too_high);
 }
 
-TEST_F(ZeroRange, ZeroRangeIsALimitKindOfTheTables) {
+TEST_F(ZeroRange, ZeroRangeHasItsOwnLimitKindInTheTables) {
     // 10 and 5000 as UNSIGNED16
     EXPECT_THAT(write_objects(*loaded_.content.part("box")),
                 HasSubstr("{{LimitKind::value_or_zero, 0x0000000AU, 0}, {LimitKind::value, 0x00001388U, 0}},"));
 }
 
-TEST_F(ZeroRange, ZeroRangeGivesTheLowLimitOfTheDataSheet) {
+TEST_F(ZeroRange, ZeroRangeHasTheLowLimit0InTheDataSheet) {
     const std::string sheet = write_eds(loaded_.content, *loaded_.content.part("box"));
     EXPECT_THAT(sheet, HasSubstr("LowLimit=0\r\nHighLimit=5000\r\n"));
 }

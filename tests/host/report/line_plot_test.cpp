@@ -104,7 +104,7 @@ TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
     parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
 }
 
-TEST(LinePlot, WordsNameTitleAxesAndCurves) {
+TEST(LinePlot, DescriptionNamesTitleAxesAndCurves) {
     const LinePlot plot{"Output after a step", "time in s", "voltage in V", {{"aout1", {}}, {"aout2", {}}}, {}};
     EXPECT_EQ(plot_words(plot), "Output after a step. Plot of voltage in V against time in s: aout1, aout2.");
 }

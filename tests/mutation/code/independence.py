@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Neighbouring calls whose order makes no difference. No mutant swaps such calls.
+"""Finds neighbouring calls whose order makes no difference. No mutant swaps such calls.
 
 Two rules use the source of the calls and the types in it:
 - two stores into different fields of the object dictionary (`set`, `set_given`);

@@ -128,7 +128,7 @@ class Rewriter(Statements):
         sign, _, first, last = operation
         number = self.mutant(cursor, f"{'||' if sign == '&&' else '&&'}")
         flag = f"{SPACE}turned(NUMBER[{number}])"
-        # The flag is evaluated once for each part. Both evaluations record the same.
+        # The flag is evaluated for the whole expression and for each part. All evaluations record the same.
         end, after = self.wrap(cursor, f"static_cast<bool>({flag} != (", "))")
         for part in (first, last):
             stop, finish = self.wrap(part, f"({flag} != static_cast<bool>(", "))")
@@ -307,7 +307,7 @@ class Rewriter(Statements):
             self.statement(child)
 
     def declarations(self, cursor, scope=""):
-        """Visits the bodies of functions; code outside of them does not run."""
+        """Visits the bodies of functions; code outside of them gets no mutants."""
         for child in cursor.get_children():
             if child.location.file is None or child.location.file.name != self.path:
                 continue

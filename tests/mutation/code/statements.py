@@ -53,7 +53,7 @@ class Statements:
         return self.text.index(b";", statement.extent.end.offset) + 1
 
     def statement(self, statement):
-        """Visits a statement. Its mutant omits the statement."""
+        """Visits a statement. A call, a `break` or an assignment gets a mutant that omits it."""
         if self.call_of(statement) is not None or statement.kind == K.BREAK_STMT:
             mutated = "deleted"
         elif self.is_assignment(statement):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // With CANPROOF_TOLD=FILE in the environment, each test writes one line to that file. The line has its name, its
-// source, its processor time in seconds, and the mutants that would have computed a different value in it. No other
-// test can notice these mutants.
+// source, its processor time in seconds, and the mutants that would have computed a different value in it. Only the
+// tests whose lines contain a mutant can notice it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

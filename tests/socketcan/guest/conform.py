@@ -15,7 +15,7 @@ SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"),
           ("ax130751", 7, "can0", "can1")]
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
 SECONDS = 1100  # for one run on a slow machine
-# The only reasons for which a case may be skipped here and not in virtual time, or the other way round.
+# The only reasons for which the verdict here may differ from that in virtual time.
 ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switch the slave off to the millisecond here"}
 
 

@@ -94,7 +94,7 @@ def check_short(kind, program):
         with check(f"{kind}four devices of one process boot up and answer"):
             boot_up(ear, FOUR)
             ask_with_cansend(ear)
-        with check(f"{kind}SIGTERM ends it with nothing left to say"):
+        with check(f"{kind}SIGTERM ends the run without a further notice"):
             said = run.stop()
             assert said == "", said
 
@@ -106,18 +106,18 @@ def check_all(program, devices=NAMES):
         with Run(program, *devices, "--bus", "socketcan:vcan0") as run:
             with check("four devices of one process boot up"):
                 boot_up(ear, FOUR)
-            with check("cansend asks each for its type, guards and starts one"):
+            with check("cansend reads the type of each device, and guards and starts one of them"):
                 ask_with_cansend(ear)
-            with check("python-can reads and writes objects, hears a heartbeat every 10 ms"):
+            with check("python-can reads and writes objects and receives a heartbeat every 10 ms"):
                 ask_with_python_can()
-            with check("frames have the kernel's receive time stamps"):
+            with check("frames in the log have the receive times of the kernel"):
                 stamps_are_the_kernels(ear, run)
-            with check("the log has candump's frames, order and stamps"):
+            with check("the log has the frames of candump, in the same order and with the same intervals"):
                 log_is_candumps(run)
-            with check("SIGTERM ends it with nothing left to say"):
+            with check("SIGTERM ends the run without a further notice"):
                 said = run.stop()
                 assert said == "", said
-            with check("the log replays to each device's frames"):
+            with check("a replay of the log gives the frames that each device sent"):
                 log_replays(program, run)
     dump.terminate()
     dump.wait()

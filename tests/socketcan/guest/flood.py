@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sends frames as fast as the kernel transfers them, in both directions. Checks what happens to frames for which there
-is no room."""
+"""Sends frames as fast as the kernel transfers them, in both directions. Checks what happens to frames for which a
+buffer has no space."""
 import re
 import signal
 import subprocess
@@ -25,7 +25,7 @@ def occurrences(path, text):
 
 
 def full_rate(program):
-    """Each request of a flood is in the log and answered. candump, which has enough room, receives each answer."""
+    """Each request of a flood is in the log and answered. candump, whose buffer is large enough, receives each answer."""
     path = "/tmp/flood.log"
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0") as run:
         ear.wait("703#00")
@@ -44,7 +44,8 @@ def full_rate(program):
 
 
 def losses_are_told(program):
-    """A run without rights that is kept from reading has room for some hundred frames. It reports how many are missing."""
+    """A run without root rights has a receive buffer of some hundred frames. When it was stopped for longer, it reports
+    how many are missing."""
     count = 2000
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0",
                                   prefix=["setpriv", "--reuid", "65534", "--clear-groups"]) as run:
@@ -67,7 +68,7 @@ def losses_are_told(program):
 
 
 def check_all(program):
-    with check(f"{COUNT} requests at full rate are logged and answered, every one"):
+    with check(f"each of {COUNT} requests at full rate is logged and answered"):
         full_rate(program)
-    with check("frames lost for want of room are counted, told, and an overrun to the device"):
+    with check("frames lost in a full buffer are counted and reported, and the device reports an overrun"):
         losses_are_told(program)

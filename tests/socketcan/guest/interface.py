@@ -58,11 +58,11 @@ def down_and_up(run):
 def check_faults(kind, program):
     with Ear("vcan0") as ear, Run(program, *DEVICES, "--bus", "socketcan:vcan0") as run:
         boot_up(ear, [3, 5, 6])
-        with check(f"{kind}error frames become each device's own errors, and bus-off ends with its recovery"):
+        with check(f"{kind}error frames cause the errors of each device, and a restart ends bus-off"):
             error_frames(ear)
-        with check(f"{kind}interface taken down, deleted and made again: each is told and overcome"):
+        with check(f"{kind}an interface that goes down or is deleted is reported, and the run goes on when it is back"):
             down_and_up(run)
-        with check(f"{kind}it ends with nothing left to say"):
+        with check(f"{kind}SIGTERM ends the run without a further notice"):
             said = run.stop()
             assert said == "", said
 
@@ -119,7 +119,7 @@ def full_queue(program):
 
 
 def check_kernel(program):
-    with check("each device's socket has its own filters, frames for others pass it by"):
+    with check("the socket of each device has its own filters, which accept no frame for others"):
         filters(program)
-    with check("a full queue (ENOBUFS) delays answers, loses none, and is waited for without spinning"):
+    with check("a full queue (ENOBUFS) delays answers and loses none, and the wait takes little processor time"):
         full_queue(program)

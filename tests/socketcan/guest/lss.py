@@ -77,7 +77,7 @@ def check_granted(kind, program):
 
 
 def check_refused(program):
-    with check("LSS where the interface may not be changed: the commands that it names do it"):
+    with check("without --control-interface, can0 keeps its bit rate, and the commands of the notice change it"):
         not_granted(program)
-    with check("LSS where the right is missing: said, and the interface left alone"):
+    with check("without the right to change can0, the notice says so, and can0 keeps its bit rate"):
         without_the_right(program)

@@ -23,7 +23,7 @@ def converse(url, ear):
 
 
 def check_panel(program):
-    with check("the panel: what its page sends is on the bus, what is on the bus in its log"), Ear("vcan0") as ear:
+    with check("frames sent by the page of the panel are on the bus, and frames of the bus are in its log"), Ear("vcan0") as ear:
         panel = subprocess.Popen([program, "panel", "cbx-ao412@3", "--bus", "socketcan:vcan0", "--port", "0"],
                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         try:

@@ -29,7 +29,7 @@ class BxcanModel final : public Peripheral {
     enum class Taken { kept, lost, filtered };
     Taken receive(const Frame& frame, std::uint32_t bits_later = 50);
     /// Puts the frame of the winning mailbox on the bus, where an abort comes too late for it. Returns nothing when no
-    /// frame waits or one is on the bus already.
+    /// frame waits, when one is on the bus already, or when the controller cannot send.
     std::optional<Frame> begin_transmission();
     /// Ends that transmission: sent, or lost by an error or arbitration. A lost frame is sent again unless its abort
     /// was requested.

@@ -47,14 +47,15 @@ class FlashModel final : public Peripheral {
     std::array<stm32f405::FlashSector, 2> sectors() { return {first_.sector(), second_.sector()}; }
     SectorModel& sector(std::size_t which) { return which == 0 ? first_ : second_; }
 
-    /// Cuts the power during the operation that follows `count` more operations. Later operations have no effect.
+    /// Cuts the power during the `count`-th operation from now on; 0 cuts it at once. Later operations have no effect.
     void cut_power_after(std::size_t count) { operations_left_ = count; }
     /// Restores the power: the controller is as after a reset.
     void restore_power();
     /// Lets the operation that follows `count` more operations end with an error and no effect.
     void fail_after(std::size_t count) { until_failure_ = count; }
     void stay_busy(bool stays) { stays_busy_ = stays; }
-    /// Return the number of programmed words and erased sectors so far.
+    /// operations() returns the number of programmed words and erased sectors so far, erases() that of the erases of
+    /// one sector.
     std::size_t operations() const { return operations_; }
     std::size_t erases(std::size_t which) const { return erases_[which]; }
     bool is_locked() const { return locked_; }

@@ -35,7 +35,8 @@ void Peripheral::fault(const std::string& what) {
     }
 }
 
-/// Returns the model that contains a register. Without such a model, the driver has a defect that no test can survive.
+/// Returns the model that contains a register. Without such a model the driver has a defect, and the test program is
+/// aborted.
 Peripheral& peripheral_of(const void* place) {
     for (Peripheral* one : all()) {
         if (number(place) >= one->start_ && number(place) - one->start_ < one->size_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flash of an image with its seal, for self-tests: bytes that a test can turn.
+// The flash of an image with its seal, for self-tests: a test can invert its bits.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace canproof::test {
 
 class SealedFlash {
   public:
-    /// `vectors` and `code` are bytes; the seal of four bytes follows the code.
+    /// `vectors` and `code` are numbers of bytes; the seal of four bytes follows the code.
     SealedFlash(std::size_t vectors, std::size_t code) : vectors_{vectors} {
         for (std::size_t i = 0; i < vectors + code; ++i) {
             bytes_.push_back(static_cast<std::uint8_t>(i * 37 + 11));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device is read without the rest of the register, and equals the same device in the whole register.
+// The register that is built into the program. A device that is read alone equals the same device in the whole
+// register.
 #include "host/app/cli/built_in.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ TEST(BuiltIn, DeviceLoadedAloneEqualsThatOfTheWholeRegister) {
     }
 }
 
-TEST(BuiltIn, BuiltInRegisterEqualsTheCheckedRegister) {
+TEST(BuiltIn, ConstantsAndEdsOfTheBuiltInRegisterEqualThoseOfTheCheckedRegister) {
     const LoadResult checked = load_register(embedded_spec());
     ASSERT_EQ(built_in_register().parts.size(), checked.content.parts.size());
     for (std::size_t i = 0; i < checked.content.parts.size(); ++i) {
@@ -44,7 +45,7 @@ TEST(BuiltIn, BuiltInRegisterEqualsTheCheckedRegister) {
 }
 
 // Front pages of the manuals: the order number of the CAN-CBX-AO412, the variants of the Axiomatic devices.
-TEST(BuiltIn, PartNumbersAreFoundInAnyCase) {
+TEST(BuiltIn, DeviceIsFoundByItsPartNumberInUpperOrLowerCase) {
     EXPECT_EQ(device_named("C.3040.02").name, "cbx-ao412");
     EXPECT_EQ(device_named("ax130771").name, "ax130751");
     EXPECT_EQ(device_named("AX060841").name, "ax060805");
@@ -57,7 +58,7 @@ TEST(BuiltIn, UnknownDeviceIsRefused) {
     EXPECT_THROW(device_named("ax1307"), InputError);
 }
 
-TEST(BuiltIn, DecisionsHazardsAndReviewsAreNotEmbedded) {
+TEST(BuiltIn, DeviceDecisionsHazardsAndReviewsAreNotEmbedded) {
     for (const auto& [path, text] : embedded_spec()) {
         EXPECT_EQ(text.find("[[review]]"), std::string::npos) << path;
         EXPECT_EQ(text.find("[[hazard]]"), std::string::npos) << path;

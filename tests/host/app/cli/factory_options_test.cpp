@@ -43,7 +43,7 @@ std::string refusal(const std::string& name, const std::vector<std::string>& giv
 }  // namespace
 
 /// 1018h:3 and 1018h:4 of every device (CBX-AO412 7.9.18, AX130751 3.2.11, AX188001 3.2.11, AX060805 4.2.11).
-TEST(FactoryData, OptionsSetTheIdentityOfEveryDevice) {
+TEST(FactoryData, OptionsSetSerialAndRevisionNumberOfEveryDevice) {
     for (const std::string& name : canproof::test::every_device()) {
         const ChosenDevice chosen = device_with(name, {"serial_number=0xC1C20106", "revision_number=131077"});
         EXPECT_EQ(entry_of(chosen, 0x1018, 4), 0xC1C20106U) << name;
@@ -53,7 +53,7 @@ TEST(FactoryData, OptionsSetTheIdentityOfEveryDevice) {
 
 /// CiA 301 reserves the serial number 0; the manuals print no default, the manual of the CAN-CBX-AO412 an example
 /// (7.9.18).
-TEST(FactoryData, WithoutOptionsTheRegisterDefaultsApply) {
+TEST(FactoryData, SerialAndRevisionNumberHaveTheirDefaultsWithoutOptions) {
     EXPECT_EQ(entry_of(device_with("cbx-ao412", {}), 0x1018, 4), 0xC1C20105U);
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         EXPECT_EQ(entry_of(device_with(name, {}), 0x1018, 4), 1U) << name;
@@ -61,8 +61,8 @@ TEST(FactoryData, WithoutOptionsTheRegisterDefaultsApply) {
     EXPECT_EQ(entry_of(device_with("ax060805", {}), 0x1018, 3), 0x00010101U);
 }
 
-/// 1020h: day, month, year and hour, minute of the software (AX130751 3.2.12, AX060805 4.2.12).
-TEST(FactoryData, OptionsSetTheSoftwareDate) {
+/// 1020h (verify configuration): day, month, year and hour, minute of the software (AX130751 3.2.12, AX060805 4.2.12).
+TEST(FactoryData, OptionsSetDateAndTimeOf1020h) {
     const ChosenDevice outputs =
         device_with("ax130751", {"configuration_date=0x01022024", "configuration_time=0x1234"});
     EXPECT_EQ(entry_of(outputs, 0x1020, 1), 0x01022024U);
@@ -73,8 +73,9 @@ TEST(FactoryData, OptionsSetTheSoftwareDate) {
     EXPECT_EQ(entry_of(tilt, 0x1020, 2), 0x1234U);
 }
 
-/// 2404h, 2405h, 1F52h, 1009h, 100Ah (CBX-AO412 7.11.2, 7.11.3, 7.12.2, 7.9.8, 7.9.9).
-TEST(FactoryData, OptionsSetCalibrationAndVersionsOfTheCbx) {
+/// 2404h (calibration offset), 2405h (calibration gain), 1F52h (verify application software), 1009h (hardware version)
+/// and 100Ah (software version) (CBX-AO412 7.11.2, 7.11.3, 7.12.2, 7.9.8, 7.9.9).
+TEST(FactoryData, OptionsSetOffsetGainDateAndHardwareVersionOfTheCbx) {
     const ChosenDevice chosen =
         device_with("cbx-ao412", {"calibration_offset_value_1=-32768", "calibration_offset_value_4=32767",
                                   "calibration_gain_value_2=-1", "application_software_date=11286",
@@ -89,8 +90,8 @@ TEST(FactoryData, OptionsSetCalibrationAndVersionsOfTheCbx) {
     EXPECT_EQ(entry_of(chosen, 0x1009, 0), 0x30312E31U);  // "1.10", least significant byte first
 }
 
-/// The keys are those of the register, and each numeric key changes its entry.
-TEST(FactoryData, EveryKeySetsItsEntry) {
+/// No key occurs twice, and each numeric key sets the entry that the register names.
+TEST(FactoryData, EveryNumericKeySetsItsEntry) {
     for (const std::string& name : canproof::test::every_device()) {
         std::set<std::string> names;
         for (const FactoryKey& key : factory_keys(device_named(name))) {
@@ -113,7 +114,7 @@ TEST(FactoryData, EveryKeySetsItsEntry) {
 }
 
 /// AX060805 3.5, Table 8. 4030h has the pitch, one count per degree by default (4.3.7).
-TEST(FactoryData, OptionsSetTheAngleRangesOfTheInclinometer) {
+TEST(FactoryData, OptionSetsTheAngleRangeOfTheInclinometer) {
     const auto pitch_at_minus_10 = [](const std::vector<std::string>& given) {
         FactoryOptions options{given};
         const ChosenDevice chosen = choose_device("ax060805", options);
@@ -129,14 +130,14 @@ TEST(FactoryData, OptionsSetTheAngleRangesOfTheInclinometer) {
     EXPECT_THAT(refusal("ax060805", {"angle_range=270"}), HasSubstr("180, 360, 90"));
 }
 
-TEST(FactoryData, CalibrationOfTheInclinometerIsLimitedToItsRange) {
+TEST(FactoryData, InclinometerCalibrationOutOfRangeIsRefused) {
     const ChosenDevice chosen = device_with("ax060805", {"calibrated_pitch_angle_data=-90"});
     EXPECT_EQ(entry_of(chosen, 0x2400, 0), 0xC2B40000U);  // -90 = -1.01101 (binary) * 2^6
     EXPECT_THAT(refusal("ax060805", {"calibrated_pitch_angle_data=90.5"}), HasSubstr("-90 … 90"));   // 4.3.17
     EXPECT_THAT(refusal("ax060805", {"calibrated_roll_angle_data=-181"}), HasSubstr("-180 … 180"));  // 4.3.18
 }
 
-TEST(FactoryData, ValueOutOfRangeIsRefusedWithTheRange) {
+TEST(FactoryData, RefusalOfAnInvalidValueNamesTheAllowedRange) {
     EXPECT_THAT(refusal("cbx-ao412", {"calibration_offset_value_1=32768"}), HasSubstr("-32768 … 32767"));
     EXPECT_THAT(refusal("cbx-ao412", {"application_software_time=86400001"}), HasSubstr("0 … 86400000"));
     EXPECT_THAT(refusal("cbx-ao412", {"manufacturer_hardware_version=123456789"}), HasSubstr("1 … 8 characters"));
@@ -150,7 +151,7 @@ TEST(FactoryData, ValueOutOfRangeIsRefusedWithTheRange) {
     }
 }
 
-TEST(FactoryData, UnknownKeysAndDevicesAreRefusedByName) {
+TEST(FactoryData, UnknownKeysUnknownDevicesAndMalformedOptionsAreRefused) {
     EXPECT_THAT(refusal("ax188001", {"serial=1"}), AllOf(HasSubstr("no serial"), HasSubstr("serial_number")));
     EXPECT_THAT(refusal("ax188001", {"ax130751.serial_number=1"}), HasSubstr("no device"));
     for (const char* given : {"serial_number", "=1", ""}) {

@@ -55,7 +55,7 @@ TEST(NodeId, OnlyNodeIds1To127And255AreAccepted) {
     }
 }
 
-TEST(ChosenDevices, ImpossibleNodeIdIsRefused) {
+TEST(ChosenDevices, InvalidNodeIdIsRefused) {
     const std::string eds = small_eds();
     for (const char* node : {"0", "128", "200", "254", "256", "999", "", "x", "-1", "5x", "0x5", "1000"}) {
         for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
@@ -74,7 +74,7 @@ TEST(ChosenDevices, ImpossibleNodeIdIsRefused) {
     }
 }
 
-TEST(ChosenDevices, NodeIds1And127Boot_And255SendsNothing) {
+TEST(ChosenDevices, DeviceBootsWithNodeId1Or127_AndSendsNothingWith255) {
     EXPECT_THAT(first_frames(choose_device("ax188001@1")), HasSubstr("701#00"));
     EXPECT_THAT(first_frames(choose_device("ax188001@127")), HasSubstr("77F#00"));
     EXPECT_THAT(first_frames(choose_eds(small_eds() + "@127")), HasSubstr("77F#00"));
@@ -83,7 +83,7 @@ TEST(ChosenDevices, NodeIds1And127Boot_And255SendsNothing) {
     EXPECT_EQ(choose_device("ax188001@255").notice, "");
 }
 
-TEST(ChosenDevices, CodingSwitchesAcceptAnyValue_AndAnInvalidNodeIdIsReported) {
+TEST(ChosenDevices, CodingSwitchesAccept0To255_AndAnInvalidNodeIdIsReported) {
     for (int value = 0; value <= 255; ++value) {
         ChosenDevice chosen = choose_device("cbx-ao412@" + std::to_string(value));
         if (value >= 1 && value <= 127) {
@@ -101,7 +101,7 @@ TEST(ChosenDevices, CodingSwitchesAcceptAnyValue_AndAnInvalidNodeIdIsReported) {
     EXPECT_THROW(choose_device("cbx-ao412@"), InputError);
 }
 
-TEST(ChosenDevices, SwitchesTurnedBackToAValidNodeIdGiveNoNotice) {
+TEST(ChosenDevices, SwitchesTurnedToAValidNodeIdGiveNoNotice) {
     ChosenDevice chosen = choose_device("cbx-ao412@200");
     set_node(chosen, "4");
     EXPECT_EQ(chosen.notice, "");

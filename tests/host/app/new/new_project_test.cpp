@@ -101,7 +101,7 @@ TEST(NewProject, TemplatePlaceholdersAreAllReplaced) {
     }
 }
 
-TEST(NewProject, NamesInvalidForFilesOrCppAreRefused) {
+TEST(NewProject, InvalidNamesAreRefused) {
     for (const char* name : {"", "Box", "1box", "-box", "box-", "a--b", "a_b", "../box", "a/b", "int", "canopen",
                              "abcdefghijabcdefghijabcdefghijabcdefghija"}) {
         EXPECT_TRUE(refuses(project_named(name))) << name;
@@ -109,7 +109,7 @@ TEST(NewProject, NamesInvalidForFilesOrCppAreRefused) {
     EXPECT_FALSE(refuses(project_named("box-2")));
 }
 
-TEST(NewProject, PrefixesInvalidForIdsAreRefused) {
+TEST(NewProject, InvalidOrTakenPrefixesAreRefused) {
     for (const char* prefix : {"CO", "ab", "1A", "A-B", "A B"}) {
         NewProject project = project_named("box");
         project.prefix = prefix;
@@ -117,7 +117,7 @@ TEST(NewProject, PrefixesInvalidForIdsAreRefused) {
     }
 }
 
-TEST(NewProject, IdentityAndObjectsComeFromTheDataSheet) {
+TEST(NewProject, NodeIdBitRateAndObjectsComeFromTheDataSheet) {
     NewProject project = project_named("box");
     project.eds = small_sheet();
     const LoadResult loaded = register_of(project_files(project));
@@ -152,13 +152,13 @@ std::string expected_emergency(std::int64_t value, bool node_id) {
     return text.substr(at, text.find(';', at) - at);
 }
 
-TEST(NewProject, EmergenciesAreExpectedAsInTheDataSheet) {
+TEST(NewProject, GeneratedTestExpectsEmcyWithTheCobIdOfTheDataSheet) {
     EXPECT_EQ(expected_emergency(0x80, true), "return {\"085#\" + bytes}");
     EXPECT_EQ(expected_emergency(0x123, false), "return {\"123#\" + bytes}");
     EXPECT_EQ(expected_emergency(0x80000080, true), "return {}");
 }
 
-TEST(NewProject, BitRateOfTheDataSheetIsAmongTheBitRates) {
+TEST(NewProject, BitRateOfTheDataSheetIsAmongThoseOfTheNewProject) {
     NewProject project = project_named("box");
     project.eds = small_sheet();
     project.eds->info.bit_rate = 100000;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel over a real loopback socket: clients that are served, slow or refused. Time is a number that the test
-// advances; data of a client have arrived when the front reports it.
+// The panel over a real loopback socket: clients that are served, slow or refused. The test advances the time itself;
+// turn_until() waits for the sockets.
 #include "host/app/panel/http_front.hpp"
 
 #include <gmock/gmock.h>
@@ -109,7 +109,7 @@ TEST_F(Front, SlowClientsDoNotDelayOtherClients) {
 TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
-    EXPECT_TRUE(slow.front()->ended());  // the slowest one
+    EXPECT_TRUE(slow.front()->ended());  // the oldest connection has given way
     EXPECT_FALSE(slow.back()->ended());
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
@@ -130,7 +130,7 @@ TEST_F(Front, SlowRequestEndsAtItsDeadline) {
     EXPECT_EQ(front.next_deadline(), never);
 }
 
-TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
+TEST_F(Front, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
     answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel buffers
     const TcpClient deaf{front.port()};
     deaf.say(plain_get);
@@ -143,7 +143,7 @@ TEST_F(Front, ClientThatDoesNotReadIsClosedAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(Front, ClientThatNeverClosesIsClosedAtItsDeadline) {
+TEST_F(Front, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
     ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all, and keeps its side open
@@ -220,7 +220,7 @@ TEST_F(PanelOverHttp, FrameFromOwnPageReachesTheBus) {
     EXPECT_THAT(state, Not(HasSubstr("pre-operational")));
 }
 
-TEST_F(PanelOverHttp, ForeignOriginAndHostAreRefused) {
+TEST_F(PanelOverHttp, ForeignOriginHostContentTypeAndMethodAreRefused) {
     EXPECT_THAT(post(frame, "Origin: http://evil.example\r\nContent-Type: application/json\r\n"),
                 StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(post(frame, "Content-Type: text/plain\r\n"), StartsWith("HTTP/1.1 415 "));

@@ -10,7 +10,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Plays rounds of these milliseconds on, off, on, off … until `end_ms`.
+/// Repeats these times of on, off, on, off … (in ms) until `end_ms`, and returns the name of the pattern then.
 std::string after(const std::vector<std::uint64_t>& round_ms, std::uint64_t end_ms) {
     LampHistory lamp;
     std::uint64_t at = 0;

@@ -59,7 +59,7 @@ class PanelBench {
     int send(const std::string& frame) { return post("/api/frame", nlohmann::json{{"frame", frame}}.dump()).status; }
     std::string stimuli_csv() { return panel.answer(from_own_page("GET", "/stimuli.csv")).body; }
 
-    /// Returns the times of the edges of a channel, in milliseconds, and its value from then on.
+    /// Returns the edges of a channel: each time in milliseconds, and the value from then on.
     std::vector<std::pair<double, double>> changes_of(const std::string& device, const std::string& channel) {
         const nlohmann::json all = get("/api/panel");
         std::size_t at = 0;

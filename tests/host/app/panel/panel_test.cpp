@@ -87,7 +87,7 @@ TEST(Panel, RunLampOfADeviceWithoutLedsFollowsCia303_EvenWhenRarelyPolled) {
     EXPECT_EQ(bench.get("/api/state").at("devices").at(0).at("lamps").at("run"), "1 flash");
 }
 
-TEST(Panel, InputShowsTheAccelerationComputedByThePlant) {
+TEST(Panel, PanelShowsTheAccelerationThatFollowsFromThePitch) {
     PanelBench bench{{"ax060805@5"}};
     ASSERT_EQ(bench.stimulate("ax060805@5", "pitch", 90.0), 200);
     bench.run_until(10);
@@ -96,12 +96,12 @@ TEST(Panel, InputShowsTheAccelerationComputedByThePlant) {
     ASSERT_EQ(inputs.size(), values.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs.at(i).at("name") == "acceleration_x") {
-            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // nose up by 90°: gravity is along X
+            EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // a pitch of 90°: gravity is along X
         }
     }
 }
 
-TEST(Panel, InvalidStimulusIsRefused_AndChangesNothing) {
+TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(100);
     EXPECT_EQ(bench.stimulate("ax188001@2", "tc9_celsius", 1.0), 422);
@@ -167,7 +167,7 @@ TEST(Panel, FullBusRefusesFrames_AndTakesThemAgainLater) {
     EXPECT_EQ(bench.send("123#00"), 200);
 }
 
-TEST(Panel, ActionsOnThePageReplayToTheSameFrames) {
+TEST(Panel, ReplayOfPanelActionsGivesTheSameFrames) {
     PanelBench bench{{"ax188001"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("000#0100"), 200);
@@ -212,7 +212,7 @@ TEST(Panel, StimuliNameTheirDeviceWhenThereAreSeveral) {
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");
 }
 
-TEST(Panel, ReaderGetsOnlyNewChangesAndFrames) {
+TEST(Panel, ReaderGetsOnlyNewFrames) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(100);
     const nlohmann::json first = bench.get("/api/state");
@@ -228,7 +228,7 @@ TEST(Panel, ReaderGetsOnlyNewChangesAndFrames) {
     EXPECT_EQ(bench.get("/api/state", 1U << 30U, 1U << 30U).at("frames").size(), 0U);
 }
 
-TEST(Panel, LongTrafficIsBounded) {
+TEST(Panel, FramesInOneAnswerAreBounded) {
     PanelBench bench{{"cbx-ao412@3"}};
     for (std::uint64_t ms = 1; ms <= 3000; ++ms) {
         ASSERT_EQ(bench.send("703#R"), 200);
@@ -287,7 +287,7 @@ TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
 TEST(Panel, PageLoadsNothingFromOtherHosts) {
     for (const auto& [name, text] : panel_assets()) {
         for (std::size_t at = text.find("http"); at != std::string::npos; at = text.find("http", at + 1)) {
-            // Names of XML namespaces are no requested addresses.
+            // The page does not request the addresses that name XML namespaces.
             EXPECT_EQ(text.substr(at, 18), "http://www.w3.org/") << name;
         }
     }

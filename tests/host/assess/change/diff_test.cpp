@@ -86,7 +86,7 @@ TEST(RegisterDiff, RegisterDoesNotDifferFromItself) {
     EXPECT_TRUE(compare(read("Opens.", 5, 1), read("Opens.", 5, 1)).empty());
 }
 
-TEST(RegisterDiff, ChangesOfATextADefaultAndACellAreListed) {
+TEST(RegisterDiff, ChangesOfTextDefaultAndTableCellAreListed) {
     const auto changes = compare(read("Opens.", 5, 1), read("Closes.", 6, 2));
     ASSERT_EQ(changes.size(), 3U);
     EXPECT_THAT(change_of("AO4-R-1", changes)->details, ElementsAre("text: Opens. -> Closes."));
@@ -94,7 +94,7 @@ TEST(RegisterDiff, ChangesOfATextADefaultAndACellAreListed) {
     EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
 }
 
-TEST(RegisterDiff, ChangedTopicAnswerIsListed) {
+TEST(RegisterDiff, AddedAnswerToATopicIsListed) {
     Register after = read("Opens.", 5, 1);
     const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
     const auto changes = compare(read("Opens.", 5, 1), after);
@@ -112,7 +112,7 @@ TEST(RegisterDiff, AddedAndRemovedItemsAreListed) {
     EXPECT_EQ(changes[1].kind, ItemChange::Kind::added);
 }
 
-TEST(RegisterDiff, StatementIsFollowedByItsMark) {
+TEST(RegisterDiff, ChangedStatementIsRecognisedByItsMark) {
     const auto read_statements = [](const std::string& text) {
         SpecFiles files = with(items_file, items("Opens.", 5, 1));
         files["spec/manuals/m/1.toml"] = text;
@@ -152,7 +152,7 @@ TEST(Revision, UnknownRevisionIsAnInputError) {
     EXPECT_THROW(spec_files_at(repository.root(), "--upload-pack=x"), InputError);
 }
 
-TEST(Impact, ImpactListsCodeTestsAndItemsOfTouchedFiles) {
+TEST(Impact, ImpactListsCodeAndTestsOfChangedItems_AndItemsOfChangedFiles) {
     const Register after = read("Closes.", 5, 1);
     Evidence evidence;
     evidence.implemented["AO4-R-1"] = {"src/firmware/a.cpp:7"};
@@ -167,7 +167,7 @@ TEST(Impact, ImpactListsCodeTestsAndItemsOfTouchedFiles) {
     EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
 }
 
-TEST(Impact, ItemsWithChangedCodeOrTestsAreStale) {
+TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
     const auto changes = work_changes({{"A", {"1", "2"}}, {"B", {"1", "2"}}, {"C", {"1", ""}}, {"D", {"1", "2"}}},
                                       {{"A", {"1", "2"}}, {"B", {"9", "2"}}, {"C", {"1", "8"}}});
     ASSERT_EQ(changes.size(), 3U);

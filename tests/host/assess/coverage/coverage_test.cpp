@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coverage from the export of llvm-cov to gaps, records and Cobertura (host/coverage). The source below is small enough
-// to count by hand.
+// Coverage from the export of llvm-cov to gaps, records and Cobertura (host/assess/coverage). The source below is small
+// enough to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -123,7 +123,7 @@ TEST_F(Coverage, FirmwareOfADeviceIsMeasuredAndItsSimulationIsNot) {
     EXPECT_THAT(told("measured.json"), HasSubstr("measures no file of the firmware"));
 }
 
-TEST_F(Coverage, BusesAndReplayOfTheHostHaveTheirOwnFigure) {
+TEST_F(Coverage, CodeOfTheHostBusesHasItsOwnFigure) {
     std::string text = measured;
     const std::string firmware = text.substr(
         text.find("{\"filename\""), text.find("  {\"filename\": \"/elsewhere/tests") - text.find("{\"filename\""));
@@ -243,7 +243,7 @@ TEST_F(Coverage, FunctionIsNamedWithoutTemplateArguments) {
     EXPECT_EQ(words(read().at(0).gaps).back(), "10 function canproof::made: never called");
 }
 
-TEST_F(Coverage, InvalidFilesAreReportedWithTheirRemedy) {
+TEST_F(Coverage, InvalidAndOutdatedFilesAreReported) {
     EXPECT_THAT(told("absent.json"), HasSubstr("run tests/coverage"));
     write("broken.json", "{\"data\": []}");
     EXPECT_THAT(told("broken.json"), HasSubstr("is no export of llvm-cov"));

@@ -194,7 +194,7 @@ class Documents : public ::testing::Test {
 
 }  // namespace
 
-TEST_F(Documents, ObjectTextHasTypeAccessRangeDefaultStorageAndMapping) {
+TEST_F(Documents, ItemTextDescribesObjectConstantTableAndSignal) {
     EXPECT_EQ(
         item_words(box(), "AO4-OD-2000"),
         "ARRAY. Sub 0 (Highest sub-index): UNSIGNED8, constant, every value of the type, default 2, not stored, is in "
@@ -207,7 +207,7 @@ TEST_F(Documents, ObjectTextHasTypeAccessRangeDefaultStorageAndMapping) {
     EXPECT_EQ(item_words(box(), "AO4-A-001"), "");
 }
 
-TEST_F(Documents, SafetyManualListsHazardsThatTheDeviceDoesNotPrevent) {
+TEST_F(Documents, SafetyManualListsFailuresConditionsOfUseAndConstants) {
     const Document manual = safety_manual(content_, box());
     EXPECT_THAT(rows_of(manual, "AO4-H-001"),
                 ElementsAre(ElementsAre("The supply is low.", "AO4-A-001"),
@@ -220,7 +220,7 @@ TEST_F(Documents, SafetyManualListsHazardsThatTheDeviceDoesNotPrevent) {
                 ElementsAre(ElementsAre("AO4-K-LIMIT", "9 V", "Least supply.", "M1:1")));
 }
 
-TEST_F(Documents, HardwareInterfaceListsEachSignalAsTheSignalsCommandDoes) {
+TEST_F(Documents, HardwareInterfaceListsEveryInputAndOutput) {
     const Document interface = hardware_interface(box());
     EXPECT_THAT(rows_of(interface, "Inputs"), ElementsAre(ElementsAre("supply", "REAL32", "V", "0 … 60 V", "12",
                                                                       "Supply voltage.", "", "AO4-S-SUPPLY", "M1:1")));
@@ -248,7 +248,7 @@ TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
                 Contains(ElementsAre("2000h:01", "Level 1", "INTEGER16", "rw", "5", "-10 … 10", "tpdo", "yes", "mV")));
 }
 
-TEST_F(Documents, ErrorMatrixNamesTheRequirementOfEachCode) {
+TEST_F(Documents, ErrorMatrixNamesRequirements_AndMarksErrorsWithoutOne) {
     const Document matrix = error_matrix(content_, box(), {});
     EXPECT_THAT(rows_of(matrix, "Errors"),
                 ElementsAre(ElementsAre("supply", "3100h", "05h", "", "AO4-A-001", "no lamp", "AO4-T-ERRORS"),
@@ -325,7 +325,7 @@ rest = "Some."
                             ElementsAre("LSS", "FR 2", "Lost.", "AO4-A-001", "Some.")));
 }
 
-TEST_F(Documents, DocumentIsWrittenAsPageMarkdownAndJson) {
+TEST_F(Documents, DocumentIsWrittenAsHtmlMarkdownAndJson) {
     const Document manual = safety_manual(content_, box());
     const std::string page = document_html(manual, {{"AO4-H-001", "hazards.html#AO4-H-001"}});
     EXPECT_THAT(page, HasSubstr("<a href=\"hazards.html#AO4-H-001\">AO4-H-001</a>"));

@@ -74,7 +74,7 @@ TEST_F(AuditPages, ItemShowsItsReviewOrWhyItNoLongerCounts) {
     EXPECT_THAT(make().at("audit-device.html"), HasSubstr("changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditPages, TestsOfOneSuiteAndOneResultStandInOneLine) {
+TEST_F(AuditPages, TestsOfOneSuiteWithTheSameResultStandInOneLine) {
     input_.evidence.verdicts["D-A-001"] = {{"S.One", "test", true}, {"T.Two", "test", true}, {"S.Three", "test", true}};
     input_.evidence.verdicts["D-A-001"].push_back({"S.Four", "test", false});
     const std::string page = make().at("audit-device.html");
@@ -105,7 +105,7 @@ TEST_F(AuditPages, OnlySourcesThatTheEvidenceNamesAreRead) {
     EXPECT_EQ(sources_named_by(input_.evidence, folder / ""), expected);
 }
 
-TEST(ServiceTitle, AbbreviationsStandInCapitals) {
+TEST(ServiceTitle, AbbreviationsAreInCapitals) {
     EXPECT_EQ(service_title("sdo_block"), "SDO block");
     EXPECT_EQ(service_title("receive_pdo"), "Receive PDO");
     EXPECT_EQ(service_title("relay"), "Relay");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exhibits of other tools: folders that the evidence pack reads.
+// Exhibits: folders with the results of other tools, which the evidence pack includes.
 #include "host/assess/evidence/exhibit.hpp"
 
 #include <gmock/gmock.h>

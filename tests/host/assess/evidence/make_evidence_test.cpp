@@ -32,7 +32,7 @@ std::vector<std::string> keys_of(const std::vector<ExpectedEvidence>& all) {
 
 }  // namespace
 
-TEST(MakeEvidence, AbsentOrStaleEvidenceIsMadeWhenItHasACommand) {
+TEST(MakeEvidence, AbsentOrStaleEvidenceIsSelectedWhenItHasACommand) {
     Argument argument;
     argument.evidence = {{"coverage", "", "", "true", 1},
                          {"fuzz", "", "", "true", 1},
@@ -72,7 +72,7 @@ TEST(MakeEvidence, FailedCommandIsReportedWithItsOutputAndTheRestContinues) {
     std::filesystem::remove_all(root);
 }
 
-TEST(MakeEvidence, StepThatOutlivesItsRunKeepsTheNextRunOut) {
+TEST(MakeEvidence, RunIsRefusedWhileAStepOfThePreviousRunIsAlive) {
     const std::filesystem::path root = std::filesystem::path{::testing::TempDir()} / "outliving step";
     std::filesystem::remove_all(root);
     std::filesystem::create_directories(root);

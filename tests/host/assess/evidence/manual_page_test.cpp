@@ -114,7 +114,7 @@ TEST_F(ManualPage, SectionShowsTheReviewOfItsDisposition) {
     EXPECT_THAT(page(), HasSubstr("<small>changed since its review of 2026-01-02</small>"));
 }
 
-TEST_F(ManualPage, SectionWithAnUnshownItemIsMarked) {
+TEST_F(ManualPage, SectionWithAFailedItemIsMarked) {
     failed_ = true;
     EXPECT_THAT(tile("1"), HasSubstr("\"tile unproven\" href=\"#1\" title=\"lamps &amp; more: not proven\">◐"));
     EXPECT_THAT(tile("Table 1"), HasSubstr("proven\">✓"));

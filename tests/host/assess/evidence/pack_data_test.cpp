@@ -148,7 +148,7 @@ TEST_F(Pack, ArgumentIsExportedAsSacm) {
     EXPECT_STREQ(element("C1").select_node("note/content/value/@content").attribute().value(),
                  "Limits: Not on silicon.");
     EXPECT_STREQ(element("C1").attribute("assertionDeclaration").value(), "asserted");
-    // Nobody has fuzzed: the claim, the claim above it and the evidence need support.
+    // Fuzzing was not measured: the claim, the claim above it and the evidence need support.
     for (const char* id : {"C", "C2", "evidence.C2.fuzz"}) {
         EXPECT_STREQ(element(id).attribute("assertionDeclaration").value(), "needsSupport") << id;
     }
@@ -159,7 +159,7 @@ TEST_F(Pack, ArgumentIsExportedAsSacm) {
     EXPECT_STREQ(element("artifact.tests").attribute("version").value(), "abc");
 }
 
-TEST_F(Pack, McdcIsExportedBesideCobertura) {
+TEST_F(Pack, McdcIsExportedAsJson) {
     FileCoverage file;
     file.file = "src/firmware/base/one.cpp";
     file.conditions = {3, 4};
@@ -177,7 +177,7 @@ TEST_F(Pack, McdcIsExportedBesideCobertura) {
     EXPECT_EQ(coverage.at("gaps").at(0).at("reason"), "b is always true");
 }
 
-TEST_F(Pack, SameInputGivesTheSameBytesAndTheManifestTheirHashes) {
+TEST_F(Pack, PackIsReproducible_AndTheManifestHasTheHashesOfItsFiles) {
     const PackFiles files = make();
     EXPECT_EQ(files, make());
     const auto manifest = nlohmann::json::parse(write_manifest({{"a.txt", "abc"}}, input_.provenance));

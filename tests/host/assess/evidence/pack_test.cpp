@@ -76,7 +76,7 @@ TEST_F(Pack, RegisterTextIsEscapedInHtml) {
     EXPECT_THAT(files.at("sections.html"), Not(HasSubstr("<of>")));
 }
 
-TEST_F(Pack, SectionsShowTheConditionsOfUse) {
+TEST_F(Pack, PageOfSectionsShowsTheConditionsOfUse) {
     EXPECT_THAT(make().at("sections.html"), HasSubstr("It &lt;stays&gt; dry."));
 }
 
@@ -154,7 +154,7 @@ TEST_F(Pack, ItemChangedSinceItsReviewIsShownAsSuspect) {
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));
 }
 
-TEST_F(Pack, OrphansAreListed) {
+TEST_F(Pack, FileThatServesNoItemIsListed_AndItsClaimIsOpen) {
     input_.argument.claims[1].evidence = {"orphans"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.orphans = std::vector<std::string>{};
@@ -240,7 +240,7 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
 }
 
-TEST_F(Pack, PlotsAreDescribedForReadersWhoDoNotSeeThem) {
+TEST_F(Pack, PlotsHaveAnAlternativeText) {
     input_.figures["lamp.svg"] = {"<svg/>", "Light of a lamp. Plot of <lux> against seconds: lamp."};
     const PackFiles files = make();
     EXPECT_EQ(files.at("plots/lamp.svg"), "<svg/>");

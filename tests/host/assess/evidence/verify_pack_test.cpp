@@ -132,7 +132,7 @@ TEST_F(SignedPack, InTotoMetadataIsWrittenForEd25519AndP256Only) {
               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST_F(SignedPack, Ed25519MetadataOfInTotoIsTheSameTwice) {
+TEST_F(SignedPack, InTotoMetadataWithEd25519IsReproducible) {
     Provenance provenance;
     provenance.date = "2024-01-01T00:00:00Z";
     const std::string mine = key("mine", {"-algorithm", "ed25519"}).string() + ".key";
@@ -140,7 +140,7 @@ TEST_F(SignedPack, Ed25519MetadataOfInTotoIsTheSameTwice) {
               in_toto_files({{"a.txt", "abc"}}, {}, provenance, mine));
 }
 
-TEST_F(SignedPack, MissingManifestOrKeyIsAnError) {
+TEST_F(SignedPack, InvalidKeyAndMissingOrInvalidManifestAreErrors) {
     EXPECT_THROW(sign("x", pack_ / "a.txt"), InputError);
     EXPECT_THROW(is_signed("x", "y", pack_ / "a.txt"), InputError);
     EXPECT_THROW(faults_of_pack(folder_, {}), InputError);

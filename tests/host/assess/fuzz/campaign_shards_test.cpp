@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A campaign on several machines, with a shell script in libFuzzer's place.
+// Fuzzing campaigns that are split over several machines; a shell script takes the place of libFuzzer.
 #include "host/assess/fuzz/campaign_shards.hpp"
 
 #include <gmock/gmock.h>
@@ -131,7 +131,7 @@ TEST_F(ShardedCampaign, MergedReportEqualsThatOfOneMachine) {
     }
 }
 
-TEST_F(ShardedCampaign, MoreShardsThanTargetsLeaveSomeWithoutWork) {
+TEST_F(ShardedCampaign, MoreShardsThanTargetsAreAllowed) {
     for (std::size_t number = 1; number <= 7; ++number) {
         EXPECT_EQ(run("shards/" + std::to_string(number), Shard{number, 7}), 0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole campaigns with a shell script instead of libFuzzer.
+// Whole fuzzing campaigns with a shell script instead of libFuzzer.
 #include "host/assess/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ class Campaign : public testing::Test {
     CampaignOptions options;
 };
 
-TEST_F(Campaign, CampaignCountsMinimisesAndReports) {
+TEST_F(Campaign, CampaignCountsExecutionsMinimisesTheCorpusAndWritesAReport) {
     add_target("a", "");
     add_target("b", "");
     EXPECT_EQ(run(), 0);
@@ -150,7 +150,7 @@ TEST_F(Campaign, FindingIsAddedToTheCorpusOfItsTarget) {
     EXPECT_EQ(text_of(landed), "BUG");
 }
 
-TEST_F(Campaign, FindingIsNotAddedToACorpusWithTheOptionOff) {
+TEST_F(Campaign, FindingIsNotAddedToACorpusWithAnEmptyLandOption) {
     options.land = "";
     add_target("a", R"(printf BUGs > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);
@@ -178,7 +178,7 @@ TEST_F(Campaign, CampaignComparesWithThePreviousCampaign) {
     EXPECT_EQ(report()["targets"][0]["inputs_before"], 1);
 }
 
-TEST_F(Campaign, InterruptWritesAReportAndTheSameCommandContinues) {
+TEST_F(Campaign, InterruptedCampaignWritesAReport_AndTheSameCommandContinuesIt) {
     add_target("a", "");
     add_target("b", R"(mkfifo "$first.never"; read nothing < "$first.never")");  // until it gets SIGINT
     const auto b_has_begun = [&] { return fs::exists(folder / "corpus" / "b.never"); };
@@ -221,7 +221,7 @@ TEST_F(Campaign, TargetThatEndsEarlyIsAFailure) {
     EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
 }
 
-TEST_F(Campaign, MissingToolIsReportedWithItsRemedy) {
+TEST_F(Campaign, MissingBuildOrTargetIsReportedWithItsRemedy) {
     const auto complaint = [&] {
         try {
             run();
@@ -245,7 +245,7 @@ TEST_F(Campaign, MissingToolIsReportedWithItsRemedy) {
     EXPECT_NE(complaint().find("cmake --preset fuzz-coverage"), std::string::npos);
 }
 
-TEST_F(Campaign, OptionsOfATargetComeFromItsFile) {
+TEST_F(Campaign, OptionsAndDictionaryOfATargetComeFromItsFiles) {
     add_target("a", R"(echo "$@" > "$first/arguments")");
     fs::create_directories(folder / "fuzz");
     std::ofstream{folder / "fuzz" / "a.options"} << "[libfuzzer]\nmax_len = 4096\n";

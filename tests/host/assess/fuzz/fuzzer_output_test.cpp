@@ -82,7 +82,7 @@ TEST(FuzzerOutput, UndefinedBehavioursThatDifferInNumbersOnlyAreOneFinding) {
     EXPECT_NE(parse_failure(shift(64)).title().find("shift exponent"), std::string::npos);
 }
 
-TEST(FuzzerOutput, ValgrindNamesTheFunction) {
+TEST(FuzzerOutput, ValgrindReportNamesTheFunction) {
     const Failure failure = parse_failure(
         "==5== Conditional jump or move depends on uninitialised value(s)\n"
         "==5==    at 0x109A: canproof::SdoServer::answer(canproof::Frame&) (sdo_server.cpp:30)\n"

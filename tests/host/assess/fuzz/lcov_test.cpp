@@ -29,7 +29,7 @@ TEST(Lcov, FilteredLcovKeepsDeviceFirmwareAndNotItsSimulation) {
     EXPECT_EQ(files[0].hit, 1U);
 }
 
-TEST(Lcov, FileInTwoProgramsIsMerged) {
+TEST(Lcov, RecordsOfOneFileAreMerged) {
     const auto files = read_lcov(
         "SF:/w/src/firmware/a.hpp\nDA:1,0\nDA:2,4\nend_of_record\nSF:/w/src/firmware/a.hpp\nDA:1,1\nend_of_record\n");
     ASSERT_EQ(files.size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effect of a fault, from what a device of node 5 sent and put out.
+// The effect of a fault, from the frames and the outputs of a device with the node-ID 5.
 #include "host/assess/inject/fault_effect.hpp"
 
 #include <gtest/gtest.h>
@@ -61,12 +61,12 @@ TEST(FaultEffect, ChangedMissingOrExtraErrorControlMessageIsANetworkEffect) {
     EXPECT_EQ(effect(frames + "(0.260000) can0 705#00\n", outputs), FaultEffect::network);
 }
 
-TEST(FaultEffect, OutputThatIsOnlySwitchedOffIsSafe) {
+TEST(FaultEffect, OutputThatStaysOffOrIsSwitchedOffIsSafe) {
     EXPECT_EQ(effect(frames, without(outputs, "0.200000,relay,1\n")), FaultEffect::safe_state);
     EXPECT_EQ(effect(frames, outputs + "0.300000,volts,0\n"), FaultEffect::safe_state);
 }
 
-TEST(FaultEffect, OutputWithAnotherValueIsWrong) {
+TEST(FaultEffect, OutputWithAnotherValueOrTooEarlyIsWrong) {
     EXPECT_EQ(effect(frames, outputs + "0.300000,volts,6\n"), FaultEffect::wrong_output);
     // volts reaches 5 a second time, while the run without the fault has 7.
     const std::string rising = outputs + "0.300000,volts,7\n";
@@ -86,7 +86,7 @@ TEST(FaultEffect, PdoWithOtherOrOlderDataIsWrong) {
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0102\n", outputs), FaultEffect::wrong_pdo);
 }
 
-TEST(FaultEffect, MissingPdoOrRepeatedPdoCountsAsMissingOrLate) {
+TEST(FaultEffect, MissingOrRepeatedPdoIsAMissingPdoEffect) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n"), outputs), FaultEffect::missing_pdo);
     EXPECT_EQ(effect(frames + "(0.300000) can0 185#0304\n", outputs), FaultEffect::missing_pdo);
 }

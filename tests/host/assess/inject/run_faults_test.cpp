@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Injection into a made-up device whose every byte has one known effect.
+// Fault injection into a made-up device: a fault in each byte of its memory has one known effect.
 #include "host/assess/inject/run_faults.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation on several machines: the shards together leave what one machine leaves.
+// Mutation that is split over several machines: the merged shards give the same report as one machine.
 #include "host/assess/mutation/mutation_shard.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Seven mutants: noticed in three harnesses, by a signal, and survivors with and without a claim.
+/// Seven mutants: five that a test of one of three kinds or a crash reveals, and two survivors, with and without a
+/// claim.
 std::vector<MutationOutcome> seven_outcomes() {
     const auto cell = [](std::size_t number, const char* change) {
         return AlteredCell{10 + number, "src/firmware/canopen/nmt.cpp", "f(), line " + std::to_string(number), change};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alterations of generated cells: those that the compiler lists, those that are drawn, and those that may survive.
+// Mutation: the alterations that are generated for each cell (a value in a generated table), the sample that is drawn,
+// and the records of alterations that may survive.
 #include "host/assess/mutation/mutation.hpp"
 
 #include <gmock/gmock.h>
@@ -223,7 +224,7 @@ TEST(CodeMutation, EachTestIsReadWithItsReachableMutants) {
     EXPECT_THROW(read_told("/nowhere/told.tsv"), InputError);
 }
 
-TEST(CodeMutation, StartupComputationIsNoTest) {
+TEST(CodeMutation, MutantsReachedAtStartupAreListedApartFromTests) {
     std::vector<ToldTest> tests{{"startup", 0.0, {1, 9}}, {"S.One", 0.5, {0}}};
     EXPECT_EQ(told_at_startup(tests, 3), (std::vector<bool>{false, true, false}));
     ASSERT_EQ(tests.size(), 1U);
@@ -254,7 +255,7 @@ TEST(CodeMutation, KillingTestsAreRememberedWhenAMutantMoves) {
     EXPECT_EQ(KillerLog{file.path()}.filter({0, "src/a.cpp", "f, line 7", "y -> true"}), "S.Three");
 }
 
-TEST(CodeMutation, OperatorIsDerivedFromTheChange) {
+TEST(CodeMutation, MutationOperatorIsDerivedFromTheChange) {
     const std::vector<std::pair<const char*, const char*>> changes{
         {"a < b -> <=", "condition"},    {"a -> b -> true", "condition"},      {"a + b -> -", "operator"},
         {"x += 1U -> -=", "operator"},   {"f(); -> deleted", "statement"},     {"a = b -> dropped", "assignment"},
@@ -265,7 +266,7 @@ TEST(CodeMutation, OperatorIsDerivedFromTheChange) {
     }
 }
 
-TEST(CodeMutation, KillsAreCountedByLayerOperatorAndHarness) {
+TEST(CodeMutation, KillsAreCountedByLayerOperatorAndKindOfTest) {
     const std::vector<MutationOutcome> outcomes{
         {{0, "src/firmware/canopen/nmt.cpp", "f, line 1", "f(); -> deleted"},
          "S.A",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks of the code and tests of an item: they change with their content and with nothing else.
+// Marks (hashes) of the code and the tests of an item: a mark changes with the content and with nothing else.
 #include "host/assess/source/item_work.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST_F(ItemWorkMarks, TestMarkChangesWithTheBodyOfTheTestOnly) {
     EXPECT_EQ(test_mark(edited(tests, "g(), 2", "g(), 3")), before);
 }
 
-TEST_F(ItemWorkMarks, MarksDoNotDependOnOrderOrInstances) {
+TEST_F(ItemWorkMarks, TestMarksDoNotDependOnOrderOrRepetition) {
     write("tests/f_test.cpp", tests);
     WorkMarks marks{folder_ / ""};
     const std::pair<std::string, std::string> f{"tests/f_test.cpp", "F.IsOne"};

@@ -109,7 +109,7 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
     EXPECT_EQ(audit().items[1].status(), "open");
 }
 
-TEST_F(AuditOfASmallRegister, FailedTestIsAGapBesideAPassedTest) {
+TEST_F(AuditOfASmallRegister, FailedTestIsAGapDespiteAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims this item has failed"));
     EXPECT_EQ(audit().items[1].status(), "failed");
@@ -132,7 +132,7 @@ TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayImplementADeviceRequire
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, ChangeOfTheImplementingRequirementNeedsNoNewReview) {
+TEST_F(AuditOfASmallRegister, NewLinkToAnImplementingRequirementNeedsNoReview) {
     part().requirements[1].by = "CO-A-001";
     EXPECT_THAT(audit().suspects, IsEmpty());
 }
@@ -147,12 +147,12 @@ TEST_F(AuditOfASmallRegister, NormativeSectionWithoutRequirementIsAGap) {
     EXPECT_THAT(gaps(), ElementsAre("M:2 (more): the section is normative, but no item names it as its source"));
 }
 
-TEST_F(AuditOfASmallRegister, SectionIsCoveredByItsObjectToo) {
+TEST_F(AuditOfASmallRegister, SectionIsCoveredByARequirementOfItsObject) {
     part().requirements[0].sources = {"M:6411h"};
     EXPECT_THAT(gaps(), IsEmpty());
 }
 
-TEST_F(AuditOfASmallRegister, RetiredRequirementNeedsNoCodeOrTest) {
+TEST_F(AuditOfASmallRegister, RetiredRequirementNeedsNoTest) {
     part().requirements[1].retired = "merged";
     evidence.verdicts.erase("D-A-002");
     EXPECT_THAT(gaps(), IsEmpty());

@@ -33,7 +33,7 @@ class CodeLinks : public testing::Test {
     fs::path root_;
 };
 
-TEST_F(CodeLinks, DeviceFileWithoutARequirementIsUntraced) {
+TEST_F(CodeLinks, FirmwareFileWithoutARequirementIsUntraced) {
     write("src/devices/d-1/firmware/d.cpp", "#include \"devices/d-1/firmware/ramp.hpp\"\n");
     write("src/devices/d-1/firmware/ramp.hpp", "#include \"firmware/base/time.hpp\"\n");
     write("src/devices/d-1/firmware/ramp.cpp", "\n");

@@ -27,7 +27,7 @@ TEST(LinkPlaces, LinkAboveAFunctionIsAccepted) {
                 IsEmpty());
 }
 
-TEST(LinkPlaces, LinkMayHaveACommentBeforeTheFunction) {
+TEST(LinkPlaces, CommentMayStandBetweenLinkAndFunction) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
 }
 

@@ -87,7 +87,7 @@ TEST(EdsCheck, EveryRuleHasOneExampleAndItsTexts) {
     EXPECT_GE(rules.size(), 80U);
 }
 
-TEST(EdsCheck, EachRuleFindsItsBadExampleInItsLine) {
+TEST(EdsCheck, EachRuleHasAFindingInTheLineOfItsBadExample) {
     for (const RuleExample& example : all_examples()) {
         const PatchedSheet sheet = patched_sheet(example.bad);
         const auto lines = lines_of(findings_in(sheet.text), example.rule);
@@ -98,7 +98,7 @@ TEST(EdsCheck, EachRuleFindsItsBadExampleInItsLine) {
     }
 }
 
-TEST(EdsCheck, NoRuleFindsItsGoodExample) {
+TEST(EdsCheck, NoRuleHasAFindingInItsGoodExample) {
     for (const RuleExample& example : all_examples()) {
         EXPECT_THAT(lines_of(findings_in(patched_sheet(example.good).text), example.rule), IsEmpty()) << example.rule;
     }
@@ -154,7 +154,7 @@ TEST(EdsCheck, TextThatIsNoSheetIsRefused) {
     EXPECT_THROW(check_eds("<xml>\n[FileInfo]\n"), InputError);
 }
 
-TEST(EdsCheck, EverySafeFixRemovesItsFindingAndKeepsTheDevice) {
+TEST(EdsCheck, EverySafeFixRemovesItsFindingAndKeepsTheDictionary) {
     int fixed_rules = 0;
     for (const RuleExample& example : all_examples()) {
         const std::string bad = patched_sheet(example.bad).text;
@@ -177,7 +177,7 @@ TEST(EdsCheck, EverySafeFixRemovesItsFindingAndKeepsTheDevice) {
     EXPECT_GE(fixed_rules, 25);
 }
 
-TEST(EdsFix, ManyFaultsTogetherAreFixedToTheGoodSheet) {
+TEST(EdsFix, ManyFaultsAreFixed_AndTheDictionaryIsThatOfTheGoodSheet) {
     const std::string bad = patched_sheet(
                                 "[FileInfo] CreationDate=2020-02-29 | [DeviceInfo] NrOfRXPDO=7 | "
                                 "[Comments] Lines=0 | [1003] SubNumber=2 | [1017] DataType~datatype=0x0006 | "

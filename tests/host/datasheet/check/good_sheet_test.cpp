@@ -352,7 +352,7 @@ PatchedSheet patched_sheet(const std::string& patches) {
     return patcher.take();
 }
 
-TEST(GoodSheet, SheetIsPatchedByKeysLinesAndSections) {
+TEST(GoodSheet, PatchSetsAKeyRemovesAKeyAndAddsALine) {
     const PatchedSheet sheet = patched_sheet("[FileInfo] FileVersion=9 | [FileInfo] -FileRevision | end ; done");
     EXPECT_EQ(sheet.text.rfind("[FileInfo]\nFileName=box.eds\nFileVersion=9\nEDSVersion=4.0\n", 0), 0U);
     EXPECT_EQ(sheet.text.substr(sheet.text.size() - 7), "; done\n");

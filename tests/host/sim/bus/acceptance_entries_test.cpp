@@ -108,7 +108,7 @@ TEST(AcceptanceEntries, ValidSdoServerIdentifiersAreAcceptedAndClientIdentifiers
               (Names{"000", "7E5", "705", "605"}));
 }
 
-TEST(AcceptanceEntries, ValidPdosAreAccepted_TransmitPdosForTheirRequests) {
+TEST(AcceptanceEntries, IdentifiersOfValidRpdosAndTpdosAreAccepted) {
     EXPECT_EQ(names(filters_with({{0x1400, record(0x1400, {0x205, 255})},
                                   {0x1401, record(0x1401, {0x80000305, 255})},
                                   {0x15FF, record(0x15FF, {0x20010306, 255})},
@@ -120,7 +120,7 @@ TEST(AcceptanceEntries, ValidPdosAreAccepted_TransmitPdosForTheirRequests) {
               (Names{"000", "7E5", "705", "605", "205", "00010306", "185", "286"}));
 }
 
-TEST(AcceptanceEntries, EveryMonitoredProducerIsAccepted) {
+TEST(AcceptanceEntries, HeartbeatOfEveryMonitoredProducerIsAccepted) {
     EXPECT_EQ(names(filters_with({{0x1016, record(0x1016, {0x00060064, 0x00000064, 0x007F0000, 0x00060032})}})),
               (Names{"000", "7E5", "705", "605", "706", "77F"}));
 }
@@ -137,7 +137,7 @@ TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
     EXPECT_EQ(all[4], "701");
 }
 
-TEST(AcceptanceFilterText, AllFramesAreAcceptedByOneFilterOfEachFormat) {
+TEST(AcceptanceFilterText, EachFrameIsAcceptedByTheFilterOfItsFormat) {
     const auto hears = [](const char* text) {
         const Frame frame = parse_frame(text, "test");
         return std::count_if(accept_everything().begin(), accept_everything().end(),

@@ -103,7 +103,7 @@ TEST_F(ArbitratedBusTest, FullBusHasALoadOfOne) {
     EXPECT_NEAR(bus->report(Instant{1000000}).load, 1.0, 1.0e-6);
 }
 
-TEST_F(ArbitratedBusTest, FractionalMicrosecondsPerBitDoNotAccumulate) {
+TEST_F(ArbitratedBusTest, RoundingErrorsOfTheBitTimeDoNotAccumulate) {
     // At 800 kbit/s, one bit lasts 1.25 us. The test sends 1000 frames of n bits with 999 intermissions.
     bus = std::make_unique<ArbitratedBus>("inproc", 800000, BusFaultRates{});
     bus->attach(a);
@@ -143,7 +143,7 @@ TEST_F(ArbitratedBusTest, FloodingGatewayLeavesTheBusToOthersAfterEachFrame) {
     EXPECT_THAT(log, SizeIs(52));
 }
 
-TEST_F(ArbitratedBusTest, GatewayMayAttachAndDetachDuringAFrame) {
+TEST_F(ArbitratedBusTest, FrameOfADetachedGatewayIsNotDelivered) {
     start();
     auto door = std::make_unique<Gateway>("door", 4, Gateway::Outlet{});
     bus->attach_gateway(*door);
@@ -195,7 +195,7 @@ TEST_F(ArbitratedBusTest, LostFrameIsAnOverrunOfAReceiverUntilTheNextFrameArrive
     }
 }
 
-TEST_F(ArbitratedBusTest, BusOffLasts128TimesElevenBitsAndEndsActive) {
+TEST_F(ArbitratedBusTest, BusOffLasts128Times11Bits_AndEndsErrorActive) {
     start();
     run_until(*bus, Instant{0}, Instant{1000});
     bus->switch_off(a, Instant{1000});
@@ -289,7 +289,7 @@ TEST_F(ArbitratedBusTest, GatewayDetachedDuringItsFrameLeavesAnErrorFrame) {
     EXPECT_EQ(bus->report(Instant{10000}).errors, 1U);
 }
 
-TEST_F(ArbitratedBusTest, ErrorCountersLeadThroughWarningAndPassive) {
+TEST_F(ArbitratedBusTest, ErrorCountersLeadToWarningErrorPassiveAndBusOff) {
     FaultConfinement one;
     for (int i = 0; i < 12; ++i) {
         EXPECT_EQ(one.state(), CanState::error_active) << i;  // the counter is 0, 8 … 88

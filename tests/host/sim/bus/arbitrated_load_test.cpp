@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load that the in-process bus reports and its bit rate, compared with numbers of bits counted by hand.
+// The load and the bit rate that the in-process bus reports, compared with numbers of bits that are counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -142,7 +142,7 @@ TEST_F(BusLoad, BitRateOfTheNodesReplacesThatOfTheBus) {
     EXPECT_EQ(b.heard.size(), 1U);  // b has no bit rate of its own
 }
 
-TEST_F(BusLoad, BitRateChangesBetweenFramesNotDuringAFrame) {
+TEST_F(BusLoad, BitRateDoesNotChangeDuringAFrame) {
     a.rate = b.rate = 125000;
     a.send("703#05");
     bus.advance(Instant{0});
@@ -213,7 +213,7 @@ TEST_F(BusLoad, UnattachedGatewayIsNotSendingAndMayBeDetached) {
     EXPECT_EQ(bus.report(Instant{10000}).errors, 0U);
 }
 
-TEST_F(BusLoad, SwitchingOffAnAbsentOrOffNodeChangesNothing) {
+TEST_F(BusLoad, SwitchingOffAnUnattachedOrBusOffNodeChangesNothing) {
     PlainNode stranger{"stranger"};
     bus.switch_off(stranger, Instant{0});
     EXPECT_THAT(stranger.states, IsEmpty());

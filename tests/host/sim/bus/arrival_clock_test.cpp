@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel's time stamps on the clock of a run, also when the process loses the processor between two clocks.
+// Conversion of the kernel's time stamps to the clock of a run, also when the process is suspended between the readings
+// of two clocks.
 #include "host/sim/bus/arrival_clock.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ ArrivalClock compared(std::deque<std::uint64_t> times_us, std::uint64_t real_us)
 
 }  // namespace
 
-TEST(ArrivalClock, StampIsConvertedToTheRun) {
+TEST(ArrivalClock, StampIsConvertedToTheTimeOfTheRun) {
     const ArrivalClock clock = compared({1000}, 5000000);
     EXPECT_EQ(clock.at(5000250 * ns, Instant{7}), Instant{1250});
     EXPECT_EQ(clock.at(4999500 * ns, Instant{7}), Instant{500});
@@ -59,7 +60,7 @@ TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
 }
 
-TEST(ArrivalClock, ChangeOfTheRealTimeClockIsFollowed) {
+TEST(ArrivalClock, ChangeOfTheRealTimeClockAboveTheToleranceIsFollowed) {
     ArrivalClock clock = compared({1000}, 5000000);
     clock.use(clock_of({2000}));
     clock.compare(Instant{}, [] { return 5051000 * ns; });  // 50 ms more than 1 ms later: within the tolerance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames have their times of arrival, also when the process loses the processor before or after it reads its clock.
+// A frame has the time of its arrival, also when the process is suspended before or after it reads its clock.
 #include <gtest/gtest.h>
 #include <poll.h>
 
@@ -81,8 +81,8 @@ class LateRun : public testing::Test {
         const Instant now = clock();
         bus->advance(earliest(bus->poll(now), now));
     }
-    /// Lets `send` send a frame after the run has read its clock, and the run read it late. Returns the frame, and in
-    /// `first` and `last` the times between which it has arrived.
+    /// Calls `send` to send a frame after the run has read its clock, and lets the run read the frame late. Returns the
+    /// frame; sets `first` and `last` to the times between which it arrived.
     template <typename Send>
     BusFrame read_late(const Send& send, Instant& first, Instant& last) {
         const Instant early = clock();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes made of a list of frames, and a function that runs a bus from event to event.
+// Nodes that send given frames and record what they receive, and a function that runs a bus from event to event.
 #pragma once
 
 #include <fmt/format.h>

@@ -144,7 +144,7 @@ TEST(CanBits, ArbitrationGoesToTheDominantBit) {
     EXPECT_TRUE(wins("00040000#", "00040001#"));
 }
 
-TEST(CanBits, RankIsTheArbitrationFieldFromTheHighestBitOn) {
+TEST(CanBits, ArbitrationRankHasTheBitsOfTheArbitrationField) {
     const auto rank = [](const char* text) { return arbitration_rank(frame(text)); };
     EXPECT_EQ(rank("703#"), 0xE0600000U);       // 11100000011 0, then a dominant IDE
     EXPECT_EQ(rank("703#R"), 0xE0700000U);      // RTR is the twelfth bit

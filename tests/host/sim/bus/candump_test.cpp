@@ -78,7 +78,7 @@ TEST(Candump, TimeMustNotGoBackwards) {
     }
 }
 
-TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreReadLikeCanUtils) {
+TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreAccepted) {
     // candump -L writes a raw length code of 9 to 15 after `_`, and an error frame with bit 29 of its identifier set
     EXPECT_EQ(format_frame(parse_candump_line("(1.0) can0 123#0102030405060708_F", "log:1").frame),
               "123#0102030405060708");
@@ -101,14 +101,14 @@ TEST(Candump, LengthCodesErrorFramesAndAByteOrderMarkAreReadLikeCanUtils) {
     EXPECT_EQ(reader.counts().coded_lengths, 1U);
 }
 
-TEST(Candump, EndlessLineIsRefused) {
+TEST(Candump, LineOf100000CharactersIsRefused) {
     std::istringstream in{std::string(100000, '\0')};
     EXPECT_THROW(read_candump_log(in, "zero"), InputError);
     std::istringstream stimuli{std::string(100000, '1')};
     EXPECT_THROW(read_stimuli(stimuli, "ones"), InputError);
 }
 
-TEST(StimulusFile, LineWithoutThreeFieldsOrANumberIsRefused) {
+TEST(StimulusFile, LineWithoutThreeFieldsOrWithAnInvalidNumberIsRefused) {
     for (const char* text :
          {"1.0,can_state", "1.0,can_state,x", "1.0,can_state,", "x,can_state,1", "1.0,can_state,nan"}) {
         std::istringstream in{text};
@@ -116,8 +116,8 @@ TEST(StimulusFile, LineWithoutThreeFieldsOrANumberIsRefused) {
     }
 }
 
-// The acceptance run replays the telegrams of the manual and compares the log byte by byte.
-TEST(Replay, TelegramsOfTheManualGiveTheSameReplayTwice) {
+// Replays telegrams of the manual twice; both logs must have the same bytes as written here.
+TEST(Replay, ReplayOfTheTelegramsOfTheManualGivesTheExpectedFramesTwice) {
     const std::string log = "(1.000000) can0 603#2B116401B33E0000\n(1.100000) can0 603#4000100000000000\n";
     const std::string expected =
         "(0.000000) can0 703#00\n(1.000000) can0 583#6011640100000000\n(1.100000) can0 583#4300100091010800\n";
@@ -133,7 +133,7 @@ TEST(Replay, ReplayContinuesUntilTheGivenTime) {
               "703#7F\n");
 }
 
-TEST(Replay, StimuliActAndOutputsAreWritten) {
+TEST(Replay, StimuliTakeEffect_AndOutputsAreWritten) {
     std::string outputs;
     const std::string frames = replayed("(0.010000) can0 603#2B11640108000000\n",
                                         "seconds,signal,value\n0.020000,internal_fault,1\n", 0.03, &outputs);
@@ -148,7 +148,7 @@ TEST(Replay, StimuliAtZeroApplyBeforePowerOn) {
     EXPECT_EQ(replayed("", "0.0,switch_low,5\n", 0.0), "(0.000000) can0 705#00\n");
 }
 
-TEST(Replay, LogWithClockTimesStartsAtItsFirstFrame) {
+TEST(Replay, ReplayStartsAtTheFirstFrameOfALogWithClockTimes) {
     // The device powers on at the time of the first frame, sends its boot-up message at once, then answers. The second
     // frame follows 20 ms later.
     const std::string log =
@@ -161,7 +161,7 @@ TEST(Replay, LogWithClockTimesStartsAtItsFirstFrame) {
     EXPECT_EQ(outputs.rfind("seconds,signal,value\n1436509052.249713,", 0), 0U);
 }
 
-TEST(Replay, StartIsThePowerOn_AndEarlierFramesAreLeftOut) {
+TEST(Replay, DeviceIsPoweredOnAtTheGivenStart_AndEarlierFramesAreLeftOut) {
     const auto device = make_device("cbx-ao412");
     device->set_node_id(3);
     std::istringstream log{"(1.0) can0 603#4000100000000000\n(3.0) can0 603#4000100000000000\n"};
@@ -255,7 +255,7 @@ TEST(StimulusFile, NoiseSeedOutsideUnsigned32IsRefused) {
     }
 }
 
-TEST(StimulusFile, EveryNumberOfTheRegisterHasARange) {
+TEST(StimulusFile, EveryNumericSignalOfTheRegisterHasARange) {
     const LoadResult loaded = load_register(embedded_spec());
     for (const Part& part : loaded.content.parts) {
         for (const Signal& signal : part.signals) {

@@ -69,7 +69,7 @@ TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
 }
 
 TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
-    // A node reaches the warning state after 96 corrupted frames; each sound frame takes one error back.
+    // A node reaches the warning state after 96 corrupted frames; each correct frame decreases the counter by one.
     BusFaultRates faults;
     faults.corrupted = 0.7;
     faults.seed = 3;

@@ -38,7 +38,7 @@ TEST(Door, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
     EXPECT_GT(repeated, 0U);
 }
 
-TEST(Door, FullGatewayTakesAFrameWhenOneHasBeenSent) {
+TEST(Door, FullGatewayTakesAFrameWhenTheBusHasTakenOne) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode node{"node"};
     bus.attach(node);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CAN system made of lists: the test sets the answers of the kernel, and the fake records the calls.
+// A fake of the kernel's CAN calls: the test sets the answers of the kernel in lists, and the fake records the calls.
 #pragma once
 
 #include <cerrno>

@@ -39,7 +39,7 @@ TEST(FrameReaders, BaseAndExtendedIdentifiersAreSeparate) {
     EXPECT_THAT(readers.of(frame_of("00000205#")), ElementsAre(2U));
 }
 
-TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOnce) {
+TEST(FrameReaders, ReaderIsListedOnceForEachIdentifierOfItsFilters) {
     FrameReaders readers;
     readers.set(3, accept_everything());
     readers.set(1, {{0x700, 0x780, false}, {0x705, 0x7FF, false}});  // 700h to 77Fh, and 705h a second time
@@ -49,7 +49,7 @@ TEST(FrameReaders, FilterForSeveralIdentifiersReadsEachOnce) {
     EXPECT_THAT(readers.of(frame_of("1FFFFFFF#05")), ElementsAre(3U));
 }
 
-TEST(FrameReaders, NewFiltersReplaceThoseOfTheReaderOnly) {
+TEST(FrameReaders, NewFiltersReplaceThoseOfOneReaderOnly) {
     FrameReaders readers;
     readers.set(1, {{0x205, 0x7FF, false}, {0x700, 0x780, false}});
     readers.set(2, {{0x205, 0x7FF, false}});

@@ -26,7 +26,7 @@ TEST(FrameText, FramesAreAlikeOnlyWhenEachFieldIsTheSame) {
     EXPECT_FALSE(are_alike(frame_in("123#0000"), frame_in("123#R2"))) << "a remote frame has no data";
 }
 
-TEST(FrameText, CharactersBesideTheHexadecimalDigitsAreRefused) {
+TEST(FrameText, CharactersNextToTheHexadecimalDigitsInAsciiAreRefused) {
     EXPECT_EQ(frame_in("0f9#aF").data[0], 0xAFU);
     for (const char beside : {'/', ':', '@', 'G', '`', 'g'}) {
         FrameText read;

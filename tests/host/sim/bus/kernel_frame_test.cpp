@@ -21,7 +21,7 @@ TEST(KernelFrame, KernelFrameHasIdentifierFlagsLengthAndBytes) {
     EXPECT_EQ(extended.can_dlc, 3U);
 }
 
-TEST(KernelFrame, RemoteFrameIsReadWithoutBytes) {
+TEST(KernelFrame, RemoteFrameIsConvertedWithoutBytes) {
     Frame request = parse_frame("703#R2", "test");
     request.data[0] = 0xAA;
     EXPECT_EQ(to_kernel(request).data[0], 0U);
@@ -69,7 +69,7 @@ TEST(KernelFilter, KernelFilterComparesTheFormatToo) {
     EXPECT_EQ(filters[1].can_mask, 0x1FFFFFFFU | CAN_EFF_FLAG);
 }
 
-TEST(KernelErrorFrame, WorstControllerStateIsReported) {
+TEST(KernelErrorFrame, MostSevereControllerStateIsReported) {
     const auto state_of = [](std::uint32_t error_class, std::uint8_t controller) {
         can_frame frame{};
         frame.can_id = CAN_ERR_FLAG | error_class;

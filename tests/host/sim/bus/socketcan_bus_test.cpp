@@ -32,7 +32,7 @@ TEST_F(SocketCan, EachNodeSocketHasItsFiltersAndTheMonitorReceivesEverything) {
     EXPECT_THAT(bus->watches(), SizeIs(3));
 }
 
-TEST_F(SocketCan, NewFiltersOfANodeAreSetBeforeItsAnswerIsSent) {
+TEST_F(SocketCan, NewFiltersOfANodeAreSetAtTheNextStep) {
     a.accepted = {{0x603, 0x7FF, false}};
     start();
     a.accepted.push_back({0x203, 0x7FF, false});
@@ -41,7 +41,7 @@ TEST_F(SocketCan, NewFiltersOfANodeAreSetBeforeItsAnswerIsSent) {
     EXPECT_THAT(system.sockets[first].filters, SizeIs(2));
 }
 
-TEST_F(SocketCan, MoreFiltersThanTheKernelTakesBecomeOne) {
+TEST_F(SocketCan, MoreThan512FiltersBecomeOneThatAcceptsAllFrames) {
     std::vector<AcceptanceFilter> many(513, AcceptanceFilter{0x123, 0x7FF, false});
     const auto filters = kernel_filters(many);
     ASSERT_THAT(filters, SizeIs(1));
@@ -93,7 +93,7 @@ TEST_F(SocketCan, EchoedFramesAreAttributedToTheirSender) {
     EXPECT_EQ(bus->report(now).frames, 2U);
 }
 
-TEST_F(SocketCan, FullDeviceQueueIsRetriedWithGrowingPausesWithoutLoss) {
+TEST_F(SocketCan, FramesAreRetriedWithGrowingPausesWhileTheDeviceQueueIsFull) {
     start();
     a.send("703#05");
     a.send("183#01");
@@ -114,7 +114,7 @@ TEST_F(SocketCan, FullDeviceQueueIsRetriedWithGrowingPausesWithoutLoss) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(SocketCan, RetryPauseEndsAt16MsAndRestartsAfterSuccess) {
+TEST_F(SocketCan, RetryPauseGrowsTo16Ms_AndStartsAgainAfterSuccess) {
     start();
     a.send("703#05");
     a.send("704#05");
@@ -166,7 +166,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     EXPECT_EQ(bus->report(now).lost, 0U);
 }
 
-TEST_F(SocketCan, RunTimeDoesNotPassUnreadFrames) {
+TEST_F(SocketCan, TimeOfTheRunDoesNotPassUnreadFrames) {
     start();
     for (std::uint64_t i = 0; i < 5000; ++i) {
         system.arrive(monitor, "603#40", 5000001 + i);

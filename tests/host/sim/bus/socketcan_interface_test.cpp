@@ -120,7 +120,7 @@ TEST_F(SocketCan, FailedSendDetectsThatTheInterfaceIsDown) {
     EXPECT_EQ(system.sockets[first].send_calls, 1);
 }
 
-TEST_F(SocketCan, DownAndUpBetweenTwoPollsIsNotReportedToTheNode) {
+TEST_F(SocketCan, InterfaceDownAndUpBetweenTwoPollsIsNotReportedToTheNode) {
     start();
     system.fail(first, ENETDOWN);  // the error arrives late: the interface is up already
     step(10);

@@ -64,7 +64,7 @@ TEST_F(SocketCan, UserFrameIsNotMatchedAsAnEchoOfANode) {
     EXPECT_THAT(log, ElementsAre("1000010 - 703#05", "1000020 a 703#05"));
 }
 
-TEST_F(SocketCan, FramesOfOneTurnAreHandledInTimeOrder_BeforeKeptFrames) {
+TEST_F(SocketCan, NewlyReadFramesAreMergedInTimeOrderWithFramesReadBefore) {
     start_with_three_frames();
     system.arrive(first, "603#01", 5000400);
     system.arrive(second, "604#02", 5000200);
@@ -109,7 +109,7 @@ TEST_F(SocketCan, NearlyEqualClocksKeepTheirOffset) {
     EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
 }
 
-TEST_F(SocketCan, FrameAtRunTimeZeroIsDueAtZero) {
+TEST_F(SocketCan, FrameFromTheStartOfTheRunIsDueAtZero) {
     start();
     system.arrive(first, "603#40", 4000000);
     bus->poll(now);
@@ -127,7 +127,7 @@ TEST_F(SocketCan, NodeThatDropsItsWaitingFrameHasNoDeadline) {
     EXPECT_EQ(system.sockets[first].send_calls, 1);
 }
 
-TEST_F(SocketCan, WhileTheInterfaceIsDownOnlyItsSearchIsDue) {
+TEST_F(SocketCan, OnlyTheSearchForTheInterfaceIsDueWhileItIsDown) {
     start();
     a.send("703#05");
     b.send("704#05");
@@ -139,7 +139,7 @@ TEST_F(SocketCan, WhileTheInterfaceIsDownOnlyItsSearchIsDue) {
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
 }
 
-TEST_F(SocketCan, RecreatedInterfaceKeepsItsNewNumber) {
+TEST_F(SocketCan, LateErrorAfterAnInterfaceWasRecreatedIsIgnored) {
     start();
     system.number = 9;
     system.fail(first, ENODEV);

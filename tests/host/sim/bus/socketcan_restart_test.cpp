@@ -60,7 +60,7 @@ class SocketCanRestart : public testing::Test {
 
 }  // namespace
 
-TEST_F(SocketCanRestart, RecoveredControllerIsNotRestarted) {
+TEST_F(SocketCanRestart, BusOffControllerIsNotRestartedAfterItsInterfaceReturned) {
     system.arrive_error(socket_of_a, CAN_ERR_BUSOFF, 0);
     step(10);
     go_down();

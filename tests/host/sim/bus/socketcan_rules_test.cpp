@@ -136,7 +136,7 @@ TEST_F(SocketCan, FrameWithoutTimestampOrFromBeforeTheRunIsDueNow) {
     EXPECT_EQ(a.heard.back(), "1000030 603#42");
 }
 
-TEST_F(SocketCan, SmallClockDriftIsNotTakenAsAClockChange) {
+TEST_F(SocketCan, ClockDriftUpTo50MsIsNotTakenAsAClockChange) {
     start();
     step(10);
     now.us += 100000;
@@ -233,7 +233,7 @@ TEST_F(SocketCan, InterfaceDownAtTheStartIsBusOffForItsNodes) {
     EXPECT_THAT(system.sockets[first].sent, ElementsAre("703#05"));
 }
 
-TEST_F(SocketCan, InterfaceThatReturnsWithoutSocketsIsSearchedAgain) {
+TEST_F(SocketCan, InterfaceOnWhichSocketsCannotBeOpenedIsTriedAgainLater) {
     start();
     system.number = 0;
     system.up = false;

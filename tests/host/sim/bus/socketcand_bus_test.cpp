@@ -126,7 +126,7 @@ TEST_F(SocketcandServer, FramesSentBeforeAClientClosesAreTransmitted) {
     EXPECT_THAT(log, ElementsAre("123#", "124#"));
 }
 
-TEST_F(SocketcandServer, FloodingClientDelaysOthersByOneFrame) {
+TEST_F(SocketcandServer, FloodingClientDelaysOthersByAtMostTwoFrames) {
     TcpClient flood{bus.port()};
     TcpClient calm{bus.port()};
     flood.say(join);
@@ -380,7 +380,7 @@ TEST_F(SocketcandServer, LastFrameOfAClosingClientIsComplete) {
     EXPECT_THAT(log, ElementsAre("123#AA"));
 }
 
-TEST_F(SocketcandServer, ServerListensOnTheLoopbackByDefault) {
+TEST_F(SocketcandServer, ListenAddressIsReadAndIsTheLoopbackByDefault) {
     EXPECT_EQ(parse_listen_address("").host, "127.0.0.1");
     EXPECT_EQ(parse_listen_address("").port, 29536);
     EXPECT_EQ(parse_listen_address(":0").host, "127.0.0.1");

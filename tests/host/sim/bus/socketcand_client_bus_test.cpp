@@ -187,7 +187,7 @@ TEST_F(SocketcandServerElsewhere, RefusalOfTheServerIsQuoted) {
     EXPECT_THAT(refusal(), HasSubstr("32 clients have joined"));
 }
 
-TEST_F(SocketcandServerElsewhere, SilentServerIsGivenUp) {
+TEST_F(SocketcandServerElsewhere, ClientGivesUpASilentServerAfter5s) {
     const int silent = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -209,7 +209,7 @@ TEST_F(SocketcandServerElsewhere, SilentServerIsGivenUp) {
     close(silent);
 }
 
-TEST_F(SocketcandServerElsewhere, LostServerIsBusOff_AndIsJoinedAgain) {
+TEST_F(SocketcandServerElsewhere, LossOfTheServerIsBusOff_AndTheServerIsJoinedAgain) {
     join();
     const std::uint16_t port = server->port();
     server.reset();
@@ -250,7 +250,7 @@ TEST_F(SocketcandServerElsewhere, BitRateOfLssIsReportedOnce) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("a: LSS sets 250000 bit/s")));
 }
 
-TEST_F(SocketcandServerElsewhere, UserFramesWaitWhenTheBusTakesNone) {
+TEST_F(SocketcandServerElsewhere, UpTo256UserFramesWaitUntilTheServerAcceptsTheClient) {
     start();
     int taken = 0;
     while (taken < 1000 && bus->put(parse_frame("123#", "test"), now)) {

@@ -95,7 +95,7 @@ TEST_F(ScriptedBus, ClientJoinsStepByStep) {
     EXPECT_EQ(bus->interface(), "vcan0");
 }
 
-TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnceAndADifferentErrorToo) {
+TEST_F(ScriptedBus, RepeatedServerErrorIsReportedOnce_AndADifferentErrorIsReported) {
     join();
     say("< error no such thing >");
     say("< error no such thing >");
@@ -119,7 +119,7 @@ TEST_F(ScriptedBus, FramesOfTheServerArriveInTheirOrder) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, FramesAreSentByArbitration_UserFramesIncluded) {
+TEST_F(ScriptedBus, NodeAndUserFramesAreSentInTheOrderOfArbitration) {
     join();
     a.send("183#");
     b.send("181#");
@@ -159,7 +159,7 @@ TEST_F(ScriptedBus, NextFrameFollowsAfterTheBitTimesOfThePreviousFrameRoundedUp)
     EXPECT_EQ(bus->report(now).bit_rate, 300000U);
 }
 
-TEST_F(ScriptedBus, LoadCoversTheLastSecondReceivedAndSent) {
+TEST_F(ScriptedBus, LoadCoversReceivedAndSentFramesOfTheLastSecond) {
     join();
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
     a.send("703#05");
@@ -209,7 +209,7 @@ TEST_F(ScriptedBus, LastErrorOfAClosingServerIsQuotedAsTheReason) {
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::search_period);
 }
 
-TEST_F(ScriptedBus, LostServerIsSearchedAfterASecondAndMustAcceptInTime) {
+TEST_F(ScriptedBus, LostServerIsContactedAgainAfterASecond_AndMustAnswerInTime) {
     join();
     server.hang_up();
     hear();
@@ -251,7 +251,7 @@ TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, ServerThatRefusesARejoinIsSearchedAgain) {
+TEST_F(ScriptedBus, ServerThatRefusesARejoinIsContactedAgainLater) {
     join();
     server.hang_up();
     hear();
@@ -273,7 +273,7 @@ TEST_F(ScriptedBus, ServerThatResetsTheConnectionIsLost) {
     EXPECT_THAT(a.states, ElementsAre("1000000 3"));
 }
 
-TEST_F(ScriptedBus, LostServerIsDetectedBySendingToo) {
+TEST_F(ScriptedBus, FailedSendDetectsThatTheServerIsLost) {
     join();
     server.reset_connection();
     a.send("703#05");
@@ -283,7 +283,7 @@ TEST_F(ScriptedBus, LostServerIsDetectedBySendingToo) {
     EXPECT_THAT(b.states, ElementsAre("1000000 3"));
 }
 
-TEST_F(ScriptedBus, ImpossibleAddressIsRefusedAtOnce) {
+TEST_F(ScriptedBus, BroadcastAddressOfAServerIsRefusedAtOnce) {
     // A connection to the broadcast address fails at once.
     EXPECT_THROW((SocketcandClientBus{{"255.255.255.255", 29536, "can0"}, 125000, now}), InputError);
 }

@@ -94,7 +94,7 @@ TEST(SocketcandText, CommandIsReadBetweenItsBrackets) {
     EXPECT_EQ(input, "");
 }
 
-TEST(SocketcandText, CommandMayHaveTheLengthOfTheLimit) {
+TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     bool too_long = false;
     std::string input = "<" + std::string(9, 'a') + ">";  // the closing bracket is the character after the limit of ten
     EXPECT_EQ(take_command(input, 10, too_long), std::string(9, 'a'));
@@ -163,7 +163,7 @@ TEST_F(SocketcandLimits, SubscribeTakesThreeWordsAndUnsubscribeOne) {
     }
 }
 
-TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
+TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndUnsubscribeAllowsANewOne) {
     say("< open can0 >");
     for (unsigned id = 0; id < 256; ++id) {
         EXPECT_EQ(say(fmt::format("< subscribe 0 0 {:03X} >", id)), "") << id;
@@ -178,7 +178,7 @@ TEST_F(SocketcandLimits, UpTo256SubscriptionsAreKept_AndAnEndedOneMakesRoom) {
     EXPECT_EQ(heard(), "< frame 700 0.000000  >");
 }
 
-TEST_F(SocketcandLimits, StatisticsTakeUpToAnHour) {
+TEST_F(SocketcandLimits, StatisticsPeriodIsUpToAnHour) {
     say("< open can0 >");
     EXPECT_EQ(say("< statistics 3600000 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{3600000000U});
@@ -294,7 +294,7 @@ TEST(SocketcandClientLimits, LatestServerErrorIsKeptAndIsARefusalBeforeJoiningOn
     EXPECT_FALSE(client.is_refused());
 }
 
-TEST(SocketcandClientLimits, ServerAnswersCountInTheirOrderOnly) {
+TEST(SocketcandClientLimits, ServerAnswersOutOfOrderAreIgnored) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< ok >< ok >");
     EXPECT_EQ(client.output(), "");

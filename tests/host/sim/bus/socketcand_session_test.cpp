@@ -48,7 +48,7 @@ using Frames = std::vector<std::string>;
 
 }  // namespace
 
-TEST_F(SocketcandClient, ServerGreetsOpensAndEntersRawMode) {
+TEST_F(SocketcandClient, ServerGreetsTheClient_OpensTheBusAndEntersRawMode) {
     EXPECT_EQ(heard(), "< hi >");
     EXPECT_EQ(say("< open can0 >"), "< ok >");
     EXPECT_EQ(say("< rawmode >"), "< ok >");
@@ -121,7 +121,7 @@ TEST_F(SocketcandClient, DroppedClientGetsTheReasonAndIsNotReadAgain) {
     EXPECT_EQ(frames(), Frames{});
 }
 
-TEST_F(SocketcandClient, EndlessCommandIsCutOffWithBoundedMemory) {
+TEST_F(SocketcandClient, EndlessCommandsAreCutOff_AndTheNextIsExecuted) {
     join();
     for (int i = 0; i < 100; ++i) {
         say("<" + std::string(4000, 'x'));

@@ -94,7 +94,7 @@ TEST_F(StoredMemoryFile, FileOfAnotherLengthIsRefusedAndUnchanged) {
     }
 }
 
-TEST_F(StoredMemoryFile, NonFileIsRefusedAndUnchanged) {
+TEST_F(StoredMemoryFile, FolderFifoOrDeviceIsRefusedAndUnchanged) {
     std::filesystem::create_directory(folder / "box.bin");
     EXPECT_THAT(refusal(), HasSubstr("it is a folder"));
     ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
@@ -132,7 +132,7 @@ TEST_F(StoredMemoryFile, CommitRefusedByTheDiskIsReportedAndUndone) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"box.bin"});
 }
 
-TEST_F(StoredMemoryFile, RefusedCommitIsSurvivedWhenItsReportFailsToo) {
+TEST_F(StoredMemoryFile, CommitFailsWithoutAnExceptionWhenItsReportThrows) {
     Memory memory{4};
     keep_in_file(memory, folder / "box.bin",
                  [](const std::string&) { throw std::runtime_error{"standard error is full"}; });

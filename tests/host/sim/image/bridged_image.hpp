@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image with the bridge of src/target/bridge: here it is a thread of this program, behind the same two pipes as one
-// in QEMU.
+// A firmware image with the bridge of src/target/bridge. Here it runs as a thread of this program, behind the same two
+// pipes as an image in QEMU.
 #pragma once
 
 #include <unistd.h>
@@ -42,7 +42,7 @@ class PipeChannel final : public target::Channel {
 
 class BridgedImage {
   public:
-    /// `life` is the program that plays the image.
+    /// `life` is the program of the image.
     explicit BridgedImage(const std::function<void(target::Channel&)>& life) {
         const auto to = make_pipe();
         const auto from = make_pipe();

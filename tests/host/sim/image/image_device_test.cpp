@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device whose firmware is reached through the bridge of its image does what the manual says, with its parameters and
-// its physical world in this program.
+// A device whose firmware runs in an image behind a bridge does what the manual says. Its stored parameters and its
+// simulated physical world are in this program.
 #include "host/sim/image/image_device.hpp"
 
 #include <gtest/gtest.h>
@@ -122,8 +122,8 @@ TEST(ImageDevice, FailedMemoryIsReportedByTheImage) {
     EXPECT_EQ(ao412.send("603#2310100173617665"), Frames{"583#8010100100000606"});
 }
 
-// The boot-up message goes out before the answer, although the answer has the lower identifier.
-TEST(ImageDevice, FramesLeaveInTheOrderOfTheImage) {
+// The boot-up message is sent before the answer, although the answer has the lower identifier.
+TEST(ImageDevice, FramesAreSentInTheOrderOfTheImage) {
     Bridged ao412{be_ao412};
     ao412.device().set_node_id(3);
     ao412.device().power_on(Instant{});
@@ -158,7 +158,7 @@ TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
     EXPECT_THROW(ao412.send("603#4018100400000000"), ImageFailed);  // 1018h:4 has the serial number
 }
 
-TEST(ImageDevice, ImageWithOtherSignalsThanItsTwinIsRefused) {
+TEST(ImageDevice, ImageWithAnotherNumberOfOutputsIsRefused) {
     BridgedImage image{be_ao412};
     auto link = image.take_link();
     ImageGreeting greeting = link->greeting();

@@ -68,7 +68,7 @@ TEST(ImageMessage, MessageReturnsTheValuesThatWereWritten) {
     EXPECT_TRUE(received.is_sound());
 }
 
-TEST(ImageMessage, ReadPastTheEndMakesTheMessageUnsound) {
+TEST(ImageMessage, ReadOrWritePastTheEndMakesTheMessageInvalid) {
     Message full{Kind::state};
     for (std::size_t i = 0; i < Message::capacity - Message::head - 1U; ++i) {
         full.put(std::uint8_t{0U});

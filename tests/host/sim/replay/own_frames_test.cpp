@@ -58,7 +58,7 @@ TEST(OwnFrames, BytesOfARemoteFrameAreNotCompared) {
     EXPECT_TRUE(own.match(frame("123#R2"), Instant{}));
 }
 
-TEST(OwnFrames, DifferentFramesOfTheSameHashAreDifferent) {
+TEST(OwnFrames, DifferentFramesWithTheSameHashAreDistinguished) {
     // The hash is (data × S) xor (head × S / 2), where head = identifier × 2^32 + length and S is odd. Two frames with
     // different identifiers have the same hash if their (data × S) differ as their heads do. So data = difference / S
     // modulo 2^64.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that records the time of each call, which shows a replay from the inside.
+// A device that records each call with its time, so that a test sees which calls a replay makes.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, one microsecond off.
+// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, with limits tested
+// to one microsecond.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -99,7 +100,7 @@ TEST_F(ReplayEdges, PowerOnIsAtZero_OrAtTheFirstFrameIfThatIsLaterThanAnHour) {
             "power-on is at 3600.000001, the time of the first frame of the log; --start SECONDS sets another time"));
 }
 
-TEST_F(ReplayEdges, StartKeepsLaterFramesAndEarlierStimuli) {
+TEST_F(ReplayEdges, OptionStartOmitsEarlierFramesAndAppliesEarlierStimuli) {
     RecordingDevice device;
     input.start = Instant{2000000};
     play(device, "(1.000000) can0 080#\n(1.999999) can0 081#\n(2.000000) can0 082#\n(2.500000) can0 083#\n",
@@ -143,7 +144,7 @@ TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
                                      "nothing happens before 7209.500000; the replay leaves out 3 s"));
 }
 
-TEST_F(ReplayEdges, DeviceRunsAlonePastTheLongestSilenceUntilTheGivenTime) {
+TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
     RecordingDevice device{milliseconds(3000000)};
     input.until = Instant{9000000000U};
     play(device, "(1.000000) can0 080#\n");
@@ -183,7 +184,7 @@ TEST_F(ReplayEdges, FramesAfterTheEndOfAMarkedLogFollowWaitingFrames) {
     EXPECT_EQ(frames, "(0.050000) can0 301#05\n(0.100000) can0 705#7F\n(0.200000) can0 705#7F\n");
 }
 
-TEST_F(ReplayEdges, StimulusEndsASilenceToo) {
+TEST_F(ReplayEdges, StimulusEndsASilence) {
     RecordingDevice device;
     play(device, "(1.000000) can0 080#\n", "3601.000000,one,1\n7200.000000,one,2\n");
     EXPECT_THAT(notices, IsEmpty());
@@ -244,7 +245,7 @@ TEST_F(ReplayEdges, WaitingFrameIsWrittenAfterASecondWithoutItsEcho) {
     EXPECT_EQ(frames, "(0.001000) can0 301#05\n(1.600000) can0 301#06\n");
 }
 
-TEST_F(ReplayEdges, WaitingFramesOfEqualContentKeepTheirOrder) {
+TEST_F(ReplayEdges, EqualWaitingFramesAreMatchedInTheirOrder) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 300#05 R\n(0.003000) can0 301#05 T\n");
     EXPECT_EQ(frames, "(0.003000) can0 301#05\n(0.002000) can0 301#05\n");  // the second answer is not in the log

@@ -80,7 +80,7 @@ TEST(StimulusText, RefusalNamesPlaceAndRemedy) {
     EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the stimuli by time");
 }
 
-TEST(StimulusText, EmptySignalIsRead_AndRefusedByTheRegister) {
+TEST(StimulusText, EmptySignalNameIsRead_AndRefusedByTheRegister) {
     EXPECT_EQ(read("1.0,,5\n").at(0).signal, "");
     EXPECT_NE(verdict(",5").find("there is no input ``"), std::string::npos);
 }

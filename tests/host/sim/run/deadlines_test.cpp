@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 }  // namespace
 
-TEST(Deadlines, FirstIsTheEarliestPresentDeadline) {
+TEST(Deadlines, FirstDeadlineIsTheEarliestThatIsSet) {
     Deadlines deadlines{5};
     EXPECT_EQ(deadlines.first(), never);
     deadlines.set(4, Instant{40});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node-IDs of a run in words, and devices that share one.
+// The node-IDs of a run in words, and devices that share a node-ID.
 #include "host/sim/run/node_ids.hpp"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST(NodeIds, DevicesWithoutANodeIdAreNoClash) {
 
 /// LSS (CiA 305, 6.4): only the device without a node-ID is in configuration mode. It gets node-ID 5, which the other
 /// has.
-TEST(NodeIds, NodeIdGivenTwiceByLssIsReported) {
+TEST(NodeIds, NodeIdThatLssGivesToASecondDeviceIsReported) {
     const Nodes nodes{{"ax060805@5", "ax188001@255"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());

@@ -11,7 +11,7 @@
 
 namespace canproof::test {
 
-RC_GTEST_PROP(RelayCounterLaw, CounterCountsEachPairOfOffAndOn, (const std::vector<bool>& inputs)) {
+RC_GTEST_PROP(RelayCounterLaw, CounterCountsEachChangeOfTheInputFromOffToOn, (const std::vector<bool>& inputs)) {
     verifies<req::RC_COUNT_001>("property");
     relay_counter::EdgeCounter counter;
     counter.restart(false);

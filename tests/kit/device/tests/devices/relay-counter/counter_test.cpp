@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counter (section 6).
+// Tests the counter (section 6 of the data sheet).
 #include "generated/relay_counter/requirements.hpp"
 #include "tests/devices/relay-counter/relay_counter_bench.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
 
-TEST_F(RelayCounterTest, CounterCountsTheInputGoingOn) {
+TEST_F(RelayCounterTest, CounterCountsEachChangeOfTheInputFromOffToOn) {
     verifies<req::RC_COUNT_001, req::RC_S_COUNT_INPUT, req::RC_OD_2010>();
     EXPECT_FALSE(relay_counter::Inputs{}.count_input);
     EXPECT_EQ(read(0x2010).value, 0U);

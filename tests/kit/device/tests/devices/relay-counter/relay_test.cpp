@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The relays (section 5).
+// Tests the relays (section 5 of the data sheet).
 #include "devices/relay-counter/firmware/relay.hpp"
 
 #include "generated/relay_counter/requirements.hpp"
