@@ -94,7 +94,8 @@ class Application : public LssApplication {
         return AbortCode::unsupported_access;
     }
     /// Notifies the device that the first communication error of 1029h:1 (heartbeat, guarding, overdue RPDO, bus-off)
-    /// began (`failed`) or the last one ended. An error that begins or ends while another is present is not notified.
+    /// began (`failed`) or the last one ended. The device is not notified of an error that begins or ends while another
+    /// one is present.
     virtual void communication_failed(const bool failed, const Instant now) {
         static_cast<void>(failed);
         static_cast<void>(now);
@@ -140,7 +141,7 @@ class Node final : private ObjectAccess {
     /// Sets the state of the CAN controller as a physical input reports it. `state` is a number of CanState; greater
     /// numbers count as bus-off.
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
-    /// Reports that a frame was lost because the controller or a queue was full; false when the overrun has ended.
+    /// Begins or ends an overrun: `lost` is true when a frame was lost because the controller or a queue was full.
     void set_overrun(bool lost, Instant now) noexcept;
     /// Begins or ends an error of the device.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
@@ -246,7 +247,8 @@ class Node final : private ObjectAccess {
         after_write(entry, now);
         wake();
     }
-    /// Notifies the TPDOs and the verification of the configuration of a value that an SDO has changed.
+    /// Notifies the TPDOs of a value that an SDO has changed. Clears 1020h verify configuration if the value is part of
+    /// the configuration.
     static_assert(implements<req::CO_PDO_042> && implements<req::CO_VERIFY_005>);
     void note_change(const EntryRef& entry, const Instant now) noexcept {
         if (entry.may(rights::tpdo)) {

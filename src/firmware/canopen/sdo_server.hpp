@@ -74,7 +74,7 @@ class SdoServer {
         return can_send_segment() ? last_progress_ : deadline();
     }
     /// Returns the time until which only send_waiting() has work to do, even if requests of a running transfer come
-    /// before.
+    /// earlier.
     Instant idle_until() const noexcept { return idle_until_; }
 
   private:

@@ -42,7 +42,8 @@ float apply_unary(std::uint8_t number, float x) noexcept;
 /// operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
-/// Evaluates the block by equation 4.
+/// Evaluates the block by equation 4. The result is undefined when an input has neither a signal nor a default, when
+/// the operation is unknown, and when the result is NaN.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
 }  // namespace canproof::ax060805
