@@ -46,7 +46,7 @@ constexpr std::uint32_t pll_ready = bit(25U);      // PLLRDY
 }  // namespace rcc_cr
 
 namespace rcc_pllcfgr {
-constexpr std::uint32_t multiplier_shift = 6U;  // PLLN; PLLM below it, PLLP = 2 is 0
+constexpr std::uint32_t multiplier_shift = 6U;  // PLLN. PLLM lies below it; PLLP = 2 is coded as 0
 constexpr std::uint32_t from_crystal = bit(22U);
 constexpr std::uint32_t usb_shift = 24U;  // PLLQ
 }  // namespace rcc_pllcfgr

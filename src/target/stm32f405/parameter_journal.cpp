@@ -54,7 +54,7 @@ Slots<Register> ParameterJournal::slot_at(const std::size_t sector, const std::s
     return sectors_[sector].words.part(slot * slot_words, slot_words);
 }
 
-/// Returns whether a sector has a valid header; `generation` receives the generation in it.
+/// Returns whether a sector has a valid header; sets `generation` to the generation in that header.
 bool ParameterJournal::is_in_use(const std::size_t sector, std::uint32_t& generation) const noexcept {
     Slot header{};
     for (std::size_t i = 0U; i < slot_words; ++i) {
@@ -215,7 +215,8 @@ bool ParameterJournal::append() noexcept {
     return write_lines(active_, changed_count());
 }
 
-/// Starts the other sector with all lines. Its header is written last: until then the old sector is valid.
+/// Starts the other sector with all lines that are not blank. Its header is written last: until then the old sector is
+/// valid.
 bool ParameterJournal::move() noexcept {
     const std::size_t to = spare();
     note_filled_lines();

@@ -29,7 +29,7 @@ def short(name):
 
 
 def evaluate(expression, names):
-    """Returns the value of sums, products and quotients of whole numbers and names."""
+    """Returns the value of an expression of whole numbers, names, `+`, `-`, `*`, `//`, `min()` and `max()`."""
     def value(node):
         if isinstance(node, ast.Constant) and isinstance(node.value, int):
             return node.value
@@ -96,7 +96,7 @@ class Bounds:
         self.used = set()
 
     def of_loop(self, names, header, function, extra):
-        """Returns (iterations of each entry, iterations of each call), one of them None; or None for a loop without a bound."""
+        """Returns (iterations of each entry, iterations of each call), None for a missing one; or None for a loop without a bound."""
         name = names.of[header]
         for one in self.loops:
             if name.startswith(one["at"]) and one.get("in", "") in function:

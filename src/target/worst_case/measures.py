@@ -20,7 +20,7 @@ def _number(field):
 
 
 def measures(folder):
-    """Returns the numbers by name; `folder` is generated/NAME of a build. bounds.toml explains each name."""
+    """Returns the numbers by name; `folder` is generated/NAME of a build. bounds.toml and ways.toml explain each name."""
     text = (folder / "objects.hpp").read_text()
     objects = [(_number(index), _number(first), _number(count)) for index, first, count, _ in _rows(text, "object_rows")]
     entries = _rows(text, "entry_rows")

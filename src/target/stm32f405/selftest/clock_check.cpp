@@ -39,7 +39,8 @@ bool ClockCheck::step(const Instant now) noexcept {
     }
     seen_ = now;
     const std::uint32_t capture = timer.compare[3U].read();
-    // Reads the flag last: a capture between the two reads would make an interval of two.
+    // Reads this flag after the capture, because another capture between the two reads would make the interval twice as
+    // long.
     const bool is_alone = !timer.status.has(missed);
     if (!is_alone) {
         timer.status.write(~missed);  // a written 1 changes no flag
