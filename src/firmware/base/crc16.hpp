@@ -24,7 +24,7 @@ class Crc16 {
     constexpr std::uint16_t value() const noexcept { return static_cast<std::uint16_t>(remainder_); }
 
   private:
-    /// Returns the eight bytes in reverse: a polynomial has its first byte in the highest bits.
+    /// Returns the eight bytes in reverse order, because a polynomial has its first byte in the highest bits.
     static constexpr std::uint64_t reversed(const std::uint64_t bytes) noexcept {
         return ((bytes & 0xFFU) << 56U) | ((bytes & 0xFF00U) << 40U) | ((bytes & 0xFF0000U) << 24U) |
                ((bytes & 0xFF000000U) << 8U) | ((bytes >> 8U) & 0xFF000000U) | ((bytes >> 24U) & 0xFF0000U) |

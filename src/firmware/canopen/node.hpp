@@ -23,7 +23,7 @@ struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2).
+    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads the values of this RPDO back (CAN-CBX-AO412, 7.7.2).
     std::uint8_t rpdos_answering_remote{0U};
     /// A write to 1010h store parameters in another state than pre-operational gets 08000022h (CAN-CBX-AO412, 7.9.12).
     bool saves_in_pre_operational_only{false};
@@ -72,8 +72,8 @@ class Application : public LssApplication {
     virtual void restart(Instant now) = 0;
     /// Notifies the device that the boot-up message was queued and the node is pre-operational.
     virtual void booted(Instant now) = 0;
-    /// Returns the value of a DOMAIN entry without copying it; it stays unchanged until commit() or a reset. Fails with
-    /// 06010000h when there is no such memory, with 08000024h when the entry is empty.
+    /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
+    /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
         static_assert(implements<req::CO_SDO_046>);
         static_cast<void>(entry);

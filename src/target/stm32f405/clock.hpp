@@ -82,7 +82,7 @@ constexpr ClockPlan core_160_mhz{160U};
 
 enum class ClockSource : std::uint8_t {
     crystal,
-    internal,  ///< the crystal does not start; the oscillator is off by 1 % or more, too much for CAN
+    internal,  ///< the crystal did not start; the error of the internal oscillator, 1 % or more, is too large for CAN
     none       ///< the PLL does not lock: the core runs at 16 MHz, and all times are wrong
 };
 

@@ -64,7 +64,7 @@ class Device final : private Application {
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 
-    // The processing of a sample, about in the order of its steps.
+    // The functions that process a sample, roughly in the order of their calls.
     void restart_sensor(Instant now) noexcept;
     void measure_due(Instant now) noexcept;
     void take_sample() noexcept;

@@ -158,8 +158,8 @@ bool Device::is_temperature_outside() const noexcept {
     return !inside;  // NaN counts as outside
 }
 
-// The TPDOs need no notice of changes: their transmission type is fixed at 254, and only their event timers trigger
-// them (4.2.15).
+// The TPDOs are not notified of changes, because their transmission type is fixed at 254 and only their event timers
+// trigger them (4.2.15).
 void Device::publish() noexcept {
     publish_accelerations();
     publish_angles();

@@ -94,10 +94,10 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
     const std::uint8_t addressed = frame.data[1];
     if (nmt_command(frame, addressed).has_value()) {
         static_assert(implements<req::TCS_START_007>);
-        start_others_at_ = never;  // a master exists, whichever node its command addresses
+        start_others_at_ = never;  // an NMT command, to whichever node, shows that there is a master
     }
     node_.receive(frame, now);
-    advance_when_due(now);  // performs a self-start that follows a reset
+    advance_when_due(now);  // a reset may have planned a self-start that is due now
     show_outputs();
 }
 

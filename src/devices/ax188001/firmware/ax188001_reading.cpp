@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Scanner's readings: from the terminals to voltages and temperatures.
+// The readings of the Scanner: from the inputs at the terminals to voltages and temperatures.
 
 #include <cmath>
 #include <limits>

@@ -41,7 +41,7 @@ class Scanner {
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
     /// Converts and evaluates again the values that depend on a written parameter, of this channel (0 or 1) if the
-    /// parameter has one.
+    /// parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Makes every waiting fault whose delay has passed a reported one.
     void advance(Instant now) noexcept;

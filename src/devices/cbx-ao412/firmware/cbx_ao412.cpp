@@ -239,9 +239,9 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
     drive_output(number);
 }
 
-/// Computes the voltage of an output and keeps it in outputs_. It depends only on driven_, 2404h calibration offset and
-/// 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call this
-/// function.
+/// Computes the voltage of an output and stores it in outputs_. The voltage depends only on driven_, 2404h calibration
+/// offset and 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call
+/// this function.
 static_assert(implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];
