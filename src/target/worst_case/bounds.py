@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bounds of loops and the limits of calls, from bounds.toml, for the loops of an image."""
+"""The bounds of loops and the limits of calls in an image, from bounds.toml and ways.toml."""
 import ast
 import functools
 import operator
@@ -116,7 +116,7 @@ class Bounds:
         raise ValueError(f"{caller} calls {function} with a computed number of bytes: bounds.toml needs a [[size]]")
 
     def limits_of(self, work):
-        """Yields the limits that hold: the entry of bounds.toml, `at_most` and `each`."""
+        """Yields each [[limit]] that applies to this work: its entry, and the values of `at_most` and `each`."""
         for one in self.limits:
             if work in one.get("work", [work]):
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))

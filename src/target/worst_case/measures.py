@@ -5,7 +5,7 @@ import re
 # error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
 MAX_ERRORS = 48
 FIRST_OF_DEVICE = 15
-# errors of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset
+# The errors of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset.
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 
