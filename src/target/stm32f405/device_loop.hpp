@@ -126,7 +126,7 @@ class DeviceLoop {
         }
     }
 
-    /// Drives the pins, unless the outputs have changed since the device computed them.
+    /// Compares the outputs with those that the device computed, and drives the pins unless a self-test has failed.
     void drive_outputs() noexcept {
         compare_outputs();
         if (failed_ == SelfTest::none) {

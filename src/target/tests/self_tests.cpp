@@ -27,7 +27,7 @@ void say(const char* text) {
     target::semihost(sys_write0, text);
 }
 
-/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`.
+/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`; for flash_crc the number is that of the bytes.
 void say(const char* name, bool ok, std::uint32_t instructions) {
     std::array<char, 12> digits{};
     std::size_t first = digits.size() - 1;
