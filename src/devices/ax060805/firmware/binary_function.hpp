@@ -35,7 +35,8 @@ struct FunctionBlock {
     Linear output{};
 };
 
-/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number.
+/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number. An
+/// unknown function returns x.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
 /// Applies a binary function of Table 10. The result is undefined for operation 0, for unknown operations, and when an
