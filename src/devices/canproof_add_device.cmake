@@ -3,7 +3,7 @@
 #   firmware/    the library canproof_NAME_firmware
 #   simulation/  the library canproof_NAME_simulation, and an entry of the catalogue
 #   target/      its images for the microcontroller (preset target)
-# If a part is missing, the configure step stops: device_parts.cmake.
+# If a part is missing, the configure step stops (device_parts.cmake).
 include(${CMAKE_CURRENT_LIST_DIR}/device_parts.cmake)
 
 function(canproof_add_device name)

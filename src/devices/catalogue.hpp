@@ -18,9 +18,10 @@ struct CatalogueEntry {
 
 /// Returns all devices in alphabetical order.
 const std::vector<CatalogueEntry>& catalogue();
-/// Returns the model of that name; nullptr when there is none.
+/// Returns the model of the device with this name or further part number; nullptr when there is none.
 const DeviceModel* find_model(const std::string& name);
-/// Makes the device of that name (`cbx-ao412`) with its factory data; returns nullptr when there is no such device.
+/// Makes the device with this name (`cbx-ao412`) or further part number, with its factory data; returns nullptr when
+/// there is no such device.
 std::unique_ptr<SimulatedDevice> make_device(const std::string& name, const FactoryValues& factory = {});
 /// Returns the plots of all devices, by file name.
 std::map<std::string, LinePlot> all_figures();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests of an image in QEMU to the machine around it.
+// Sends requests of an image in QEMU to the host.
 #pragma once
 
 namespace canproof::target {

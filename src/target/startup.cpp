@@ -50,8 +50,8 @@ void reset() {
     fault();
 }
 
-/// Stops the processor; the watchdog of the board then resets it. The test images replace this function and end QEMU,
-/// see semihosting.cpp.
+/// Stops the processor; the watchdog of the board then resets it. The images with drivers replace this function
+/// (image/interrupts.cpp), and so do the test images, which end QEMU (tests/semihosting.cpp).
 [[gnu::weak]] void fault() {
     for (;;) {
         asm volatile("wfi");

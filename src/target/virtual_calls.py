@@ -4,7 +4,7 @@ import re
 
 
 def name_of(demangled):
-    """Returns the name by which virtual_calls.toml knows a caller."""
+    """Returns the name that a caller has in virtual_calls.toml."""
     return re.sub(r"^.*?canproof::", "", demangled.split("(")[0])
 
 

@@ -13,7 +13,7 @@ constexpr std::size_t commit_marker_at = 3U;
 /// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
 constexpr std::uint8_t void_marker = 0x2DU;
 
-/// State of a bank. If two banks differ, the greater value decides.
+/// State of a bank. If the states of two banks differ, the bank with the greater value decides what is loaded.
 enum class BankState : std::uint8_t {
     unused,    ///< marked void, or blank (all bytes 00h or FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound

@@ -24,16 +24,16 @@ class Crc16 {
     constexpr std::uint16_t value() const noexcept { return static_cast<std::uint16_t>(remainder_); }
 
   private:
-    /// Returns the eight bytes in reverse: a polynomial has its first byte in the highest bits.
+    /// Returns the eight bytes in reverse order, because a polynomial has its first byte in the highest bits.
     static constexpr std::uint64_t reversed(const std::uint64_t bytes) noexcept {
         return ((bytes & 0xFFU) << 56U) | ((bytes & 0xFF00U) << 40U) | ((bytes & 0xFF0000U) << 24U) |
                ((bytes & 0xFF000000U) << 8U) | ((bytes >> 8U) & 0xFF000000U) | ((bytes >> 24U) & 0xFF0000U) |
                ((bytes >> 40U) & 0xFF00U) | (bytes >> 56U);
     }
     /// Returns the remainder of message * x^16 divided by P = x^16 + x^12 + x^5 + 1, without a table. The quotient is
-    /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is
-    /// (1 + f)(1 + f^2)(1 + f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero.
-    /// The low 16 bits of quotient * P are the remainder, because message * x^16 has none.
+    /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is (1 + f)(1 + f^2)(1 +
+    /// f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero. The low 16 bits of
+    /// quotient * P are the remainder, because the low 16 bits of message * x^16 are zero.
     static constexpr std::uint32_t remainder_of(const std::uint64_t message) noexcept {
         std::uint64_t quotient = message ^ (message >> 4U) ^ (message >> 11U) ^ (message >> 16U);
         quotient ^= (quotient >> 8U) ^ (quotient >> 22U) ^ (quotient >> 32U);

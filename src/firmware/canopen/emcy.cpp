@@ -14,7 +14,7 @@ namespace {
 namespace index = generated::canopen::index;
 
 constexpr std::uint32_t error_cured_code = 0x0000U;
-constexpr Duration queue_retry = milliseconds(1U);  ///< when the queue is full, the message is sent after this time
+constexpr Duration queue_retry = milliseconds(1U);  ///< time until the next attempt when the queue is full
 
 }  // namespace
 
@@ -138,7 +138,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{1U};  // also without 1003h: writes to an absent entry have no effect
+    std::uint8_t capacity{1U};  // 1 also without 1003h, because writes to an absent entry have no effect
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }

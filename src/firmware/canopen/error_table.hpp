@@ -9,8 +9,8 @@
 namespace canproof {
 
 /// The errors that a node detects itself, named as in the tables of the requirements register. A device adds its own
-/// errors from `first_of_device` on. A device uses either guard_or_heartbeat, or life_guarding and the four heartbeat
-/// consumers separately.
+/// errors from `first_of_device` on. A device uses either guard_or_heartbeat, or life_guarding and heartbeat_1 to
+/// heartbeat_4.
 enum class ErrorId : std::uint8_t {
     can_overrun = 0U,
     error_passive = 1U,
@@ -30,7 +30,7 @@ enum class ErrorId : std::uint8_t {
     rpdo_value = 14U,
     first_of_device = 15U
 };
-/// Rows of an error table; at most 64, because a 64-bit number has a bit for each.
+/// Number of rows of an error table. It must not exceed 64, because a 64-bit number has a bit for each row.
 constexpr std::size_t max_errors = 48U;
 
 /// Returns the error `offset` numbers after `first`, for example the same fault of another channel.

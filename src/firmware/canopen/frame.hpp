@@ -30,8 +30,8 @@ inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexc
     frame.length = length;
     return frame;
 }
-/// Returns a data frame with the low `length` (0…8) bytes of `data`, the first byte lowest; the others of `data` must
-/// be zero.
+/// Returns a data frame with the low `length` (0…8) bytes of `data`; the lowest byte is sent first. The other bytes of
+/// `data` must be zero.
 inline Frame data_frame(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
     Frame frame = data_frame(id, length);
     set_field_le<0U, max_frame_length>(frame.data, data);

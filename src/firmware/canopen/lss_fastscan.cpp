@@ -46,7 +46,7 @@ bool LssFastscan::matches(const Request& request, const std::uint32_t own) noexc
     return (differing >> std::uint32_t{request[bit_check_at]}) == 0U;
 }
 
-// A master may ask for the numbers in any order, but cannot omit one (CO-D-LSS-004).
+// After the vendor-ID a master may ask for the other numbers in any order, but cannot omit one (CO-D-LSS-004).
 static_assert(implements<req::CO_LSS_053> && implements<req::CO_LSS_054>);
 LssFastscan::Outcome LssFastscan::confirm(const std::uint8_t next) noexcept {
     confirmed_ |= std::uint32_t{1U} << std::uint32_t{position_};

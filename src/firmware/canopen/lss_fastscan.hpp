@@ -12,7 +12,7 @@ namespace canproof {
 
 using generated::canopen::LssNumber;
 
-/// Vendor-ID, product code, revision and serial number, by LssNumber.
+/// The numbers of an LSS address: vendor-ID, product code, revision number and serial number, as LssNumber counts them.
 constexpr std::uint32_t lss_number_count = 4U;
 
 class LssFastscan {

@@ -99,7 +99,7 @@ void Node::boot_up(const Instant now) noexcept {
     if (node_id_ == unconfigured_node_id) {
         return;
     }
-    // Changes during initialising were not reported.
+    // A change of the controller to error passive during initialising was not reported.
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);
@@ -168,8 +168,8 @@ void Node::configure(const Frame& frame, const Instant now) noexcept {
     }
 }
 
-/// Opens or closes the transmit queue when a change of the bit rate ends or begins. Frames that wait at its beginning
-/// are dropped (CO-D-LSS-006).
+/// Opens or closes the transmit queue when a change of the bit rate ends or begins. Frames that wait when the change
+/// begins are dropped (CO-D-LSS-006).
 void Node::switch_bit_rate(const Instant now) noexcept {
     switching_ = lss_.is_silent();
     if (may_send()) {

@@ -23,7 +23,7 @@ struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
     EmcyContent emcy_content{EmcyContent::listed_errors};
-    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads it back (CAN-CBX-AO412, 7.7.2).
+    /// Bit n: a remote frame on the identifier of RPDO n + 1 reads the values of this RPDO back (CAN-CBX-AO412, 7.7.2).
     std::uint8_t rpdos_answering_remote{0U};
     /// A write to 1010h store parameters in another state than pre-operational gets 08000022h (CAN-CBX-AO412, 7.9.12).
     bool saves_in_pre_operational_only{false};
@@ -72,8 +72,8 @@ class Application : public LssApplication {
     virtual void restart(Instant now) = 0;
     /// Notifies the device that the boot-up message was queued and the node is pre-operational.
     virtual void booted(Instant now) = 0;
-    /// Returns the value of a DOMAIN entry without copying it; it stays unchanged until commit() or a reset. Fails with
-    /// 06010000h when there is no such memory, with 08000024h when the entry is empty.
+    /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
+    /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
         static_assert(implements<req::CO_SDO_046>);
         static_cast<void>(entry);
@@ -94,7 +94,8 @@ class Application : public LssApplication {
         return AbortCode::unsupported_access;
     }
     /// Notifies the device that the first communication error of 1029h:1 (heartbeat, guarding, overdue RPDO, bus-off)
-    /// began (`failed`) or the last one ended. An error that begins or ends while another is present is not notified.
+    /// began (`failed`) or the last one ended. The device is not notified of an error that begins or ends while another
+    /// one is present.
     virtual void communication_failed(const bool failed, const Instant now) {
         static_cast<void>(failed);
         static_cast<void>(now);
@@ -140,7 +141,7 @@ class Node final : private ObjectAccess {
     /// Sets the state of the CAN controller as a physical input reports it. `state` is a number of CanState; greater
     /// numbers count as bus-off.
     void set_controller(std::uint8_t state, bool overrun, Instant now) noexcept;
-    /// Reports that a frame was lost because the controller or a queue was full; false when the overrun has ended.
+    /// Begins or ends an overrun: `lost` is true when a frame was lost because the controller or a queue was full.
     void set_overrun(bool lost, Instant now) noexcept;
     /// Begins or ends an error of the device.
     void set_error(const ErrorId error, const bool present, const Instant now) noexcept {
@@ -246,7 +247,8 @@ class Node final : private ObjectAccess {
         after_write(entry, now);
         wake();
     }
-    /// Notifies the TPDOs and the verification of the configuration of a value that an SDO has changed.
+    /// Notifies the TPDOs of a value that an SDO has changed. Clears 1020h verify configuration if the value is part of
+    /// the configuration.
     static_assert(implements<req::CO_PDO_042> && implements<req::CO_VERIFY_005>);
     void note_change(const EntryRef& entry, const Instant now) noexcept {
         if (entry.may(rights::tpdo)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the node checks accesses to its objects, and the effects of a write.
+// Checks accesses to the objects of a node, and applies the effects of writes.
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/canopen/node.hpp"
@@ -136,7 +136,8 @@ AbortCode Node::write_special(const EntryRef entry, const ByteView value, const 
 }
 
 /// Clears 1020h verify configuration (date and time of the configuration tool) when the configuration changes, because
-/// they refer to the configuration before. Process values, which an RPDO may carry, are not part of the configuration.
+/// date and time refer to the earlier configuration. Process values, which an RPDO may carry, are not part of the
+/// configuration.
 static_assert(implements<req::CO_VERIFY_001> && implements<req::CO_VERIFY_002> && implements<req::CO_VERIFY_003>);
 void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     constexpr std::uint32_t parts = 2U;  // date, time

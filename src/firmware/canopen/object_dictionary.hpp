@@ -36,7 +36,7 @@ enum class LimitAbort : std::uint8_t {
 enum class ParameterGroup : std::uint8_t { communication = 0U, application = 1U, manufacturer = 2U };
 constexpr std::uint32_t parameter_group_count = 3U;
 
-/// Returns the group of an index: 1000h–1FFFh communication, 2000h–5FFFh manufacturer, all above application.
+/// Returns the group of an index: 1000h–1FFFh communication, 2000h–5FFFh manufacturer, 6000h and above application.
 ParameterGroup parameter_group(std::uint16_t index) noexcept;
 
 /// Returns whether a type is a string or domain, whose values may be shorter than the capacity.

@@ -88,7 +88,7 @@ enum class LimitKind : std::uint8_t {
     value_or_zero  ///< (minimum only, integers) like `value`, but 0 is allowed too (it switches a function off)
 };
 
-/// As the sub-index of a LimitKind::entry it stands for the sub-index of the written entry.
+/// Sub-index in a LimitKind::entry that stands for the sub-index of the written entry.
 constexpr std::uint32_t same_subindex = 0xFFU;
 
 struct Limit {

@@ -158,7 +158,7 @@ void ParameterStore::open() noexcept {
     }
 }
 
-/// Ignores all stored values.
+/// Stops the use of all stored values: the next load() keeps the defaults.
 void ParameterStore::give_up() noexcept {
     in_use_ = false;
     groups_ = no_groups;

@@ -26,7 +26,7 @@ class ParameterStore {
   public:
     ParameterStore(ObjectDictionary& objects, NonVolatileMemory& memory) noexcept;
 
-    /// Searches for the valid bank; call after power-on and before load().
+    /// Searches for the valid bank. The node calls it at power-on and at NMT reset node, before load().
     void open() noexcept;
     /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved keeps
     /// its defaults. A value that was saved at a default that includes the node-ID follows the new node-ID.
@@ -36,14 +36,14 @@ class ParameterStore {
     bool is_damaged() const noexcept { return damaged_; }
 
     /// Executes a write to 1010h (store) or 1011h (restore). `entry` selects the groups. Returns 08000020h when `value`
-    /// 08000020h). Returns 06060000h when the memory fails or is too small; the set stored before then remains valid.
-    /// Returns AbortCode::none on success.
+    /// is not the signature of the object ("save" or "load"). Returns 06060000h when the memory fails or is too small;
+    /// the set stored before then remains valid. Returns AbortCode::none on success.
     AbortCode execute(const EntryRef& entry, std::uint32_t value) noexcept;
 
     /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses
     /// its meaning.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
-    /// Returns the tag of the stored manufacturer parameters.
+    /// Returns the tag of the stored manufacturer parameters; 0 when none are stored.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
     /// Returns the bytes of memory that this dictionary needs.

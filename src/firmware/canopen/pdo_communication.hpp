@@ -40,8 +40,8 @@ constexpr std::uint32_t mapping_right(const PdoDirection direction) noexcept {
     return (direction == PdoDirection::receive) ? rights::rpdo : rights::tpdo;
 }
 
-/// Returns the number (0…max_pdos - 1) of the PDO of `direction` whose communication parameters or mapping `index` is;
-/// max_pdos when `index` is neither.
+/// Returns the number (0…max_pdos - 1) of the PDO of `direction` to whose communication parameters or mapping the
+/// object `index` belongs; max_pdos when it belongs to none.
 constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16_t index) noexcept {
     constexpr std::uint32_t number_bits = max_pdos - 1U;
     const bool belongs = (index & ~(mapping_offset | number_bits)) == communication_object(direction, 0U);

@@ -23,7 +23,7 @@ AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t rig
 
 /// One line of a mapping object with the entry that it maps.
 struct PdoLine {
-    const EntryRow* row{nullptr};  ///< nullptr: a gap
+    const EntryRow* row{nullptr};  ///< nullptr: a gap (dummy entry)
     std::uint16_t index{0U};
     std::uint8_t bits{0U};
     std::uint8_t width{0U};  ///< 1, 2 or 4 when exactly these bytes at `value` are mapped; 0: use the row

@@ -74,7 +74,7 @@ class SdoServer {
         return can_send_segment() ? last_progress_ : deadline();
     }
     /// Returns the time until which only send_waiting() has work to do, even if requests of a running transfer come
-    /// before.
+    /// earlier.
     Instant idle_until() const noexcept { return idle_until_; }
 
   private:
@@ -134,9 +134,11 @@ class SdoServer {
     }
     void begin(State state, Instant now) noexcept;
     /// Finds the memory for a download of the selected entry. `announced`: the size that the client gave, if
-    /// `has_size`.
+    /// `has_size`. Returns an abort code when the entry cannot be written or the value does not fit, otherwise
+    /// AbortCode::none.
     AbortCode open_download(bool has_size, std::uint32_t announced) noexcept;
-    /// Writes the first `size` downloaded bytes to the entry.
+    /// Writes the first `size` downloaded bytes to the entry. Returns 06070010h when the client announced another size,
+    /// otherwise the result of the write.
     AbortCode commit(std::size_t size, Instant now) noexcept;
     /// Returns the value for this transfer. A short value is copied, so that a change during the transfer cannot mix
     /// old and new bytes; a long value is read in place.

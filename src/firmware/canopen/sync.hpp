@@ -16,7 +16,8 @@ class Sync {
   public:
     Sync(ObjectDictionary& objects, TransmitQueue& queue) noexcept : objects_{objects}, queue_{queue} {}
 
-    /// Permits or forbids SYNC when the node enters or leaves a state in which it works: the producer starts or stops.
+    /// Permits or forbids SYNC when the node enters or leaves a state in which SYNC works: the producer starts or
+    /// stops.
     void allow(bool allowed, Instant now) noexcept;
     /// Returns whether a received frame has the identifier of the SYNC message.
     bool is_sync(const Frame& frame) const noexcept {
@@ -33,7 +34,7 @@ class Sync {
     std::uint8_t counter_of(const Frame& sync) const noexcept {
         return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];
     }
-    /// Produces a SYNC when it is due. Returns true if so: the node consumes its own SYNC as well.
+    /// Produces a SYNC when one is due. Returns true when it did so: the node then consumes its own SYNC as well.
     bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
     /// Returns the counter of the last produced SYNC; zero while 1019h is zero and before the first SYNC.
     std::uint8_t produced_counter() const noexcept { return counter_; }

@@ -13,8 +13,8 @@ enum class TpdoTrigger : std::uint8_t {
     /// A change of a mapped process value; the event timer sets the longest interval. A TPDO of type 254 or 255 is also
     /// sent once on entering operational.
     value_change,
-    /// The event timer alone. Also sent on entering operational if the timer is not zero; with zero the TPDO is not
-    /// sent (AX130751, AX188001, AX060805: "time-driven").
+    /// The event timer alone. If the timer is not zero, the TPDO is also sent on entering operational. If it is zero,
+    /// the TPDO is sent on request only (AX130751, AX188001, AX060805: "time-driven").
     event_timer
 };
 

@@ -48,8 +48,8 @@ class TransmitQueue {
     /// behind a waiting boot-up message. Returns false when the queue is full. While the queue is closed the frame is
     /// lost, and the function returns true.
     bool put_back(const Frame& frame) noexcept;
-    /// Returns whether the next frame to send is the boot-up message. The driver must send or drop a frame that it
-    /// popped earlier before that message.
+    /// Returns whether the next frame to send is the boot-up message. Before that message, the driver must send or drop
+    /// every frame that it popped earlier.
     bool boot_up_waits() const noexcept { return boot_up_waits_; }
 
     /// Drops waiting frames and refuses new ones until open(): the controller is bus-off or LSS changes the bit rate.

@@ -11,7 +11,7 @@
 namespace canproof::target {
 
 /// The image's side of the connection. `Inputs` and `Outputs` are the generated signal groups of the device; their
-/// visitors are found in their namespace.
+/// functions for_each_input() and for_each_output() are found in their namespace.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 class Bridge {
   public:

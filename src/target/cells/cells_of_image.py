@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compares the cells of one image with those of the requirements register."""
+"""Compares the cells of one image with those of the requirements register. A cell is one value in a generated table."""
 import struct
 
 from register import CONSTANT, NUMBERS, RIGHTS, Table, bytes_of

@@ -52,7 +52,7 @@ class Part:
         return self.tables.get(key) or self.shared.tables[key]
 
     def enumeration(self, key):
-        """Returns the number of each word."""
+        """Returns {word: number} of an enumeration."""
         values = self.enumerations.get(key)
         if values is None:
             values = self.shared.enumerations[key]
@@ -109,8 +109,8 @@ class Part:
                 "limits": self._limits(item.get("range"), kind)}
 
     def _limits(self, allowed, kind):
-        """Returns None, ("list", values) or ("ends", lowest, highest). An end is None, ("value", bits), ("zero", bits)
-        or ("entry", …)."""
+        """Returns None, ("list", values) or ("ends", lowest, highest). An end is None (no limit), ("value", bits), ("zero", bits)
+        when 0 is allowed below it too, or ("entry", place, number to add) when it is the value of another entry."""
         if not allowed:
             return None
         if "table" in allowed:
@@ -222,7 +222,7 @@ class Table:
                 yield self.name(column) + end, kind, words
 
     def groups(self):
-        """Yields, for each row of the register, the first row in memory that stands for it, and the last + 1."""
+        """Yields, for each row of the register, the number of its first row in memory, and that of the row behind its last."""
         first = 0
         for row in self.item["rows"]:
             last = first + math.prod(len(self.choices(at, row[at])) for at in range(len(self.item["inputs"])))

@@ -3,7 +3,7 @@
 #include "target/stm32f405/selftest/core.hpp"
 
 extern "C" {
-/// Calls ram_march() under a name for the assembler.
+/// Calls ram_march(). The assembler code below can call this function by its unmangled name.
 bool march_here(canproof::stm32f405::Register* first, std::uint32_t count, std::uint32_t background) {
     return canproof::stm32f405::ram_march(first, count, background);
 }
@@ -33,9 +33,9 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
-/// Checks that each register can hold each pattern, while all registers hold it. Then each register holds a number of
-/// its own, so that a write that reaches another register is noticed. The flags are all set, then all clear; they are
-/// checked by their bits and by branches.
+/// Checks that each register keeps each pattern while all others contain the same pattern. Then each register contains
+/// another number, so that a write that reaches another register is noticed. The flags are all set, then all clear;
+/// they are checked by their bits and by branches.
 [[gnu::naked]] bool core_registers_hold() noexcept {
     asm volatile(R"(
         push {r4-r11, lr}

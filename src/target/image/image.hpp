@@ -18,7 +18,8 @@ stm32f405::ImageMemory image_memory();
 /// Returns the words that a reset by the watchdog keeps.
 stm32f405::FailureWords& failure_words();
 
-/// A device with its drivers. `Wiring` is its board, `MemorySize` the bytes of its parameter memory.
+/// A device with its drivers. `Wiring` connects the device to its board; `MemorySize` is the size of its parameter
+/// memory in bytes.
 template <typename Device, typename Wiring, typename FactoryData, std::size_t MemorySize>
 class DeviceImage {
   public:

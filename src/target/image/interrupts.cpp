@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interrupts of the chip, behind the vectors of startup.cpp, and the handler of all exceptions.
+// The vectors of the chip's interrupts, which follow the vectors of startup.cpp in flash, and the handler of all
+// exceptions.
 #include <array>
 
 #include "target/image/image.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin of QEMU (TCG) that records which blocks of instructions ran and which block ran after each. At the end it
 // writes lines to the file of its argument `out=FILE`: `block FIRST LAST` and `edge LAST NEXT`, hexadecimal addresses
-// of instructions. Debian ships no header of the plugin interface: the functions that it needs are declared here.
+// of instructions. Debian ships no header of the plugin interface: the functions that this plugin needs are declared
+// here.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -75,7 +75,7 @@ class AnalogOutputs {
     DacRegisters& registers_;
 };
 
-/// Two outputs with one frequency: channels 1 and 2 of TIM3 or TIM4.
+/// Two outputs with the same frequency: channels 1 and 2 of TIM3 or TIM4.
 class PulseOutputs {
   public:
     PulseOutputs(TimerRegisters& timer, const std::uint32_t timer_mhz) noexcept

@@ -8,11 +8,11 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// Mode of operation: sends by identifier, a full FIFO keeps its oldest frames, every frame has a time stamp, lost
-/// arbitration and errors are retried. Only set_bit_rate() and watch_bus() leave bus-off.
+/// Mode of operation: the lowest identifier is sent first, a full FIFO keeps its oldest frames, every frame has a time
+/// stamp, lost arbitration and errors are retried. Only set_bit_rate() and watch_bus() leave bus-off.
 constexpr std::uint32_t operation = mcr::lock_fifo | mcr::time_stamps;
 
-/// The bit of an 11-bit identifier in a filter bank that selects the FIFO.
+/// The highest bit of an 11-bit identifier, at its place in a filter bank. This bit selects the FIFO.
 constexpr std::uint32_t upper_half = 0x400U << ir::standard_shift;
 constexpr std::uint32_t both_banks = 0x3U;
 constexpr std::uint32_t second_bank = 0x2U;

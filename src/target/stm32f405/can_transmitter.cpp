@@ -51,7 +51,8 @@ std::size_t CanTransmitter::waiting() const noexcept {
 }
 
 /// Frees the mailboxes whose frames were sent or aborted. The hardware reports which of the two happened, because an
-/// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue.
+/// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue, unless it is unwanted or a boot-up
+/// message waits.
 static_assert(implements<req::CO_CAN_013>);
 void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     const std::uint32_t status = registers_.transmit_status.read();

@@ -46,7 +46,7 @@ constexpr std::uint32_t pll_ready = bit(25U);      // PLLRDY
 }  // namespace rcc_cr
 
 namespace rcc_pllcfgr {
-constexpr std::uint32_t multiplier_shift = 6U;  // PLLN; PLLM below it, PLLP = 2 is 0
+constexpr std::uint32_t multiplier_shift = 6U;  // PLLN. PLLM lies below it; PLLP = 2 is coded as 0
 constexpr std::uint32_t from_crystal = bit(22U);
 constexpr std::uint32_t usb_shift = 24U;  // PLLQ
 }  // namespace rcc_pllcfgr
@@ -82,7 +82,7 @@ constexpr ClockPlan core_160_mhz{160U};
 
 enum class ClockSource : std::uint8_t {
     crystal,
-    internal,  ///< the crystal does not start; the oscillator is off by 1 % or more, too much for CAN
+    internal,  ///< the crystal did not start; the error of the internal oscillator, 1 % or more, is too large for CAN
     none       ///< the PLL does not lock: the core runs at 16 MHz, and all times are wrong
 };
 

@@ -44,7 +44,7 @@ class DeviceLoop {
         }
     }
 
-    /// Does each step once. After a failed self-test it only drives the safe state; the watchdog ends that.
+    /// Does each step once. After a failed self-test it only drives the safe state, until the watchdog resets the chip.
     void pass() noexcept {
         const Instant now = time_.now();
         if (failed_ == SelfTest::none) {
@@ -63,7 +63,7 @@ class DeviceLoop {
             board_.drive(typename Board::Outputs{});
         }
     }
-    /// Returns the self-test that failed.
+    /// Returns the self-test that failed; SelfTest::none when none did.
     SelfTest failed() const noexcept { return failed_; }
 
   private:
@@ -126,7 +126,7 @@ class DeviceLoop {
         }
     }
 
-    /// Drives the pins, unless the outputs have changed since the device computed them.
+    /// Compares the outputs with those that the device computed, and drives the pins unless a self-test has failed.
     void drive_outputs() noexcept {
         compare_outputs();
         if (failed_ == SelfTest::none) {

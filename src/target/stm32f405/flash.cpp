@@ -22,8 +22,8 @@ void Flash::begin() noexcept {
     }
 }
 
-/// Locks the flash and clears the data cache, which may hold old words. The cache must be off while it is cleared
-/// (RM0090 3.5.2).
+/// Locks the flash, clears the data cache, which may hold old words, and switches the cache on again. It must be off
+/// while it is cleared (RM0090 3.5.2).
 void Flash::finish() noexcept {
     registers_.control.write(flash_cr::lock);
     registers_.access_control.set(flash_acr::reset_data);
@@ -41,7 +41,8 @@ bool Flash::wait() const noexcept {
     return false;
 }
 
-/// Waits for the last operation and clears its errors, which would block the next one (RM0090 3.6.4).
+/// Waits for the last operation and clears its errors, which would block the next one (RM0090 3.6.4). Returns false
+/// when the operation does not end.
 bool Flash::is_ready() noexcept {
     const bool is_idle = wait();
     if (is_idle) {

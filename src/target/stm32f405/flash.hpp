@@ -53,7 +53,8 @@ class Flash {
     /// Erases a sector (0…11): sets all its bits. Returns false when the controller reports an error or does not
     /// finish.
     bool erase(std::uint32_t sector) noexcept;
-    /// Programs an erased word. Returns false in the same cases, and when the word does not have the value afterwards.
+    /// Programs an erased word. Returns false in the same cases as erase(), and when the word does not have the value
+    /// afterwards.
     bool program(Register& word, std::uint32_t value) noexcept;
 
   private:

@@ -21,8 +21,8 @@ constexpr std::size_t magic_at = 1U;
 constexpr std::size_t generation_at = 2U;
 constexpr std::size_t header_crc_at = 3U;
 
-// The first word of a slot has three parts. Bits 0 to 11 are the line, the bits from 12 on are the number of the
-// commit, and bit 31 marks the last slot of a commit.
+// The first word of a slot has three parts. Bits 0 to 11 are the line, bits 12 to 30 are the number of the commit, and
+// bit 31 marks the last slot of a commit.
 constexpr std::size_t place_at = 0U;
 constexpr std::size_t line_at = 1U;
 constexpr std::size_t slot_crc_at = 5U;
@@ -54,7 +54,7 @@ Slots<Register> ParameterJournal::slot_at(const std::size_t sector, const std::s
     return sectors_[sector].words.part(slot * slot_words, slot_words);
 }
 
-/// Returns whether a sector has a valid header; `generation` receives the generation in it.
+/// Returns whether a sector has a valid header; sets `generation` to the generation in that header.
 bool ParameterJournal::is_in_use(const std::size_t sector, std::uint32_t& generation) const noexcept {
     Slot header{};
     for (std::size_t i = 0U; i < slot_words; ++i) {
@@ -215,7 +215,8 @@ bool ParameterJournal::append() noexcept {
     return write_lines(active_, changed_count());
 }
 
-/// Starts the other sector with all lines. Its header is written last: until then the old sector is valid.
+/// Starts the other sector with all lines that are not blank. Its header is written last: until then the old sector is
+/// valid.
 bool ParameterJournal::move() noexcept {
     const std::size_t to = spare();
     note_filled_lines();

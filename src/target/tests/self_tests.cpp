@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the self-tests of a flashed device on QEMU's processor, flash and RAM, with the device's linker script. Prints
-// what each test finds and how many instructions a pass of the main loop spends on it, for run_self_tests. QEMU's TIM5
-// captures nothing, so the check of the clock is not here.
+// whether each test succeeds and how many instructions a pass of the main loop spends on it, for run_self_tests. QEMU's
+// TIM5 captures nothing, so the check of the clock is not here.
 #include "target/stm32f405/selftest/self_tests.hpp"
 
 #include "generated/ax130751/signals.hpp"
@@ -27,7 +27,7 @@ void say(const char* text) {
     target::semihost(sys_write0, text);
 }
 
-/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`.
+/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`; for flash_crc the number is that of the bytes.
 void say(const char* name, bool ok, std::uint32_t instructions) {
     std::array<char, 12> digits{};
     std::size_t first = digits.size() - 1;
@@ -41,8 +41,7 @@ void say(const char* name, bool ok, std::uint32_t instructions) {
     say("\n");
 }
 
-/// Runs `steps` steps. Prints whether all of them succeeded, and how many instructions the longest step
-/// took.
+/// Runs `steps` steps. Prints whether all of them succeeded, and how many instructions the longest step took.
 template <typename Step>
 void measure(const char* name, std::uint32_t steps, const Step& step) {
     const target::InstructionClock clock;

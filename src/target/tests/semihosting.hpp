@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that an image in QEMU needs from the machine around it.
+// The functions that an image in QEMU needs from the host.
 #pragma once
 
 #include <string>

@@ -22,7 +22,8 @@ std::string running_test() {
     return test == nullptr ? "-" : std::string{test->test_suite_name()} + "." + test->name();
 }
 
-/// Writes a line `passed Suite.Test` per test. GoogleTest's own XML would need the whole report in RAM at once.
+/// Writes a line per test: `passed Suite.Test` or `failed Suite.Test`. GoogleTest's own XML would need the whole report
+/// in RAM at once.
 class Verdicts : public testing::EmptyTestEventListener {
   public:
     explicit Verdicts(const std::string& path) : file_{std::fopen(path.c_str(), "wb")} {}

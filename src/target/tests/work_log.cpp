@@ -21,7 +21,7 @@ struct WorstWork {
 
     const char* kind;
     std::uint32_t count{0};
-    std::uint32_t worth{0};  ///< the figure by which works are compared
+    std::uint32_t worth{0};  ///< the figure by which two pieces of work are compared
     std::uint32_t instructions{0};
     std::uint32_t bits{0};
     std::string what{"-"};
@@ -33,7 +33,7 @@ std::array<WorstWork, 5> worst_works{WorstWork{"power_on"}, WorstWork{"frame"}, 
                                      WorstWork{"share"}};
 
 /// Returns whether a frame is a rare command. These are NMT reset node and reset communication, LSS switch state global
-/// (which resets the communication), LSS store configuration, and an SDO write of 1010h or 1011h.
+/// (which can reset the communication), LSS store configuration, and an SDO write of 1010h or 1011h.
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
     const bool stores = text.rfind("7E5#17", 0) == 0;
@@ -42,8 +42,8 @@ bool is_command(const std::string& text) {
     return resets || stores || index == "1010" || index == "1110";
 }
 
-/// Returns the fewest bits of a frame on the bus: 44 and its data, no stuff bits, and three between frames (ISO
-/// 11898-1).
+/// Returns the fewest bits of a frame on the bus: 44 (64 with a 29-bit identifier), its data, and three between frames;
+/// no stuff bits (ISO 11898-1).
 std::uint32_t bits_of(const Frame& frame) {
     const std::uint32_t data = frame.remote ? 0 : 8U * frame.length;
     return 47 + data + (frame.extended ? 20 : 0);
@@ -69,7 +69,7 @@ void note(Kind which, std::uint32_t worth, const WorstWork& one) {
 std::uint32_t counted = 0;
 std::FILE* every_work = nullptr;
 
-// The last counted work; the frames that the device sends because of it follow.
+// The last counted work. Frames that the device sends because of it are added until the next work begins.
 WorstWork last{"-"};
 test::Work last_work = test::Work::tick;
 std::uint32_t received = 0;

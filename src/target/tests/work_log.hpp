@@ -12,7 +12,7 @@ namespace canproof::target {
 /// Also writes each piece of work from now on as a line `kind 1 instructions bits what where` to `path`.
 void write_every_work(const std::string& path);
 void work_begins();
-/// Stops counting. Call it first, so that the naming of the work is not counted.
+/// Stops counting. Call it before note_work() or note_frame(), so that their instructions are not counted.
 void work_stops();
 /// Gives a name to the work that was stopped: `what` is a frame or "-", `where` the test or input to which it belongs.
 void note_work(test::Work work, const std::string& what, const std::string& where);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bounds of loops and the limits of calls, from bounds.toml, for the loops of an image."""
+"""The bounds of loops and the limits of calls in an image, from bounds.toml and ways.toml."""
 import ast
 import functools
 import operator
@@ -29,7 +29,7 @@ def short(name):
 
 
 def evaluate(expression, names):
-    """Returns the value of sums, products and quotients of whole numbers and names."""
+    """Returns the value of an expression of whole numbers, names, `+`, `-`, `*`, `//`, `min()` and `max()`."""
     def value(node):
         if isinstance(node, ast.Constant) and isinstance(node.value, int):
             return node.value
@@ -96,7 +96,7 @@ class Bounds:
         self.used = set()
 
     def of_loop(self, names, header, function, extra):
-        """Returns (iterations of each entry, iterations of each call), one of them None; or None for a loop without a bound."""
+        """Returns (iterations of each entry, iterations of each call), None for a missing one; or None for a loop without a bound."""
         name = names.of[header]
         for one in self.loops:
             if name.startswith(one["at"]) and one.get("in", "") in function:
@@ -116,7 +116,7 @@ class Bounds:
         raise ValueError(f"{caller} calls {function} with a computed number of bytes: bounds.toml needs a [[size]]")
 
     def limits_of(self, work):
-        """Yields the limits that hold: the entry of bounds.toml, `at_most` and `each`."""
+        """Yields each [[limit]] that applies to this work: its entry, and the values of `at_most` and `each`."""
         for one in self.limits:
             if work in one.get("work", [work]):
                 yield one, *(evaluate(one.get(key, 0), self.values) for key in ("at_most", "each"))

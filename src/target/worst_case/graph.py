@@ -36,7 +36,7 @@ class Loop:
 
 
 def targets_of_table(image, code, jump):
-    """Returns the targets of a switch: its table follows the instruction and ends where the code goes on or fills an odd byte."""
+    """Returns the targets of a switch: its table follows the instruction and ends where code begins or a byte of padding lies."""
     size, at = {"tbb": 1, "tbh": 2}.get(jump.name, 4), jump.address + 4
     base, targets = at, set()
     if size == 4 and at in code and code[at].name == "nop":

@@ -107,7 +107,7 @@ class Flow:
                 self.lp.row([*back, (-each_call, self.calls[key])], "<=")
 
     def limit(self, limit, most, each):
-        """Adds a limit of bounds.toml: its functions, calls and loops together run at most `most` times, and `each` times more for
+        """Adds a [[limit]]: its functions, calls and loops together run at most `most` times, and `each` times more for
         each call of the functions `per`. Returns whether there is any of them."""
         terms = []
         for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):

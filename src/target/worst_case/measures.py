@@ -5,7 +5,7 @@ import re
 # error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
 MAX_ERRORS = 48
 FIRST_OF_DEVICE = 15
-# errors of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset
+# The errors of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset.
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 
@@ -20,7 +20,7 @@ def _number(field):
 
 
 def measures(folder):
-    """Returns the numbers by name; `folder` is generated/NAME of a build. bounds.toml explains each name."""
+    """Returns the numbers by name; `folder` is generated/NAME of a build. bounds.toml and ways.toml explain each name."""
     text = (folder / "objects.hpp").read_text()
     objects = [(_number(index), _number(first), _number(count)) for index, first, count, _ in _rows(text, "object_rows")]
     entries = _rows(text, "entry_rows")

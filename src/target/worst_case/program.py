@@ -6,7 +6,8 @@ import re
 from bounds import Names, short, text_at
 from graph import Graph, Unknown
 
-# Functions of the C library whose loops depend on their third argument, a number of bytes: one copy for each number.
+# Functions of the C library whose loops depend on their third argument, a number of bytes. A program has a copy of them
+# for each number.
 SIZED = ("memcpy", "memmove", "memset")
 
 
@@ -21,7 +22,8 @@ def bytes_at(block, call):
 
 
 class Program:
-    """`functions`: by key (address, bytes) a graph and, for each call, the keys that it may reach."""
+    """The functions of an image, each by a key (address, bytes). `bytes` is the number that a copy of a SIZED function gets,
+    None for another function. `faults` has one line for each loop without a bound."""
 
     def __init__(self, image, code, names, demangled, bounds, answers):
         self.image, self.code, self.names, self.demangled = image, code, names, demangled
@@ -30,7 +32,7 @@ class Program:
 
     @functools.cache
     def name(self, address):
-        """Returns the name of the function that begins at an address, or that contains it: libgcc calls parts of its functions."""
+        """Returns the name of the function that begins at an address, or NAME+OFFSET within a function: libgcc calls parts of its functions."""
         if address in self.names:
             return short(self.demangled[self.names[address]])
         before = max(at for at in self.names if at < address)

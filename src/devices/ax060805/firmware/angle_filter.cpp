@@ -13,8 +13,9 @@ namespace {
 constexpr float units_per_degree = 1.0e6F;
 constexpr std::int64_t full_turn = 360'000'000;
 constexpr std::int64_t half_turn = full_turn / 2;
-// A sample adds at most half a turn, so 60,000 samples add at most 30,000 turns to these 64. No sample then exceeds
-// 30,064 turns, and no sum exceeds 60,000 times that: 6.5e17 microdegrees, which 63 bits hold.
+// unwrap() calls rebase() above this number of turns. Consecutive samples differ by at most half a turn, so in a window
+// of 60,000 samples none exceeds 30,064 turns. The sum of 60,000 such samples is at most 6.5e17 microdegrees, which
+// fits into 63 bits.
 constexpr std::int64_t most_turns = 64;
 
 std::int64_t to_units(const float degrees) noexcept {
@@ -91,7 +92,8 @@ std::int64_t AngleFilter::unwrap(const float degrees) noexcept {
     return turned_;
 }
 
-/// Subtracts whole turns from all stored values, because a machine may turn without end.
+/// Subtracts the same whole turns from all stored values, so that they do not overflow while a machine turns without
+/// end.
 void AngleFilter::rebase() noexcept {
     const std::int64_t turns = (turned_ / full_turn) * full_turn;
     turned_ -= turns;

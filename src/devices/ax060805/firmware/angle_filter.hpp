@@ -21,15 +21,15 @@ using AngleFilterKind = generated::ax060805::angle_filter::Filter;
 
 class AngleFilter {
   public:
-    /// Clears the output at power-on. restart() follows.
+    /// Sets the output to 0 after a reset of the device. The caller then calls restart().
     void forget() noexcept { output_ = 0.0F; }
     /// Starts again with a window of `samples`, 1…60000 (0 counts as 1). The output stays until the next sample.
     void restart(AngleFilterKind kind, std::uint16_t samples) noexcept;
-    /// Adds one sample, -180…180 degrees. It counts as the shortest rotation from the sample before, so that averages
-    /// take the shorter way round.
+    /// Adds one sample, -180…180 degrees. It counts as the shortest rotation from the sample before it, so that the
+    /// mean of 179 and -179 is 180 and not 0.
     void add(float degrees) noexcept;
-    /// Returns the filtered angle, -180…180 degrees; 0 before the first sample. Until a window is full it is the mean
-    /// of the samples so far.
+    /// Returns the filtered angle, -180…180 degrees; 0 before the first sample. Until the window of a filter is full,
+    /// the angle is the mean of the samples so far.
     float output() const noexcept { return output_; }
 
   private:

@@ -31,7 +31,7 @@ float arctangent_of_ratio(const float ratio) noexcept {
     if (ratio <= tangent_of_22_5) {
         return arctangent_of_small(ratio) * degrees_per_radian;
     }
-    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // tangent of the angle less 45°
+    const float turned = (ratio - 1.0F) / (ratio + 1.0F);  // tangent of the angle minus 45°
     return eighth_turn + (arctangent_of_small(turned) * degrees_per_radian);
 }
 
@@ -48,7 +48,7 @@ float cosine_of_small(const float radians) noexcept {
     return (1.0F - (0.5F * z)) + ((tail * z) * z);
 }
 
-/// Returns the sine of `degrees` plus `quarters` quarter turns.
+/// Returns the sine of the angle that is `quarters` quarter turns larger than `degrees`.
 float sine_ahead(const float degrees, const std::int32_t quarters) noexcept {
     const float nearest = std::floor((degrees / quarter_turn) + 0.5F);
     const float rest = (degrees - (nearest * quarter_turn)) * radians_per_degree;

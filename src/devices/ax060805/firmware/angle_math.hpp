@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trigonometry in degrees, in single precision and without libm: the same bits on every target.
+// Trigonometry in degrees and in single precision. It does not use sin, cos, atan2 and exp of libm, so that every
+// target computes the same bits.
 //
 // Errors against double precision, tested in tests/devices/ax060805/blocks/angle_math_test.cpp and
 // properties/devices/ax060805/tilt_property.cpp:

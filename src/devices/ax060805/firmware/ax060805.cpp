@@ -37,8 +37,8 @@ constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
 
-/// Returns the tag of a save, which identifies the bit rate at the time of the save: 1 and above by Table 21, 0 for a
-/// rate outside the table.
+/// Returns the number that identifies a bit rate in stored parameters: its index in Table 21 plus 1, or 0 for a rate
+/// outside the table.
 constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
     std::uint8_t tag{0U};
     for (const own::bit_rates::Row& row : own::bit_rates::rows) {
@@ -119,7 +119,7 @@ void Device::restart(const Instant now) {
     }
     static_assert(implements<req::INC_SLEW_002> && implements<req::INC_SLEW_003>);
     if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
-        objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was stored at another bit rate
+        objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was not stored at this bit rate
     }
     drive_slew_rate();
     restart_sensor(now);
@@ -127,8 +127,8 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001> && implements<req::INC_START_002> && implements<req::INC_START_003>);
 void Device::booted(const Instant now) {
-    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below would not
-    // prevent the self-start.
+    // An error that lasts beyond a reset of communication does not begin again: tell_errors() below does not apply its
+    // error behaviour and so does not prevent the self-start.
     const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
     const bool keeps_out =
         failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);

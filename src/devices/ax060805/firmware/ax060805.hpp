@@ -41,7 +41,7 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored.
+    /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; those of the sensor take effect with its next sample.
@@ -64,7 +64,7 @@ class Device final : private Application {
     void set_bit_rate(std::uint32_t bit_rate, Instant now) override;
     LssError store_configuration(const LssConfiguration& configuration) override;
 
-    // The blocks, in the order in which they process a sample.
+    // The functions that process a sample, roughly in the order of their calls.
     void restart_sensor(Instant now) noexcept;
     void measure_due(Instant now) noexcept;
     void take_sample() noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effects of a new value of a parameter.
+// Checks the auto-null command before it is written, and applies the effects of new values of parameters.
 
 #include "devices/ax060805/firmware/ax060805.hpp"
 #include "firmware/base/requirement.hpp"
@@ -15,7 +15,7 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 namespace index = generated::ax060805::index;
 
-// Distance from 30x0h of one function to that of the next.
+// Distance between the indices of the same parameter of two consecutive functions: 3000h, 3010h, …
 constexpr std::uint32_t function_index_step = generated::ax060805::index::binary_function_2_signal_source -
                                               generated::ax060805::index::binary_function_1_signal_source;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes samples from the sensor to the angles and accelerations of the dictionary, in this order.
+// Processes the samples of the sensor, and writes the resulting accelerations and angles to the object dictionary.
 
 #include <cmath>
 
@@ -33,7 +33,7 @@ constexpr float reversed_if(const bool reversed, const float value) noexcept {
 
 }  // namespace
 
-/// Takes the first sample after a reset.
+/// Clears all measurements after a reset, takes the first sample and publishes it.
 static_assert(implements<req::INC_FILTER_001>);
 void Device::restart_sensor(const Instant now) noexcept {
     inclination_.restart();
@@ -158,8 +158,8 @@ bool Device::is_temperature_outside() const noexcept {
     return !inside;  // NaN counts as outside
 }
 
-// The TPDOs need no notice of changes: their transmission type is fixed at 254, and only their event timers trigger
-// them (4.2.15).
+// The TPDOs are not notified of changes, because their transmission type is fixed at 254 and only their event timers
+// trigger them (4.2.15).
 void Device::publish() noexcept {
     publish_accelerations();
     publish_angles();
@@ -204,8 +204,8 @@ void Device::publish_diagnostics() noexcept {
     show_if_valid(index::processor_temperature_field_value, inputs_.processor_temperature);
 }
 
-/// Puts a value into its object. A value that the object cannot hold is not a measurement: the object keeps its last
-/// value.
+/// Writes a measured value to its object. A value outside the limits of the object is not a measurement: the object
+/// then keeps its last value.
 void Device::show_if_valid(const std::uint16_t index, const float value) noexcept {
     const auto entry = objects_.find(index, 0U);
     std::array<std::uint8_t, sizeof(float)> bytes{};
@@ -227,8 +227,8 @@ float Device::given_acceleration(const std::uint8_t axis) const noexcept {
 }
 
 static_assert(implements<req::INC_RANGE_003> && implements<req::INC_FV_008>);
-/// Returns an angle in degrees: filtered, in its range, with its sign reversed if 2031h angular data inversion is set
-/// for this angle.
+/// Returns an angle in degrees after its filter. Pitch and roll lie in the angle range of the unit (Table 8). The sign
+/// is reversed if 2031h angular data inversion is set for this angle.
 float Device::given_angle(const std::size_t angle) const noexcept {
     const float measured = filters_[angle].output();
     static_assert(implements<req::INC_RANGE_007>);

@@ -35,14 +35,16 @@ struct FunctionBlock {
     Linear output{};
 };
 
-/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number.
+/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number. An
+/// unknown function returns x.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
 /// Applies a binary function of Table 10. The result is undefined for operation 0, for unknown operations, and when an
 /// operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
-/// Evaluates the block by equation 4.
+/// Evaluates the block by equation 4. The result is undefined when an input has neither a signal nor a default, when
+/// the operation is unknown, and when the result is NaN.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
 }  // namespace canproof::ax060805

@@ -44,9 +44,9 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
     angles_ = {angles.pitch, angles.roll, gravity_angle(gravity)};
 }
 
-/// Returns the Euler roll of the last measured direction of gravity that had one, in the frame of reference of
-/// `settings`. Returns 0 if there was no such direction, or if the direction is in gimbal lock in this frame, and so
-/// has no roll there.
+/// Returns the Euler roll of the last measured direction of gravity for which the roll was defined. The frame of
+/// reference is that of `settings`. Returns 0 if there was no such direction, or if the direction is in gimbal lock in
+/// this frame, and so has no roll there.
 static_assert(implements<req::INC_ANGLE_008>);
 float Inclination::last_roll(const InclinationSettings& settings) const noexcept {
     const Vector3 gravity = gravity_from(undo_rotation(rolled_, settings.installation));

@@ -17,7 +17,7 @@ struct InclinationSettings {
     PitchRoll calibration{};   ///< angles of the sensor in the unit, degrees
     PitchRoll installation{};  ///< angles of the unit on the machine, degrees
     bool euler{false};         ///< pitch and roll as Euler angles; otherwise as tilt angles
-    /// Degrees between the X axis and the vertical; below it the Euler roll is unreliable.
+    /// Angle between the X axis and the vertical, in degrees, below which the Euler roll is unreliable.
     float gimbal_lock_cone{0.0F};
     float least_gravity{0.0F};  ///< g; a smaller acceleration has no measurable direction
 };
@@ -30,14 +30,14 @@ constexpr std::size_t angle_count = 3U;
 
 class Inclination {
   public:
-    /// Clears all measurements at power-on.
+    /// Clears all measurements, as at power-on.
     void restart() noexcept { *this = Inclination{}; }
     /// Processes one sample, in g, in the sensor's frame of reference.
     void sample(const Vector3& acceleration, const InclinationSettings& settings) noexcept;
-    /// Reports that the sensor gives no valid sample: the measured values stay, and the filter starts again with the
-    /// next sample.
+    /// Marks the sensor as failed: the measured values stay, and the filter starts again with the next valid sample.
     void fail() noexcept;
-    /// Computes the angles of the last direction with new settings.
+    /// Computes acceleration and angles of the last sample again with new settings. Does nothing without a valid
+    /// sample.
     void update(const InclinationSettings& settings) noexcept;
 
     /// Returns whether there was a sample and the sensor has not failed since.
@@ -62,7 +62,7 @@ class Inclination {
     Vector3 acceleration_{};
     std::array<float, angle_count> angles_{};
     Vector3 direction_{};  ///< the last acceleration of the unit that was large enough for a direction
-    Vector3 rolled_{};     ///< the last such acceleration that had an Euler roll
+    Vector3 rolled_{};     ///< the last such acceleration with a defined Euler roll
     bool measuring_{false};
     bool weightless_{false};
     bool roll_unsure_{false};

@@ -30,7 +30,7 @@ std::uint32_t to_discrete(const float value) noexcept {
     if (value >= beyond_discrete) {
         return UINT32_MAX;
     }
-    // Not `value < 0`: a comparison with NaN is false.
+    // The condition is not `value < 0`: every comparison with NaN is false, and NaN must become 0.
     return (value > 0.0F) ? static_cast<std::uint32_t>(value) : 0U;
 }
 

@@ -16,8 +16,8 @@ class InclinometerPlant {
     InclinometerPlant() = default;
     explicit InclinometerPlant(const SensorErrors& errors) : errors_{errors} {}
 
-    /// Applies the effects of a stimulus that was set in `inputs` to the other inputs. The latest of pitch and roll,
-    /// the quaternion and the accelerations determines the accelerations.
+    /// Applies the effects of a stimulus that was set in `inputs` to the other inputs. The accelerations follow from
+    /// the stimulus that was set last: pitch and roll, the quaternion, or the accelerations.
     void stimulus(const std::string& name, ax060805::Inputs& inputs);
     /// Returns whether the samples have noise.
     bool is_noisy(const ax060805::Inputs& inputs) const;
@@ -34,9 +34,9 @@ class InclinometerPlant {
     std::mt19937 noise_{1U};
 };
 
-/// Returns the root mean square of the noise of one sample on one axis, in g. With it the pitch of a level unit
-/// scatters by `resolution_deg` / 3.46 after the input filter at the rated cut-off frequency (5.1.1). 0 without a
-/// resolution.
+/// Returns the root mean square of the noise of one sample on one axis, in g. With this noise, the pitch of a level
+/// unit scatters by `resolution_deg` / 3.46 after the input filter at the rated cut-off frequency (5.1.1). Returns 0
+/// for a resolution of 0.
 double sample_noise(double resolution_deg);
 
 }  // namespace canproof::host

@@ -24,8 +24,8 @@ double as_written(float value) {
     return std::stod(fmt::format("{}", value));
 }
 
-/// Returns the shape of the non-linearity: 0 at -1, 0 and 1 g; 1 and -1 at the extremes between them, which lie at ±1 /
-/// sqrt(3).
+/// Returns the shape of the non-linearity: 0 at 0 g and from ±1 g outwards; 1 and -1 at the extremes between them,
+/// which lie at ±1 / sqrt(3) g.
 static_assert(implements<req::INC_PLANT_009>);
 double bow(double g) {
     return std::fabs(g) < 1.0 ? 1.5 * std::sqrt(3.0) * (g - g * g * g) : 0.0;

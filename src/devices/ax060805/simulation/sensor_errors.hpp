@@ -16,14 +16,14 @@ struct SensorErrors {
     double cross_axis{0.0};    ///< percent
 };
 
-/// Returns the part number without its letters, as Table 62 and `noise_of` use it: 60841 for AX060841. 0 for an empty
-/// one.
+/// Returns the part number without its letters, as Table 62 and `noise_of` use it: 60841 for AX060841. Returns 0 for a
+/// text without a number.
 std::uint16_t model_of(const std::string& part_number);
 
-/// Returns the greatest errors that Table 62 allows for a model.
+/// Returns the greatest errors that Table 62 allows for a model; all 0 for a model that is not in the table.
 SensorErrors greatest_errors(std::uint16_t model);
 
-/// Returns the acceleration in g with the errors, at a sensor temperature in degC.
+/// Returns the acceleration `felt` (in g) with the errors of the sensor at `temperature` (in degC).
 ax060805::Vector3 with_errors(const ax060805::Vector3& felt, const SensorErrors& errors, double temperature);
 
 }  // namespace canproof::host

@@ -9,7 +9,7 @@
 
 namespace canproof::ax060805 {
 
-/// Returns the keys of a unit of that part number.
+/// Returns the keys of the factory data of a unit with this part number, with the limits of its model.
 std::vector<host::FactoryKey> sensor_keys(const std::string& part_number);
 
 }  // namespace canproof::ax060805

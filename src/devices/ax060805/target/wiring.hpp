@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connects the AX060805's sensor to the pins of a microcontroller. The manual describes neither; this board with an
-// analog accelerometer is our own (src/target/stm32f405/README.md).
+// Connects the AX060805's sensor to the pins of a microcontroller. The manual describes no wiring of the sensor; this
+// board with an analog accelerometer is our own (src/target/stm32f405/README.md).
 #pragma once
 
 #include "devices/ax060805/firmware/ax060805.hpp"

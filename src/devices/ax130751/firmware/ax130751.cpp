@@ -86,7 +86,8 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     wake(now);
 }
 
-/// Runs the cycles and the deadlines of the node in the order of their times; at the same time the cycle comes first.
+/// Runs the cycles and the deadlines of the node in the order of their times. If both are due at the same time, the
+/// cycle runs first.
 static_assert(implements<req::AOR_OUT_027>);
 void Device::advance(const Instant now) noexcept {
     Instant due = next_deadline();
@@ -96,7 +97,8 @@ void Device::advance(const Instant now) noexcept {
         }
         node_.advance(due);
         watch_network(due);
-        // A deadline that is still due after the call waits for another event, such as room in the queue.
+        // A deadline that is still due after the call waits for another event, such as free space in the transmit
+        // queue.
         due = earliest(if_later(node_.next_deadline(), due), if_later(next_cycle_, due));
     }
     node_.advance(now);
@@ -155,9 +157,9 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Wakes the blocks when the faults that put received values into error change, or when the NMT state changes, because
-/// outputs work in operational only. A second fault can change the state although the faults of the values stay the
-/// same.
+/// Wakes the blocks when the faults that put received values into error change, or when the node enters or leaves
+/// operational, because outputs work in operational only. A second fault can make the node leave operational although
+/// the faults of the values stay the same.
 static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);

@@ -98,9 +98,9 @@ class Device final : private Application {
     std::uint8_t overdue_{0U};
     bool silent_{false};
     bool runs_{false};  ///< the node was operational at the last call of watch_network()
-    /// The last cycle changed nothing. After two such cycles the blocks are not evaluated. This cache depends on
-    /// frames, inputs and writes (each calls wake()), on the state that watch_network() reads, on the result of
-    /// run_blocks(), and on the times in next_change().
+    /// The last cycle changed nothing. After two such cycles the blocks are not evaluated until something changes. The
+    /// result of a cycle depends on frames, inputs and writes (each calls wake()), on the state that watch_network()
+    /// reads, on the result of run_blocks(), and on the times in next_change().
     bool was_quiet_{false};
 };
 

@@ -19,7 +19,7 @@ class TableBlock {
     /// Reads the parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
     /// Evaluates table `number` (1…10) and sets its output 3yz8h and the values that other blocks read. Returns true
-    /// while it keeps changing.
+    /// when the output or its state has changed, and while a time response runs.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:

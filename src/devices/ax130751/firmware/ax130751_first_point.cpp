@@ -13,8 +13,8 @@ namespace {
 
 namespace index = generated::ax130751::index;
 
-/// Returns whether a write to `entry` may have changed the minimum of a source (Table 5). The minimum of other sources
-/// is never below 0.
+/// Returns whether a write to `entry` may have changed the minimum of the source `ref` (Table 5). Quantities without a
+/// case below have no minimum below 0.
 bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
     const std::uint32_t index = entry.index;
     const bool of_channel = std::uint32_t{entry.row->subindex} == ref.channel;
@@ -85,7 +85,7 @@ bool FirstPoint::follow(const std::uint8_t number, const EntryRef& entry, Object
 }
 
 /// Returns the position of point 1: the minimum of the source in the digits of X, rounded so that it is not below the
-/// minimum. 0 when the minimum is not below 0, and for a time response.
+/// minimum. Returns 0 when the minimum is not below 0, for a time response, and without a source.
 std::int32_t FirstPoint::place_of(const std::uint8_t number, const ObjectDictionary& objects,
                                   const Sources& sources) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];

@@ -19,8 +19,8 @@ class FirstPoint {
     std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
 
     SourceChoice source_{};
-    /// The X of the last minimum of the source. Depends on the entries of the table and those that moves_minimum()
-    /// names.
+    /// The X that followed from the last minimum of the source. It depends on the entries of the table and on those
+    /// that moves_minimum() names.
     std::int32_t x_{0};
 };
 

@@ -30,8 +30,8 @@ SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool
     }
 }
 
-/// Returns whether the relay is implemented with `value` in 2242h relay polarity. It is not with 0 or an unknown value;
-/// nothing then drives the relay.
+/// Returns whether `value` in 2242h relay polarity implements the relay. With 0 or an unknown value the relay is not
+/// implemented and stays OFF.
 bool is_implemented(const std::uint8_t value) noexcept {
     using Drive = own::relay_polarity::Drive;
     return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=
@@ -130,7 +130,8 @@ RelayTimes RelayOutput::times() const noexcept {
                       milliseconds(objects_.get(field::o22a2_relay_off_delay[1U])), blink};
 }
 
-/// Sets the contacts for a state. The coil carries current only in state OFF.
+/// Sets the contacts for a state. The coil carries current only in state OFF, so without a supply the contacts are
+/// those of state ON.
 static_assert(implements<req::AOR_RELAY_001> && implements<req::AOR_RELAY_019> && implements<req::AOR_T_CONTACT>);
 void RelayOutput::show(const bool on, const bool powered, Outputs& outputs) noexcept {
     const auto* const row = own::relay_contact::find(on || (!powered));

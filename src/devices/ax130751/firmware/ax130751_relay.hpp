@@ -15,7 +15,8 @@ class RelayOutput {
 
     /// Sets the relay to OFF. `powered`: the supply can drive the coil.
     void reset(bool powered, Outputs& outputs) noexcept;
-    /// Evaluates the relay for one cycle and sets its contact in `outputs`. No other block uses the state of the relay.
+    /// Evaluates the relay for one cycle and sets its contacts in `outputs`. No other block uses the state of the
+    /// relay.
     void advance(const OutputCycle& cycle, Outputs& outputs) noexcept;
     /// Returns when the relay changes by itself with constant inputs.
     Instant next_change() const noexcept { return relay_.next_change(); }

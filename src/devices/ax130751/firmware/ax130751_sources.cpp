@@ -16,7 +16,7 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
-/// Returns whether RPDO `number` + 1 maps an entry.
+/// Returns whether RPDO `number` + 1 maps the entry `index`:`subindex`.
 bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
           const std::uint8_t subindex) noexcept {
     const auto mapping = static_cast<std::uint16_t>(index::rpdo1_mapping_parameter + number);

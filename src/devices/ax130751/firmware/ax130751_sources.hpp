@@ -59,7 +59,8 @@ class Sources {
     /// Resets all states: no table and no logic block has a value until its next cycle. Limits need no reset: they are
     /// not used while there is no value. The network state needs none either: each cycle begins with set_network().
     void reset() noexcept;
-    /// Sets the network faults. `overdue`: bit n for RPDO n + 1. `silent`: a heartbeat or the life guarding is lost.
+    /// Sets the network faults. `overdue`: bit n for RPDO n + 1. `silent`: a heartbeat is missing or life guarding has
+    /// failed.
     void set_network(std::uint8_t overdue, bool silent) noexcept;
     void set_lookup(std::uint8_t table, SignalState state, const LookupLimits& limits) noexcept;
     void set_logic(std::uint8_t block, SignalState state) noexcept;

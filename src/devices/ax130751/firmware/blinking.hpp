@@ -6,8 +6,8 @@
 
 namespace canproof::ax130751 {
 
-/// Returns the state of a blinking output: it begins with ON at `since` and changes every `half_period`; with 0 it
-/// stays ON.
+/// Returns the state of a blinking output: it begins with ON at `since` and changes every `half_period`. With a
+/// `half_period` of 0 it stays ON.
 constexpr bool blinks_on(const Instant since, const Duration half_period, const Instant now) noexcept {
     return (half_period.us == 0U) || (((elapsed(since, now).us / half_period.us) % 2U) == 0U);
 }

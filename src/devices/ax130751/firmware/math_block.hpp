@@ -62,7 +62,8 @@ class MathBlock {
     std::array<MathFunction, math_functions> results_{};
 };
 
-/// Returns the output: the fraction clamped to 0…1, between the block's two scalings.
+/// Returns the output of a block: `scaling_1` for the fraction 0, `scaling_2` for 1, linear between them. Clamps the
+/// fraction to 0…1.
 double math_output(double fraction, double scaling_1, double scaling_2) noexcept;
 
 }  // namespace canproof::ax130751

@@ -15,7 +15,7 @@ using EnableAction = generated::ax130751::EnableAction;
 using FaultAction = generated::ax130751::FaultAction;
 
 struct OutputConditions {
-    bool shutdown{false};        ///< a diagnostic fault, or an interlock without a value, shuts the output off
+    bool shutdown{false};        ///< a diagnostic fault, or an enable or override source without a value
     bool input_in_error{false};  ///< the control, enable or override input is in error
     FaultAction on_error{FaultAction::fault_value};
     bool overridden{false};                  ///< a valid override input is active

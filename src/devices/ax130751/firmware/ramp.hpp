@@ -7,15 +7,15 @@
 namespace canproof::ax130751 {
 
 /// Slopes of a ramp: the value covers `span` in the time `up` when rising and `down` when falling. With a time or a
-/// span of 0 it jumps.
+/// span of 0 the value jumps.
 struct RampTimes {
     double span{0.0};
     Duration up{};
     Duration down{};
 };
 
-/// The value is computed from its position and time at the last change of target or times, so the call rate does not
-/// matter.
+/// A ramp. Each value is computed from the value and the time at the last change of the target or of the slopes, so the
+/// rate of the calls does not matter.
 class Ramp {
   public:
     /// Sets the value at once and ends a ramp.
@@ -30,8 +30,8 @@ class Ramp {
     bool is_moving(Instant now) const noexcept;
 
   private:
-    // The present ramp began with `start_` at `since_`. A change of the target or of one of the three times begins a
-    // new ramp.
+    // The present ramp began with `start_` at `since_`. A change of the target, of the span or of one of the two times
+    // begins a new ramp.
     double start_{0.0};
     double target_{0.0};
     Instant since_{};

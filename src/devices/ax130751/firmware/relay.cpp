@@ -38,7 +38,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
     return state_;
 }
 
-/// Resets the latch to its rest state when the polarity changes.
+/// Resets the latch to its rest state when a new polarity gives the unlatch input another effect.
 void Relay::choose_polarity(const RelayPolarity& polarity) noexcept {
     if (polarity.unlatch != effect_) {
         effect_ = polarity.unlatch;

@@ -58,7 +58,8 @@ class Converter {
     }
 
     /// Sets the points of the lookup table at `base` = 3yz0h, with extra value 1 as its input. X is written from the
-    /// highest point down, as 1.5.1 advises; unused points lie on the last one and are ignored.
+    /// highest point down, as 1.5.1 advises; unused points lie on the last one, and the first of them is ignored, which
+    /// ends the table.
     void set_table(int base, const std::vector<Point>& points) {
         put8(base, 0, canopen_source);
         put8(base + 1, 0, extra_number + 1);

@@ -36,7 +36,8 @@ class Wiring {
         inputs.supply = chip_.analog_in.share(0) * 66.0F;  // a divider by 20
         inputs.cpu_temperature = chip_.analog_in.chip_temperature();
         for (std::size_t i = 0; i < 2; ++i) {
-            // The load is the voltage at the output (after a divider by 8) over the current of the stage.
+            // The load is the voltage at the output, measured behind a divider by 8, divided by the current of the
+            // stage.
             const float volts = chip_.analog_in.share(i + 1) * 26.4F;
             if (current_ma_[i] > 0.1F) {
                 inputs.load[i] = (volts * 1000.0F) / current_ma_[i];

@@ -22,7 +22,7 @@ static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>)
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// Largest number of missed readings that a late call performs; earlier missed readings are skipped.
+// Largest number of missed readings that a late call performs, the earliest ones; it skips the rest.
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4>);
@@ -94,10 +94,10 @@ void Device::receive(const Frame& frame, const Instant now) noexcept {
     const std::uint8_t addressed = frame.data[1];
     if (nmt_command(frame, addressed).has_value()) {
         static_assert(implements<req::TCS_START_007>);
-        start_others_at_ = never;  // a master exists, whichever node its command addresses
+        start_others_at_ = never;  // an NMT command, to whichever node, shows that there is a master
     }
     node_.receive(frame, now);
-    advance_when_due(now);  // performs a self-start that follows a reset
+    advance_when_due(now);  // a reset may have planned a self-start that is due now
     show_outputs();
 }
 
@@ -178,7 +178,8 @@ void Device::tell(const ErrorId error, const bool present, const std::uint8_t re
 static_assert(implements<req::TCS_VAL_008> && implements<req::TCS_LIM_010> && implements<req::TCS_LIM_014>);
 void Device::after_write(const EntryRef& entry, const Instant now) {
     const own::Written change = own::written(entry.index, entry.row->subindex);
-    // The sub-index is the channel, counted from 1. The value has no meaning for a parameter without a channel.
+    // The sub-index is the channel, counted from 1. `channel` has no meaning for a parameter that belongs to no
+    // channel.
     const std::size_t channel = (std::uint32_t{change.subindex} == channel_count) ? 1U : 0U;
     scanner_.reevaluate(change.parameter, channel, now);
     tell_faults(now);

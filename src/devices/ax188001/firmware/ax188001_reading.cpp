@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Scanner's readings: from the terminals to voltages and temperatures.
+// The readings of the Scanner: from the inputs at the terminals to voltages and temperatures.
 
 #include <cmath>
 #include <limits>
@@ -91,9 +91,9 @@ void Scanner::read(const Inputs& inputs) noexcept {
     supply_v_ = static_cast<double>(inputs.supply);
 }
 
-/// Returns the voltage at the converter. The detection current pulls the input of a broken wire beyond the range of
-/// every gain. Residual hum changes its sign from reading to reading, which is the worst case of a beat between hum and
-/// readings.
+/// Returns the voltage at the converter in µV. The detection current pulls the input of a broken wire beyond the range
+/// of every gain. Residual hum changes its sign from reading to reading, which is the worst case of a beat between hum
+/// and readings.
 static_assert(implements<req::TCS_IN_006>);
 double Scanner::input_uv(const Inputs& inputs, const std::size_t channel) const noexcept {
     if (inputs.tc_open[channel]) {

@@ -276,8 +276,8 @@ void Scanner::advance(const Instant now) noexcept {
     schedule();
 }
 
-/// Computes the time of the next waiting fault. Called only after a reading, a parameter write or a deadline, because
-/// nothing else changes faults and delays.
+/// Computes when the next waiting fault becomes a reported one. It is called only after a reading, a parameter write or
+/// a deadline, because nothing else changes faults and delays.
 void Scanner::schedule() noexcept {
     Instant next = never;
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {

@@ -34,14 +34,14 @@ class Scanner {
     explicit Scanner(ObjectDictionary& objects) noexcept : objects_{objects} {}
 
     /// Restarts after the parameters were loaded: the converters settle on the voltages at the terminals, and no fault
-    /// is reported or waits. evaluate() follows.
+    /// is reported or waits. The caller then calls evaluate().
     void restart(const Inputs& inputs) noexcept;
     /// Takes one reading of all inputs.
     void read(const Inputs& inputs) noexcept;
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
     /// Converts and evaluates again the values that depend on a written parameter, of this channel (0 or 1) if the
-    /// parameter has one.
+    /// parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Makes every waiting fault whose delay has passed a reported one.
     void advance(Instant now) noexcept;
@@ -64,8 +64,8 @@ class Scanner {
         bool below{false};
     };
 
-    /// A cached function of the sensor's type and a number: computing it again is slow, because the FPU has no double
-    /// precision.
+    /// A cached value that depends on the sensor type and a number. Computing the value again is slow, because the FPU
+    /// has no double precision.
     template <typename Value>
     struct Kept {
         SensorType type{SensorType::j};

@@ -15,7 +15,7 @@ namespace canproof::ax188001 {
 /// The exponential term a0·exp(a1·(t − a2)²) with negative a1; type K only. Computed as a power of two:
 /// a0·2^−whole·2^−rest.
 struct ExponentialTerm {
-    static constexpr std::size_t powers = 12U;  ///< the error of 2^−rest is 7e-15
+    static constexpr std::size_t powers = 12U;  ///< terms of the series of 2^−rest, whose error is then 7e-15
     Fixed centre{0};
     std::uint64_t halvings{0U};  ///< the exponent of 2 at 1024 °C from the centre, as a fraction of 256
     float bend{0.0F};            ///< 2·a1

@@ -7,7 +7,8 @@
 
 namespace canproof::ax188001 {
 
-/// Returns the functions of one type; they lie in flash.
+/// Returns the reference functions and inverse functions of one type, which lie in flash; those of type J for an
+/// unknown type.
 const ThermocoupleCurve& thermocouple_curve(generated::ax188001::SensorType type) noexcept;
 
 }  // namespace canproof::ax188001

@@ -33,7 +33,8 @@ class Ax188001Simulation final
         store.store(configuration);
     }
     void power_on(Instant now) override {
-        // The wires have the stored types. A second unit reads these from the same memory.
+        // The wires have the sensor types of the stored parameters. A second unit reads these types from the same
+        // memory.
         TransmitQueue nowhere;
         ax188001::Device reader{memory_, nowhere, {}};
         reader.power_on(inputs_, now);

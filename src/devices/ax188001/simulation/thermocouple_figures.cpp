@@ -129,7 +129,8 @@ LinePlot channel_error_plot() {
     LinePlot plot{"AX188001: field value less hot junction (1 °C promised)", "hot junction / °C", "error / °C", {}, {}};
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
-        // The lowest temperature at which half a step of the converter (0.3 µV here) is less than a degree.
+        // Type B begins at the lowest temperature at which half a step of the converter (0.3 µV here) is less than a
+        // degree.
         const double low = type == SensorType::b ? 50.0 : curve.lowest_c();
         Bench bench{type};
         Curve drawn{name, {}};

@@ -7,11 +7,12 @@
 
 namespace canproof::host {
 
-/// Plots the error in °C of the inversion alone, for each type over its range.
+/// Plots the error in °C of the conversion from voltage to temperature alone, for each type over its range; type B
+/// begins at 42 °C.
 LinePlot conversion_error_plot();
 
-/// Plots the error in °C of the published inverse functions alone. It shows why their result is only the start of the
-/// inversion.
+/// Plots the error in °C of the published inverse functions alone. It shows why their result is only the start value of
+/// the conversion.
 LinePlot inverse_error_plot();
 
 /// Plots the error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.

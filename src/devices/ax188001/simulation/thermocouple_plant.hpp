@@ -11,10 +11,11 @@ namespace canproof::host {
 
 class ThermocouplePlant {
   public:
-    /// Notes that a stimulus was set: the latest of tcN_celsius (or tcN_wire) and tcN_microvolts drives the terminals.
+    /// Notes that a stimulus was set. The terminals of channel N follow the stimulus that was set last: tcN_celsius or
+    /// tcN_wire (a temperature), or tcN_microvolts.
     void stimulus(const std::string& name);
-    /// Puts the voltages of the driven thermocouples into `inputs`. `configured` is the type in 6110h of each channel;
-    /// the wire has that type where tcN_wire is 0. Returns true when a voltage changed.
+    /// Writes the voltage of each channel that follows a temperature to `inputs`. `configured` is the type in 6110h of
+    /// each channel; the wire has that type where tcN_wire is 0. Returns true when a voltage changed.
     bool drive(ax188001::Inputs& inputs,
                const std::array<ax188001::SensorType, ax188001::channel_count>& configured) const;
 

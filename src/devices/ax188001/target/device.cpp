@@ -7,7 +7,7 @@ namespace {
 
 using namespace canproof;
 
-// The table of bit rates of this device contains 800 kbit/s.
+// The table of bit rates of this device contains 800 kbit/s, which needs a core clock of 160 MHz (clock.hpp).
 target::DeviceImage<ax188001::Device, ax188001::Wiring, ax188001::FactoryData, 1024> image{stm32f405::core_160_mhz};
 
 }  // namespace

@@ -101,8 +101,8 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
     drive_leds(now);
 }
 
-/// Reports internal faults. A stored set that could not be used also counts as an internal software error until the
-/// next reset (7.9.4).
+/// Reports internal faults. A stored set of parameters that could not be used also counts as an internal software error
+/// until the next reset (7.9.4).
 static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010> && implements<req::AO4_ERR_018>);
 void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
@@ -239,9 +239,9 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
     drive_output(number);
 }
 
-/// Computes the voltage of an output and keeps it in outputs_. It depends only on driven_, 2404h calibration offset and
-/// 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call this
-/// function.
+/// Computes the voltage of an output and stores it in outputs_. The voltage depends only on driven_, 2404h calibration
+/// offset and 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call
+/// this function.
 static_assert(implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];

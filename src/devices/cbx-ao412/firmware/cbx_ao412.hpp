@@ -54,7 +54,8 @@ class Device final : private Application {
     const ObjectDictionary& objects() const noexcept { return objects_; }
 
   private:
-    /// The setting of an output: a value in the unit of 6411h write analogue output, or 0 V whatever the calibration.
+    /// The setting of an output: if `on` is true, a value in the unit of 6411h write analogue output; otherwise 0 V,
+    /// whatever the calibration.
     struct Driven {
         bool on{false};
         std::int16_t value{0};

@@ -7,7 +7,7 @@ namespace {
 
 using namespace canproof;
 
-// The table of bit rates of this device contains 800 kbit/s.
+// The table of bit rates of this device contains 800 kbit/s, which needs a core clock of 160 MHz (clock.hpp).
 target::DeviceImage<cbx_ao412::Device, cbx_ao412::Wiring, cbx_ao412::FactoryData, 1024> image{stm32f405::core_160_mhz};
 
 }  // namespace

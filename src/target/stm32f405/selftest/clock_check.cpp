@@ -8,7 +8,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-// RM0090 18.4.5, 18.4.8, 18.4.9, 18.4.21.
+// Bits of the registers of TIM5 (RM0090 18.4.5, 18.4.8, 18.4.9, 18.4.21).
 constexpr std::uint32_t captured = bit(4U);            // CC4IF of TIM5_SR; a read of TIM5_CCR4 clears it
 constexpr std::uint32_t missed = bit(12U);             // CC4OF: a capture came before the last one was read
 constexpr std::uint32_t capture_on = bit(12U);         // CC4E of TIM5_CCER
@@ -39,7 +39,8 @@ bool ClockCheck::step(const Instant now) noexcept {
     }
     seen_ = now;
     const std::uint32_t capture = timer.compare[3U].read();
-    // Reads the flag last: a capture between the two reads would make an interval of two.
+    // Reads this flag after the capture, because another capture between the two reads would make the interval twice as
+    // long.
     const bool is_alone = !timer.status.has(missed);
     if (!is_alone) {
         timer.status.write(~missed);  // a written 1 changes no flag

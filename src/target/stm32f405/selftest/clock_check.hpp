@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cross-check of the core's clock: TIM5 measures the low-speed oscillator, which also drives the watchdog and depends
-// on nothing else (RM0090 18.4.21, 7.2.9).
+// on no other clock (RM0090 18.4.21, 7.2.9).
 #pragma once
 
 #include "firmware/base/time.hpp"
@@ -35,8 +35,9 @@ class ClockCheck {
 
     /// Starts the timer. The watchdog has started the oscillator.
     void start(Instant now) noexcept;
-    /// Looks for a capture. Returns false when the oscillator has the wrong frequency by this clock, or none. A pass
-    /// that lasts longer than an interval misses it; the next one counts.
+    /// Looks for a capture. Returns false when the frequency of the oscillator, measured by the clock of the core, is
+    /// wrong, or when no capture came for `most_wait`. An interval during which another capture was missed does not
+    /// count.
     bool step(Instant now) noexcept;
 
   private:

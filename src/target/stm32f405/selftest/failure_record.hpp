@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of the self-test that failed before a reset: two words of RAM that no start-up initialises. A reset by the
-// watchdog keeps RAM; after a loss of power its content is arbitrary, and the two words do not match.
+// The record of the self-test that failed before a reset: two words of RAM that the start-up code does not initialise.
+// A reset by the watchdog keeps RAM; after a loss of power its content is arbitrary, and the two words do not match.
 #pragma once
 
 #include "target/stm32f405/register.hpp"

@@ -16,7 +16,7 @@ class FlashCheck {
 
     /// Adds the next slice. Returns false when it was the last one and the CRC is not the seal.
     bool step() noexcept;
-    /// Returns the completed checks of the whole image.
+    /// Returns the number of completed checks of the whole image.
     std::uint32_t passes() const noexcept { return passes_; }
 
   private:

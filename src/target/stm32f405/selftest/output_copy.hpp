@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The complement of a device's outputs, kept while the device does not compute.
+// The complement of a device's outputs, kept while the device does not compute, so that a change of the outputs in RAM
+// is noticed.
 #pragma once
 
 #include <type_traits>

@@ -9,13 +9,15 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// Two bits of a word are equal in all but at least one of these: bit n of a position selects background n + 1.
+/// Any two bits of a word differ in at least one of these: in background n + 1, a bit of the word has the value of bit
+/// n of its position.
 constexpr std::array<std::uint32_t, RamCheck::background_count> backgrounds{0x00000000U, 0xAAAAAAAAU, 0xCCCCCCCCU,
                                                                             0xF0F0F0F0U, 0xFF00FF00U, 0xFFFF0000U};
 
 enum class Order : std::uint8_t { upwards, downwards };
 
-/// Does one element of the march. Returns whether each word contained `expected`.
+/// Does one element of the march: replaces `expected` by `next` in each word. Returns whether each word contained
+/// `expected`.
 bool replace_each(const Slots<Register>& words, const Order order, const std::uint32_t expected,
                   const std::uint32_t next) noexcept {
     bool holds{true};
@@ -28,7 +30,7 @@ bool replace_each(const Slots<Register>& words, const Order order, const std::ui
     return holds;
 }
 
-/// Does the six elements.
+/// Does the six elements of the march. Returns whether each word had the expected contents at each element.
 bool march(const Slots<Register>& words, const std::uint32_t background) noexcept {
     for (Register& word : words) {
         word.write(background);

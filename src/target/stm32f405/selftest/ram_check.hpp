@@ -12,8 +12,8 @@ namespace canproof::stm32f405 {
 /// Words of a slice. Interrupts are masked while one is tested.
 constexpr std::uint32_t ram_slice = 4U;
 
-/// RAM that is tested. `stack` is the part of `words` that holds no variable. The march over the other words runs on
-/// this stack, so that it can alter the words of the stack that calls it.
+/// RAM that is tested. The words from `stack_begin` to `stack_end` contain no variable and serve as a stack. The march
+/// over the other words runs on this stack, so that the march can alter the words of the caller's stack.
 struct RamUnderTest {
     Slots<Register> words;
     std::size_t stack_begin{0U};  ///< position in `words`

@@ -27,10 +27,10 @@ class SelfTests {
           clock_{capture, timer_mhz} {}
 
     /// Tests registers and the whole RAM, and starts the other tests. The flash has been checked by is_sound_image().
-    /// Returns the test that failed.
+    /// Returns the test that failed, or SelfTest::none.
     SelfTest start(Instant now) noexcept;
     /// Tests guard and clock, and in turns the registers, a slice of RAM or a slice of the flash, because a pass of the
-    /// main loop has to be short. Returns the first test that failed.
+    /// main loop has to be short. Returns the first test that failed, or SelfTest::none.
     SelfTest step(Instant now) noexcept;
 
     const RamCheck& ram() const noexcept { return ram_; }
