@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/can_bits.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 
 namespace canproof::host::test {
@@ -66,6 +67,26 @@ TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
     run_until(bus, Instant{10000}, Instant{20000});
     ASSERT_THAT(b.heard, SizeIs(1));
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
+}
+
+TEST(Delivery, DeadlineIsThatOfTheFirstNodeThatMaySend) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    TellingNode a{"a"};
+    TellingNode b{"b"};
+    TellingNode c{"c"};
+    for (TellingNode* const node : {&a, &b, &c}) {
+        bus.attach(*node);
+    }
+    a.rate = 250000;  // this node is disconnected, although its frame has the lowest identifier
+    b.rate = c.rate = 125000;
+    c.send_and_tell("123#");
+    bus.advance(Instant{0});
+    b.send_and_tell("703#05");
+    a.send_and_tell("081#");
+    const Instant end{std::uint64_t{frame_bits(parse_frame("123#", "test"))} * 8U};
+    EXPECT_EQ(bus.next_deadline(), end);
+    bus.advance(end);
+    EXPECT_EQ(bus.next_deadline(), end + microseconds(24));  // 3 bits of intermission
 }
 
 TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
