@@ -242,6 +242,17 @@ TEST(ArbitratedRules, LoadOfAnEarlierTimeCountsTheFramesUpToThatTime) {
     EXPECT_DOUBLE_EQ(bench.bus.report(Instant{100}).load, 1.0);
 }
 
+TEST(ArbitratedRules, FullBusHasALoadOfOneWhenABitLastsAFractionOfAMicrosecond) {
+    ArbitratedBus bus{"inproc", 800000, {}};  // a bit lasts 1.25 us
+    PlainNode node{"node"};
+    bus.attach(node);
+    for (int i = 0; i < 200; ++i) {
+        node.send("703#05");
+    }
+    run_until(bus, Instant{0}, Instant{10000});  // 200 frames of at least 50 bits last longer than 10 ms
+    EXPECT_NEAR(bus.report(Instant{10000}).load, 1.0, 1.0e-9);
+}
+
 TEST(ArbitratedRules, UserFramesWaitUpTo256) {
     ErrorBench bench;
     for (int i = 0; i < 256; ++i) {

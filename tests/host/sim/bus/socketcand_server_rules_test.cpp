@@ -160,7 +160,7 @@ TEST_F(SocketcandServerRules, FramesThatWaitedForRoomStartInTheSameTurn) {
     pass(Duration{});
     ASSERT_EQ(bus.clients(), 2U);
     now = now + milliseconds(500);
-    bus.advance(now);  // the bus transmits all frames that the gateway held; the next ones start
+    bus.advance(now);  // the bus transmits all frames of the full gateway; the next ones start
     EXPECT_THAT(log, testing::Not(IsEmpty()));
     EXPECT_GT(bus.next_deadline(), now);
 }
