@@ -136,16 +136,6 @@ TEST(ArbitratedRules, IdleGatewayIsNotSendingDuringTheFrameOfAnother) {
     EXPECT_FALSE(bench.bus.is_sending(door));
 }
 
-TEST(ArbitratedRules, OneCallTransmitsAllFramesThatEndByItsTime) {
-    ErrorBench bench;
-    for (int i = 0; i < 3; ++i) {
-        bench.bus.put(parse_frame("123#", "test"), Instant{0});
-    }
-    bench.bus.advance(Instant{0});
-    bench.bus.advance(Instant{100000});
-    EXPECT_THAT(bench.node.heard, SizeIs(3));
-}
-
 TEST(ArbitratedRules, LatencyOfAnAnswerCountsFromTheEndOfItsRequest) {
     ArbitratedBus bus{"inproc", 125000, {}};
     PlainNode a{"a"};
@@ -218,6 +208,19 @@ TEST(ArbitratedRules, EveryReceivedFrameTakesOneReceiveErrorBack) {
     EXPECT_EQ(bench.node.states.back(), fmt::format("{} 0", end.us));  // 95 errors
 }
 
+TEST(ArbitratedRules, DisconnectedNodeCountsNoErrors) {
+    ErrorBench bench;
+    PlainNode other{"other"};
+    PlainNode fast{"fast"};
+    bench.bus.attach(other);
+    bench.bus.attach(fast);
+    bench.node.rate = other.rate = 125000;
+    fast.rate = 250000;
+    bench.pass_errors(96);
+    EXPECT_THAT(bench.node.states, SizeIs(1));
+    EXPECT_THAT(fast.states, IsEmpty());
+}
+
 TEST(ArbitratedRules, FrameThatAReceiverLosesTakesNoReceiveErrorBack) {
     ErrorBench bench{BusFaultRates{0.0, 0.5, 0.0, 1}};
     bench.pass_errors(95);
@@ -240,6 +243,15 @@ TEST(ArbitratedRules, LoadOfAnEarlierTimeCountsTheFramesUpToThatTime) {
     bench.bus.advance(Instant{end});
     bench.bus.advance(Instant{end + 3 * 8});  // the second frame starts
     EXPECT_DOUBLE_EQ(bench.bus.report(Instant{100}).load, 1.0);
+}
+
+TEST(ArbitratedRules, LoadCountsTheFramesOfALaterSecond) {
+    ErrorBench bench;
+    bench.pass(milliseconds(3000));
+    bench.node.send("703#05");
+    bench.pass(milliseconds(100));
+    const double busy_us = static_cast<double>((length_of("703#05") + 3) * 8);
+    EXPECT_NEAR(bench.bus.report(bench.now).load, busy_us / 1.0e6, 1.0e-9);
 }
 
 TEST(ArbitratedRules, FullBusHasALoadOfOneWhenABitLastsAFractionOfAMicrosecond) {

@@ -110,6 +110,23 @@ TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     EXPECT_EQ(deaf.states, reader.states);
 }
 
+TEST(Delivery, CorruptedFrameOfANodeThatReportsItsChangesIsNotSentAfterBusOff) {
+    BusFaultRates faults;
+    faults.corrupted = 0.9;
+    faults.seed = 1;  // with this seed, the first frame is corrupted
+    ArbitratedBus bus{"inproc", 125000, faults};
+    TellingNode a{"a"};
+    bus.attach(a);
+    a.send_and_tell("083#");
+    run_until(bus, Instant{0}, Instant{2000});
+    ASSERT_GT(bus.report(Instant{2000}).errors, 0U);
+    ASSERT_EQ(bus.report(Instant{2000}).frames, 0U);
+    bus.switch_off(a, Instant{2000});
+    run_until(bus, Instant{2000}, Instant{1000000});
+    EXPECT_THAT(a.states, SizeIs(2));  // bus-off and its end
+    EXPECT_EQ(bus.report(Instant{1000000}).frames, 0U);
+}
+
 TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {
     BusFaultRates faults;
     faults.lost = 0.5;

@@ -180,6 +180,8 @@ TEST_F(SocketcandLimits, StatisticsTakeUpToAnHour) {
     say("< open can0 >");
     EXPECT_EQ(say("< statistics 3600000 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{3600000000U});
+    EXPECT_EQ(say("< statistics 00000500 >"), "");
+    EXPECT_EQ(session.next_deadline(), Instant{500000});
     EXPECT_EQ(say("< statistics 1 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{1000});
     for (const char* wrong : {"< statistics 3600001 >", "< statistics >", "< statistics 1 2 >", "< statistics -1 >",

@@ -92,6 +92,34 @@ TEST_F(SocketcandServerRules, OneTurnAcceptsEightClients) {
     EXPECT_TRUE(until([&] { return bus.clients() == 9; }));
 }
 
+TEST_F(SocketcandServerRules, PortCanBeUsedAgainAtOnce) {
+    int value = 0;
+    socklen_t size = sizeof value;
+    EXPECT_EQ(getsockopt(bus.watches().front().descriptor, SOL_SOCKET, SO_REUSEADDR, &value, &size), 0);
+    EXPECT_EQ(value, 1);
+}
+
+TEST_F(SocketcandServerRules, DismissedClientThatDoesNotReadGetsAllItsText) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    std::string echoes;
+    for (int i = 0; i < 400; ++i) {
+        echoes += "< echo >";
+    }
+    std::size_t all = std::string{"< hi >"}.size();
+    for (int i = 0; i < 1000 && !bus.watches().back().writable; ++i) {
+        client.say(echoes);
+        all += echoes.size();
+        ASSERT_TRUE(arrive());
+        pass(Duration{});
+    }
+    ASSERT_TRUE(bus.watches().back().writable);
+    pass(SocketcandBus::open_limit);
+    all += std::string{"< error the bus was not opened within 10 s >"}.size();
+    EXPECT_TRUE(until([&] { return client.ended(); }));
+    EXPECT_EQ(client.heard().size(), all);
+}
+
 TEST_F(SocketcandServerRules, UserFramesWaitUpTo256) {
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bus.put(parse_frame("123#", "test"), now)) << i;
@@ -145,24 +173,6 @@ TEST_F(SocketcandServerRules, TextThatArrivedBeforeTheTimeOfTheBusIsDueAtThatTim
     ASSERT_TRUE(arrive());
     bus.poll(now);
     EXPECT_EQ(bus.next_deadline(), now);
-}
-
-TEST_F(SocketcandServerRules, FramesThatWaitedForRoomStartInTheSameTurn) {
-    TcpClient client{bus.port()};
-    client.say(join);
-    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
-    client.say(many_commands());
-    for (int turn = 0; turn < 4; ++turn) {
-        pass(Duration{});
-    }
-    const TcpClient silent{bus.port()};  // it joins later, so that its session is asked after that of the other
-    ASSERT_TRUE(arrive());
-    pass(Duration{});
-    ASSERT_EQ(bus.clients(), 2U);
-    now = now + milliseconds(500);
-    bus.advance(now);  // the bus transmits all frames of the full gateway; the next ones start
-    EXPECT_THAT(log, testing::Not(IsEmpty()));
-    EXPECT_GT(bus.next_deadline(), now);
 }
 
 TEST_F(SocketcandServerRules, SlowClientGetsAllItsText) {
