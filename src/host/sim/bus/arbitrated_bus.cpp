@@ -100,7 +100,7 @@ bool ArbitratedBus::takes_part(const Port& port) const {
 void ArbitratedBus::follow_bit_rates() {
     BitRateVote vote;
     for (const auto& [number, port] : ports_) {
-        vote.add(port.gateway ? 0U : port.node->bit_rate());
+        vote.add(port.node->bit_rate());
     }
     bit_rate_ = vote.outcome(bit_rate_);
     rates_differ_ = false;
@@ -110,7 +110,7 @@ void ArbitratedBus::follow_bit_rates() {
 void ArbitratedBus::tell_bit_rates() {
     for (auto& [number, port] : ports_) {
         const std::uint32_t before = port.rate;
-        port.rate = port.gateway ? 0 : port.node->bit_rate();
+        port.rate = port.node->bit_rate();
         if (before != 0 && port.rate != before) {
             const char* const outcome =
                 port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another bit rate; no frame passes";
@@ -153,7 +153,7 @@ void ArbitratedBus::look(Nanoseconds now) {
 }
 
 void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
-    rates_differ_ = rates_differ_ || (!port.gateway && port.node->bit_rate() != port.rate);
+    rates_differ_ = rates_differ_ || port.node->bit_rate() != port.rate;
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
         return;  // the frame on the wire is still the first in the queue of the node
@@ -327,9 +327,7 @@ void ArbitratedBus::tell_state(Port& port, Instant now) {
         off_.push_back(&port);
         port.back_on_bus = now.us * ns_per_us + bits(bus_off_recovery_bits);
     }
-    if (!port.gateway) {
-        port.node->set_can_state(state, now);
-    }
+    port.node->set_can_state(state, now);
 }
 
 void ArbitratedBus::switch_off(const BusNode& node, Instant now) {
@@ -359,7 +357,7 @@ void ArbitratedBus::recover(Nanoseconds now) {
 
 /// Returns the earliest time at which the port can send; `never` if it has no frame or takes no part in the bus.
 Instant ArbitratedBus::may_start(const Port& port) const {
-    const bool sends = port.reported_state != CanState::bus_off && port.next() != nullptr && takes_part(port);
+    const bool sends = port.next() != nullptr && takes_part(port);
     return sends ? instant_of(std::max(idle_from_, port.may_send_from)) : never;
 }
 

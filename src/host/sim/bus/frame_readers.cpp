@@ -19,6 +19,10 @@ std::uint32_t key_of(std::uint32_t id, bool extended) {
     return extended ? id | extended_mark : id;
 }
 
+std::uint32_t key_of(const AcceptanceFilter& filter) {
+    return key_of(filter.id & filter.mask, filter.extended);  // accepts() compares only the bits of the mask
+}
+
 }  // namespace
 
 void FrameReaders::remove(std::size_t reader) {
@@ -27,7 +31,7 @@ void FrameReaders::remove(std::size_t reader) {
         return;
     }
     for (const AcceptanceFilter& one : found->second) {
-        const auto place = by_identifier_.find(key_of(one.id, one.extended));
+        const auto place = by_identifier_.find(key_of(one));
         if (names_one(one) && place != by_identifier_.end()) {
             std::vector<std::size_t>& readers = place->second;
             readers.erase(std::remove(readers.begin(), readers.end(), reader), readers.end());
@@ -53,7 +57,7 @@ void FrameReaders::set(std::size_t reader, const std::vector<AcceptanceFilter>& 
     filters_[reader] = filters;
     for (const AcceptanceFilter& one : filters) {
         if (names_one(one)) {
-            by_identifier_[key_of(one.id, one.extended)].push_back(reader);
+            by_identifier_[key_of(one)].push_back(reader);
         } else {
             wide_.push_back({reader, one});
         }

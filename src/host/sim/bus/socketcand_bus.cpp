@@ -48,9 +48,9 @@ int listen_at(const ListenAddress& address) {
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
-    // Without this option, the port cannot be used again for about a minute. A failure is ignored.
-    static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on));
-    const bool sound = descriptor >= 0 && bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
+    // Without SO_REUSEADDR, the port cannot be used again for about a minute.
+    const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
+                       bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&
                        listen(descriptor, waiting_connections) == 0;
     const int error = errno;
     freeaddrinfo(found);
@@ -123,8 +123,7 @@ SocketcandBus::SocketcandBus(const ListenAddress& address, std::uint32_t bit_rat
 }
 
 SocketcandBus::~SocketcandBus() {
-    for (Client& client : clients_) {
-        bus_.detach_gateway(client.session->gateway());
+    for (const Client& client : clients_) {
         close(client.descriptor);
     }
     close(listener_);

@@ -89,14 +89,15 @@ void SocketcandClientBus::connect_to_server(Instant now) {
     join_by_ = now + join_limit;
     client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({read_at_, frame}); });
     descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (descriptor_ < 0) {
+        lose_server(std::strerror(errno), now);
+        return;
+    }
     const int on = 1;
     static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure is ignored
     ask_for_stamps(descriptor_);
-    const bool sound =
-        descriptor_ >= 0 &&
-        (connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait());
-    connecting_ = sound;
-    if (!sound) {
+    connecting_ = connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait();
+    if (!connecting_) {
         lose_server(std::strerror(errno), now);
     }
 }
@@ -140,7 +141,7 @@ Instant SocketcandClientBus::poll(Instant now) {
     if (connecting_) {
         write_server();
     }
-    if (descriptor_ >= 0 && !connecting_) {
+    if (!connecting_) {
         read_server(now);
     }
     look_at_joining(now);

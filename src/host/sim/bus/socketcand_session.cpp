@@ -27,8 +27,7 @@ std::optional<Frame> read_frame(const std::string& text) {
     const auto length = hex_number(words[1], max_frame_length);
     std::string bytes;
     for (std::size_t i = 2; i < words.size(); ++i) {
-        const bool together = words.size() == 3 && length && words[i].size() == 2U * *length;
-        if (!together && words[i].size() > 2) {
+        if (words.size() > 3 && words[i].size() > 2) {  // a single word may contain all bytes
             return std::nullopt;
         }
         bytes += words[i].size() == 1 ? "0" + words[i] : words[i];  // python-can writes 5 in place of 05
@@ -181,7 +180,7 @@ void SocketcandSession::advance(Instant now) {
 }
 
 void SocketcandSession::deliver(const Frame& frame, Instant now) {
-    const bool wanted = mode_ == Mode::raw || (mode_ == Mode::bcm && subscriptions_.count(key_of(frame)) != 0);
+    const bool wanted = mode_ == Mode::raw || subscriptions_.count(key_of(frame)) != 0;  // only mode bcm has them
     if (mode_ == Mode::no_bus || is_dropped()) {
         return;
     }

@@ -20,10 +20,8 @@ class WaitingLine {
 
     /// Sets the next frame of a sender; nullptr means that it has none.
     void set(std::size_t sender, const Frame* frame) {
-        const auto known = ranks_.find(sender);
-        if (known != ranks_.end()) {
-            places_.erase({known->second, sender});
-            ranks_.erase(known);
+        if (const auto known = ranks_.extract(sender)) {
+            places_.erase({known.mapped(), sender});
         }
         if (frame != nullptr) {
             const std::uint32_t rank = arbitration_rank(*frame);

@@ -84,10 +84,11 @@ TEST(AcceptanceEntries, NodeWithoutANodeIdAcceptsNmtAndLss) {
 
 TEST(AcceptanceEntries, SyncGuardingAndTimeIdentifiersAreAcceptedWithoutTheirFlags) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x40000081)},
-                                  {0x100E, variable(0x100E, 0x706)},
-                                  {0x1012, variable(0x1012, 0xC0000100)}})),
-              (Names{"000", "7E5", "705", "605", "081", "706", "100"}));
+                                  {0x100E, variable(0x100E, 0x707)},
+                                  {0x1012, variable(0x1012, 0xC0000101)}})),
+              (Names{"000", "7E5", "705", "605", "081", "707", "101"}));
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x20010081)}})).back(), "00010081");
+    EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x00010081)}})).back(), "081");  // bit 29 is not set
 }
 
 TEST(AcceptanceEntries, SharedIdentifierHasOneFilterPerFormat) {
@@ -99,11 +100,11 @@ TEST(AcceptanceEntries, SharedIdentifierHasOneFilterPerFormat) {
 }
 
 TEST(AcceptanceEntries, ValidSdoServerIdentifiersAreAcceptedAndClientIdentifiersAreNot) {
-    EXPECT_EQ(names(filters_with({{0x1200, record(0x1200, {0x605, 0x585})},
+    EXPECT_EQ(names(filters_with({{0x1200, record(0x1200, {0x60F, 0x58F})},
                                   {0x1201, record(0x1201, {0x621, 0x5A1})},
                                   {0x127F, record(0x127F, {0x622, 0x5A2})},
                                   {0x1280, record(0x1280, {0x623, 0x5A3})}})),
-              (Names{"000", "7E5", "705", "605", "621", "622"}));
+              (Names{"000", "7E5", "705", "605", "60F", "621", "622"}));
     EXPECT_EQ(names(filters_with({{0x1201, record(0x1201, {0x80000621, 0x5A1})}})),
               (Names{"000", "7E5", "705", "605"}));
 }
@@ -135,6 +136,13 @@ TEST(AcceptanceEntries, All127ProducersMayBeMonitored) {
     EXPECT_EQ(all.size(), 4U + 126U);  // 705h is also the guarding identifier of the node itself
     EXPECT_EQ(all.back(), "77F");
     EXPECT_EQ(all[4], "701");
+}
+
+TEST(AcceptanceEntries, ProducerBehindThe127thEntryIsNotMonitored) {
+    std::vector<std::uint32_t> watched(128);
+    watched[126] = 0x00060064U;
+    watched[127] = 0x00070064U;
+    EXPECT_EQ(names(filters_with({{0x1016, record(0x1016, watched)}})), (Names{"000", "7E5", "705", "605", "706"}));
 }
 
 TEST(AcceptanceFilterText, EachFrameIsAcceptedByTheFilterOfItsFormat) {

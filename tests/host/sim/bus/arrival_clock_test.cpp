@@ -51,6 +51,28 @@ TEST(ArrivalClock, ClockComparisonInterruptedForLongIsRepeated) {
     EXPECT_EQ(clock.at(5100000 * ns, Instant{}), Instant{101000});
 }
 
+TEST(ArrivalClock, ClocksAreComparedUpToFourTimes) {
+    // Three comparisons take 20 ms each, the fourth takes no time: 60 ms of the run are 5 s of the real time.
+    const ArrivalClock fourth = compared({0, 20000, 20000, 40000, 40000, 60000, 60000, 60000}, 5000000);
+    EXPECT_EQ(fourth.at(5000000 * ns, Instant{}), Instant{60000});
+    // Four comparisons take 20 ms each, and there is no fifth. The first is as good as the others; its middle is 10 ms.
+    const ArrivalClock fifth = compared({0, 20000, 20000, 40000, 40000, 60000, 60000, 80000, 80000, 80000}, 5000000);
+    EXPECT_EQ(fifth.at(5000000 * ns, Instant{}), Instant{10000});
+}
+
+TEST(ArrivalClock, ComparisonOfTenMicrosecondsIsGoodEnough) {
+    const ArrivalClock ten = compared({0, 10, 100, 100}, 5000000);
+    EXPECT_EQ(ten.at(5000000 * ns, Instant{}), Instant{5});  // the middle between 0 and 10 us
+    const ArrivalClock eleven = compared({0, 11, 100, 100}, 5000000);
+    EXPECT_EQ(eleven.at(5000000 * ns, Instant{}), Instant{100});  // the second comparison takes no time
+}
+
+TEST(ArrivalClock, MissingTimestampIsRecognisedWhenTheRunIsAheadOfTheRealTime) {
+    const ArrivalClock clock = compared({1000}, 500);
+    EXPECT_EQ(clock.at(0, Instant{7}), Instant{7});
+    EXPECT_EQ(clock.at(1, Instant{7}), Instant{500});  // 1 ns is 0 us of the real time
+}
+
 TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     // Each comparison of the first call takes 20 ms: the offset is known within 10 ms.
     ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
@@ -58,6 +80,18 @@ TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     clock.use(clock_of({200000}));
     clock.compare(Instant{}, [] { return 5195000 * ns; });
     EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
+}
+
+TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
+    ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
+    // Again each comparison takes 20 ms. The middle of the first is 110 ms of the run, 5 ms more than before.
+    clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
+    clock.compare(Instant{}, [] { return 5095000 * ns; });
+    EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
+    // 40 ms more: the tolerance is 50 ms and the time of the comparison.
+    clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
+    clock.compare(Instant{}, [] { return 5060000 * ns; });
+    EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
 }
 
 TEST(ArrivalClock, ChangeOfTheRealTimeClockAboveTheToleranceIsFollowed) {

@@ -97,6 +97,15 @@ TEST(CandumpLine, LineHasTimeInterfaceFrameAndMark) {
     EXPECT_EQ(line("  (1.0)\tcan0   703#05  ").frame.length, 1U);
 }
 
+TEST(CandumpLine, AsciiWhiteSpaceSeparatesWordsAndOtherControlCharactersDoNot) {
+    for (const char blank : {' ', '\t', '\n', '\v', '\f', '\r'}) {
+        EXPECT_EQ(line(std::string{"(1.0)"} + blank + "can0 703#05").interface, "can0") << static_cast<int>(blank);
+    }
+    for (const char other : {'\b', '\x0E', '\x1F'}) {
+        EXPECT_NE(refusal(std::string{"(1.0) can0 703#05"} + other), "taken") << static_cast<int>(other);
+    }
+}
+
 TEST(CandumpLine, RefusalNamesTheWrongPart) {
     EXPECT_NE(refusal("(1.0) can0").find("does not consist of a time, an interface and a frame"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#05 X").find("does not consist of a time, an interface and a frame"),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host/sim/bus/arbitrated_bus.hpp"
+#include "host/sim/bus/can_bits.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
 
 namespace canproof::host::test {
@@ -68,6 +69,26 @@ TEST(Delivery, NodeThatReportsItsChangesSendsAndReceives) {
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
 }
 
+TEST(Delivery, DeadlineIsThatOfTheFirstNodeThatMaySend) {
+    ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
+    TellingNode a{"a"};
+    TellingNode b{"b"};
+    TellingNode c{"c"};
+    for (TellingNode* const node : {&a, &b, &c}) {
+        bus.attach(*node);
+    }
+    a.rate = 250000;  // this node is disconnected, although its frame has the lowest identifier
+    b.rate = c.rate = 125000;
+    c.send_and_tell("123#");
+    bus.advance(Instant{0});
+    b.send_and_tell("703#05");
+    a.send_and_tell("081#");
+    const Instant end{std::uint64_t{frame_bits(parse_frame("123#", "test"))} * 8U};
+    EXPECT_EQ(bus.next_deadline(), end);
+    bus.advance(end);
+    EXPECT_EQ(bus.next_deadline(), end + microseconds(24));  // 3 bits of intermission
+}
+
 TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     // A node reaches the warning state after 96 corrupted frames; each correct frame decreases the counter by one.
     BusFaultRates faults;
@@ -87,6 +108,24 @@ TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     run_until(bus, Instant{0}, Instant{2000000});
     EXPECT_FALSE(reader.states.empty());
     EXPECT_EQ(deaf.states, reader.states);
+}
+
+TEST(Delivery, CorruptedFrameOfANodeThatReportsItsChangesIsNotSentAfterBusOff) {
+    BusFaultRates faults;
+    faults.corrupted = 0.9;
+    faults.seed = 1;  // with this seed, the first frame is corrupted
+    ArbitratedBus bus{"inproc", 125000, faults};
+    TellingNode a{"a"};
+    bus.attach(a);
+    a.send_and_tell("083#");
+    bus.advance(Instant{0});
+    const Instant end = bus.next_deadline();
+    bus.advance(end);
+    ASSERT_EQ(bus.report(end).errors, 1U);
+    bus.switch_off(a, end);  // between the error frame and the repetition
+    run_until(bus, end, Instant{1000000});
+    EXPECT_THAT(a.states, SizeIs(2));  // bus-off and its end
+    EXPECT_EQ(bus.report(Instant{1000000}).frames, 0U);
 }
 
 TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {

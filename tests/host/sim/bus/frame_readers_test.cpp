@@ -61,4 +61,39 @@ TEST(FrameReaders, NewFiltersReplaceThoseOfOneReaderOnly) {
     EXPECT_THAT(readers.of(frame_of("206#")), IsEmpty());
 }
 
+TEST(FrameReaders, ExtendedIdentifiersAreDistinguished) {
+    FrameReaders readers;
+    readers.set(2, {{0x205, 0x1FFFFFFF, true}});
+    EXPECT_THAT(readers.of(frame_of("00000206#")), IsEmpty());
+    EXPECT_THAT(readers.of(frame_of("000#")), IsEmpty());
+}
+
+TEST(FrameReaders, ExtendedFilterWithTheMaskOfABaseIdentifierReadsSeveralIdentifiers) {
+    FrameReaders readers;
+    readers.set(1, {{0x705, 0x7FF, true}});
+    EXPECT_THAT(readers.of(frame_of("1FFFFF05#")), ElementsAre(1U));  // the lowest 11 bits are 705h
+    EXPECT_THAT(readers.of(frame_of("1FFFFF06#")), IsEmpty());
+    EXPECT_THAT(readers.of(frame_of("705#")), IsEmpty());
+}
+
+TEST(FrameReaders, FilterComparesOnlyTheBitsOfItsMask) {
+    FrameReaders readers;
+    readers.set(1, {{0x7FF, 0x700, false}});
+    readers.set(2, {{0xF05, 0x7FF, false}});  // bit 11 is outside the mask
+    EXPECT_THAT(readers.of(frame_of("701#")), ElementsAre(1U));
+    EXPECT_THAT(readers.of(frame_of("705#")), ElementsAre(1U, 2U));
+    readers.set(2, {});
+    EXPECT_THAT(readers.of(frame_of("705#")), ElementsAre(1U));
+}
+
+TEST(FrameReaders, RemovedFiltersCanBeSetAgain) {
+    FrameReaders readers;
+    for (int i = 0; i < 2; ++i) {
+        readers.set(1, {{0x205, 0x7FF, false}, {0x205, 0x7FF, false}});  // a filter may be listed twice
+        EXPECT_THAT(readers.of(frame_of("205#")), ElementsAre(1U)) << i;
+        readers.set(1, {});
+        EXPECT_THAT(readers.of(frame_of("205#")), IsEmpty()) << i;
+    }
+}
+
 }  // namespace canproof::host::test

@@ -18,7 +18,9 @@ Frame frame_in(const std::string& text) {
 
 TEST(FrameText, FramesAreAlikeOnlyWhenEachFieldIsTheSame) {
     const Frame frame = frame_in("123#1122");
-    EXPECT_TRUE(are_alike(frame, frame_in("123#1122")));
+    for (const char* const same : {"123#1122", "00000123#1122", "123#R2"}) {
+        EXPECT_TRUE(are_alike(frame_in(same), frame_in(same))) << same;
+    }
     // identifier, format, remote, length, data
     for (const char* const other : {"124#1122", "00000123#1122", "123#R2", "123#112200", "123#1123"}) {
         EXPECT_FALSE(are_alike(frame, frame_in(other))) << other;
@@ -28,11 +30,31 @@ TEST(FrameText, FramesAreAlikeOnlyWhenEachFieldIsTheSame) {
 
 TEST(FrameText, CharactersNextToTheHexadecimalDigitsInAsciiAreRefused) {
     EXPECT_EQ(frame_in("0f9#aF").data[0], 0xAFU);
-    for (const char beside : {'/', ':', '@', 'G', '`', 'g'}) {
+    for (const char beside : {'/', ':', '@', 'G', '`', 'g', 'h', '~'}) {
         FrameText read;
         EXPECT_NE(read_frame_text(std::string{"123#1"} + beside, read), std::nullopt) << beside;
         EXPECT_NE(read_frame_text(std::string{"12"} + beside + "#11", read), std::nullopt) << beside;
     }
+}
+
+TEST(FrameText, ByteAfterAFaultyByteDoesNotHideTheFault) {
+    FrameText read;
+    for (const char* const wrong : {"123#GG11", "123#0G11", "123#110G22"}) {
+        EXPECT_NE(read_frame_text(wrong, read), std::nullopt) << wrong;
+    }
+}
+
+TEST(FrameText, TextLeavesNothingOfThePreviousOne) {
+    FrameText read;
+    ASSERT_EQ(read_frame_text("00000123#R2", read), std::nullopt);
+    ASSERT_EQ(read_frame_text("124#11", read), std::nullopt);
+    EXPECT_TRUE(are_alike(read.frame, frame_in("124#11")));
+    ASSERT_EQ(read_frame_text("124#R2", read), std::nullopt);
+    ASSERT_EQ(read_logged_frame("20000004#00", read), std::nullopt);
+    EXPECT_FALSE(read.frame.remote);
+    ASSERT_TRUE(read.error);
+    ASSERT_EQ(read_logged_frame("124#11", read), std::nullopt);
+    EXPECT_FALSE(read.error);
 }
 
 }  // namespace canproof::host::test

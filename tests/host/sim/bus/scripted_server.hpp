@@ -45,6 +45,11 @@ class ScriptedServer {
     void say(const std::string& text) const {
         EXPECT_EQ(send(client_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
     }
+    /// Makes the buffer for text of the client small, so that it is soon full.
+    void keep_little() const {
+        const int room = 4096;
+        EXPECT_EQ(setsockopt(client_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room), 0);
+    }
     /// Returns all text that the client has sent so far.
     const std::string& heard() {
         std::array<char, 4096> piece{};
@@ -53,6 +58,12 @@ class ScriptedServer {
             heard_.append(piece.data(), count > 0 ? static_cast<std::size_t>(count) : 0U);
         }
         return heard_;
+    }
+    /// Returns whether the client has closed the connection.
+    bool ended() {
+        heard();
+        char byte = 0;
+        return recv(client_, &byte, 1, MSG_DONTWAIT) == 0;
     }
     /// Resets the connection, so that the next call of the client fails.
     void reset_connection() {

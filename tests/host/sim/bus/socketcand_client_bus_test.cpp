@@ -6,6 +6,7 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -15,6 +16,8 @@
 #include "host/base/input_error.hpp"
 #include "host/sim/bus/socketcand_bus.hpp"
 #include "tests/host/sim/bus/bus_bench.hpp"
+#include "tests/host/sim/bus/descriptor_limit.hpp"
+#include "tests/host/sim/bus/scripted_bus.hpp"
 
 namespace canproof::host::test {
 
@@ -259,6 +262,59 @@ TEST_F(SocketcandServerElsewhere, UpTo256UserFramesWaitUntilTheServerAcceptsTheC
     EXPECT_EQ(taken, 256);
     ASSERT_TRUE(until([&] { return far.heard.size() == 256; }));
     EXPECT_TRUE(bus->put(parse_frame("123#", "test"), now));
+}
+
+TEST_F(ScriptedBus, PendingConnectionIsWatchedUntilItIsEstablished) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(server.port());
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    std::vector<int> others;
+    bool full = false;
+    while (!full && others.size() < 64) {  // the server accepts none of them
+        others.push_back(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+        const int started = ::connect(others.back(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
+        ASSERT_TRUE(started == 0 || errno == EINPROGRESS);
+        sockaddr_in peer{};
+        socklen_t size = sizeof peer;
+        full = getpeername(others.back(), reinterpret_cast<sockaddr*>(&peer), &size) != 0;
+    }
+    ASSERT_TRUE(full);
+    SocketcandClientBus pending{{"127.0.0.1", server.port(), "can0"}, 125000, now};
+    pending.poll(now);
+    ASSERT_THAT(pending.watches(), SizeIs(1));
+    EXPECT_TRUE(pending.watches()[0].writable);
+    EXPECT_FALSE(pending.watches()[0].readable);
+    for (const int one : others) {
+        close(one);
+    }
+}
+
+TEST_F(ScriptedBus, ConnectionSendsWithoutDelay) {
+    join();
+    int value = 0;
+    socklen_t size = sizeof value;
+    EXPECT_EQ(getsockopt(bus->watches().at(0).descriptor, IPPROTO_TCP, TCP_NODELAY, &value, &size), 0);
+    EXPECT_NE(value, 0);
+}
+
+TEST_F(ScriptedBus, ClosedBusClosesItsConnection) {
+    join();
+    bus.reset();
+    EXPECT_TRUE(server.ended());
+}
+
+TEST_F(ScriptedBus, LackOfDescriptorsIsTheReportedReason) {
+    join();
+    const int descriptor = dup(bus->watches().at(0).descriptor);
+    close(descriptor);
+    const DescriptorLimit limit{descriptor};
+    try {
+        const SocketcandClientBus second{{"127.0.0.1", server.port(), "can0"}, 125000, now};
+        FAIL() << "connects";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("(Too many open files)"));
+    }
 }
 
 }  // namespace canproof::host::test

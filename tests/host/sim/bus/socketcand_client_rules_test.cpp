@@ -4,13 +4,9 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
-#include <memory>
-
 #include "host/base/input_error.hpp"
 #include "host/sim/bus/can_bits.hpp"
-#include "host/sim/bus/socketcand_client_bus.hpp"
-#include "tests/host/sim/bus/bus_bench.hpp"
-#include "tests/host/sim/bus/scripted_server.hpp"
+#include "tests/host/sim/bus/scripted_bus.hpp"
 
 namespace canproof::host::test {
 
@@ -21,56 +17,27 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr int longest_wait_ms = 5000;  // reached only in a broken test
-
-class ScriptedBus : public testing::Test {
-  protected:
-    void connect(std::uint32_t bit_rate = 125000) {
-        bus =
-            std::make_unique<SocketcandClientBus>(SocketcandPlace{"127.0.0.1", server.port(), "vcan0"}, bit_rate, now);
-        bus->listen([this](const BusFrame& frame) {
-            log.push_back(fmt::format("{} {} {}", frame.time.us, frame.sender == nullptr ? "-" : frame.sender->name(),
-                                      format_frame(frame.frame)));
-        });
-        bus->on_notice([this](const std::string& text) { notices.push_back(text); });
-        bus->attach(a);
-        bus->attach(b);
-        server.accept_one();
-    }
-    /// Waits until text of the server has arrived and reads it.
-    void hear() {
-        const std::vector<Watch> watches = bus->watches();
-        ASSERT_THAT(watches, SizeIs(1));
-        pollfd waiting{watches[0].descriptor, static_cast<short>(watches[0].readable ? POLLIN : POLLOUT), 0};
-        ASSERT_GT(::poll(&waiting, 1, longest_wait_ms), 0);
-        bus->poll(now);
-    }
-    void say(const std::string& text) {
-        server.say(text);
-        hear();
-    }
-    void join(std::uint32_t bit_rate = 125000) {
-        connect(bit_rate);
-        hear();  // the connection is established
-        say("< hi >");
-        say("< ok >");
-        say("< ok >");
-        ASSERT_TRUE(bus->has_joined());
-        bus->advance(now);
-    }
-
-    ScriptedServer server;
-    Instant now{1000000};
-    PlainNode a{"a"};
-    PlainNode b{"b"};
-    std::unique_ptr<SocketcandClientBus> bus;
-    std::vector<std::string> log;
-    std::vector<std::string> notices;
-};
-
 std::uint64_t bits_of(const std::string& frame) {
     return frame_bits(parse_frame(frame, "test")) + 3U;
 }
+
+class SlowServer : public ScriptedBus {
+  protected:
+    /// Sends frames to the server, which does not read, until text waits for it. Returns the number of frames.
+    std::size_t fill_output() {
+        server.keep_little();
+        const int room = 4096;
+        EXPECT_EQ(setsockopt(bus->watches().at(0).descriptor, SOL_SOCKET, SO_SNDBUF, &room, sizeof room), 0);
+        std::size_t frames = 0;
+        for (; frames < 20000 && !bus->watches().at(0).writable; ++frames) {
+            a.send("583#4300100091010800");
+            bus->advance(now);
+            now = now + milliseconds(2);  // the longest frame takes about 1 ms
+        }
+        EXPECT_TRUE(bus->watches().at(0).writable);
+        return frames;
+    }
+};
 
 }  // namespace
 
@@ -159,6 +126,20 @@ TEST_F(ScriptedBus, NextFrameFollowsAfterTheBitTimesOfThePreviousFrameRoundedUp)
     EXPECT_EQ(bus->report(now).bit_rate, 300000U);
 }
 
+TEST_F(ScriptedBus, BitTimesOfWholeMicrosecondsAreNotRoundedAndASmallRestIs) {
+    for (const auto& [bit_rate, us] : {std::pair{125000U, bits_of("703#05") * 8U},
+                                       std::pair{999999U, bits_of("703#05") + 1U},  // a bit lasts 1.000001 us
+                                       // 58 bits last 467.0000081 us: 58,000,000 = 467 × 124,197 + 1
+                                       std::pair{124197U, std::uint64_t{468}}}) {
+        join(bit_rate);
+        a.send("703#05");
+        a.send("703#05");
+        bus->advance(now);
+        EXPECT_EQ(bus->next_deadline(), now + Duration{us}) << bit_rate;
+        a.waiting.clear();
+    }
+}
+
 TEST_F(ScriptedBus, LoadCoversReceivedAndSentFramesOfTheLastSecond) {
     join();
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
@@ -177,6 +158,21 @@ TEST_F(ScriptedBus, LoadCoversReceivedAndSentFramesOfTheLastSecond) {
     bus->advance(now);
     EXPECT_DOUBLE_EQ(bus->report(now).load, 0.0);
     EXPECT_EQ(bus->report(now).frames, 2U);
+}
+
+TEST_F(ScriptedBus, LoadRoundsEachFrameDownToMicroseconds) {
+    join(1000001);  // a bit lasts 0.999999 us
+    a.send("703#05");
+    bus->advance(now);
+    EXPECT_NEAR(bus->report(now).load, static_cast<double>(bits_of("703#05") - 1U) / 1.0e6, 1.0e-9);
+}
+
+TEST_F(ScriptedBus, TextOfOneByteIsRead) {
+    join();
+    say("<");
+    say(" frame 080 9.5 >");
+    bus->advance(now);
+    EXPECT_THAT(log, ElementsAre("1000000 - 080#"));
 }
 
 TEST_F(ScriptedBus, BitRateIs125000WhenNoneIsGiven) {
@@ -226,6 +222,7 @@ TEST_F(ScriptedBus, LostServerIsContactedAgainAfterASecond_AndMustAnswerInTime) 
     now = now + SocketcandClientBus::join_limit;
     bus->poll(now);  // the server has sent nothing
     EXPECT_THAT(bus->watches(), IsEmpty());
+    EXPECT_TRUE(server.ended());
     EXPECT_EQ(bus->next_deadline(), now + SocketcandClientBus::search_period);
     EXPECT_THAT(notices, SizeIs(1));
     EXPECT_THAT(a.states, SizeIs(1));
@@ -281,6 +278,75 @@ TEST_F(ScriptedBus, FailedSendDetectsThatTheServerIsLost) {
     EXPECT_THAT(notices, ElementsAre(HasSubstr("is gone (")));
     EXPECT_FALSE(bus->has_joined());
     EXPECT_THAT(b.states, ElementsAre("1000000 3"));
+}
+
+TEST_F(ScriptedBus, LostServerIsNotDetectedWithoutReadingOrSending) {
+    join();
+    server.reset_connection();
+    errno = 0;
+    bus->advance(now);
+    EXPECT_TRUE(bus->has_joined());
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST_F(ScriptedBus, GreetingThatHasArrivedIsAnsweredByTheFirstPoll) {
+    connect();
+    server.say("< hi >");
+    pollfd waiting{bus->watches().at(0).descriptor, POLLIN, 0};
+    ASSERT_GT(::poll(&waiting, 1, longest_wait_ms), 0);
+    bus->poll(now);
+    EXPECT_EQ(server.heard(), "< open vcan0 >");
+}
+
+TEST_F(ScriptedBus, FrameThatArrivedBeforeTheTimeOfTheBusIsDueAtThatTime) {
+    join();
+    bus->use_clock([] { return Instant{1000000}; });
+    now = Instant{3600000000U};
+    bus->advance(now);
+    say("< frame 080 9.5 >");
+    EXPECT_EQ(bus->next_deadline(), now);
+}
+
+TEST_F(ScriptedBus, ServerIsNotReadWhile65536FramesWait) {
+    join();
+    std::string frames;
+    for (int i = 0; i < 2048; ++i) {
+        frames += "<frame 1 0>";
+    }
+    for (int i = 0; i < 32; ++i) {
+        ASSERT_TRUE(bus->watches().at(0).readable) << i;
+        say(frames);
+    }
+    EXPECT_FALSE(bus->watches().at(0).readable);
+    server.say("< error one more >");
+    bus->poll(now);
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST_F(SlowServer, ServerThatReadsLateGetsAllFrames) {
+    join();
+    const std::size_t frames = fill_output();
+    bus->poll(now);
+    // `< open vcan0 >< rawmode >` has 25 characters, `< send 583 8 43 00 10 00 91 01 08 00 >` has 38
+    const std::size_t all = 25 + 38 * frames;
+    for (int i = 0; i < 500 && server.heard().size() < all; ++i) {
+        pollfd waiting{bus->watches().at(0).descriptor, POLLOUT, 0};
+        ASSERT_GE(::poll(&waiting, 1, longest_wait_ms), 0);
+        bus->poll(now);
+    }
+    EXPECT_EQ(server.heard().size(), all);
+    EXPECT_FALSE(bus->watches().at(0).writable);
+}
+
+TEST_F(SlowServer, FrameBeforeAResetArrives_EvenWhileTextWaitsForTheServer) {
+    join();
+    fill_output();
+    server.say("< frame 080 9.5 >");
+    server.reset_connection();
+    bus->poll(now);
+    bus->advance(now);
+    EXPECT_THAT(log.back(), HasSubstr(" - 080#"));
+    EXPECT_FALSE(bus->has_joined());
 }
 
 TEST_F(ScriptedBus, BroadcastAddressOfAServerIsRefusedAtOnce) {

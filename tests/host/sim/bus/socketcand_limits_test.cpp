@@ -182,6 +182,8 @@ TEST_F(SocketcandLimits, StatisticsPeriodIsUpToAnHour) {
     say("< open can0 >");
     EXPECT_EQ(say("< statistics 3600000 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{3600000000U});
+    EXPECT_EQ(say("< statistics 00000500 >"), "");
+    EXPECT_EQ(session.next_deadline(), Instant{500000});
     EXPECT_EQ(say("< statistics 1 >"), "");
     EXPECT_EQ(session.next_deadline(), Instant{1000});
     for (const char* wrong : {"< statistics 3600001 >", "< statistics >", "< statistics 1 2 >", "< statistics -1 >",
@@ -237,6 +239,8 @@ TEST_F(SocketcandLimits, InputIsKeptUpToItsLimit) {
     EXPECT_TRUE(session.wants_input());
     session.receive(" ", Instant{});
     EXPECT_FALSE(session.wants_input());
+    session.send_away("too many");
+    EXPECT_TRUE(session.wants_input());  // the session reads further text and ignores it
 }
 
 TEST_F(SocketcandLimits, SendTakesBytesWithOrWithoutBlanks) {
@@ -257,7 +261,7 @@ TEST_F(SocketcandLimits, SendTakesBytesWithOrWithoutBlanks) {
     EXPECT_EQ(frame_of("123 0"), "123#");
     EXPECT_EQ(frame_of("00000123 1 5"), "00000123#05");
     for (const char* wrong : {"123 2 01", "123 2 010", "123 2 010203", "123 1 0102", "123 3 0102 03", "123 2 01 02 03",
-                              "123 2 001 02", "123 0 1", "123 9", "123 x 01"}) {
+                              "123 2 001 02", "123 3 001 002", "123 0 1", "123 9", "123 x 01"}) {
         EXPECT_THAT(frame_of(wrong), HasSubstr("< error send takes")) << wrong;
     }
 }

@@ -7,6 +7,7 @@
 #include "devices/catalogue.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 #include "host/sim/replay/replay.hpp"
+#include "tests/host/sim/replay/recording_device.hpp"
 
 namespace canproof::host {
 
@@ -46,6 +47,20 @@ TEST(ReplayOrder, AnswersAreWrittenInTheOrderOfTheLog_NotOfTheDevice) {
         "(0.011000) can0 583#4F01100000000000 T\n(0.012000) can0 583#4300100091010800 T\n";
     EXPECT_EQ(replayed(log, ""),
               "(0.011000) can0 583#4F01100000000000\n(0.012000) can0 583#4300100091010800\n(0.000000) can0 703#00\n");
+}
+
+TEST(ReplayOrder, EachCallOfTheDeviceIsAnnouncedOnceBeforeIt) {
+    test::RecordingDevice device{milliseconds(10)};
+    std::istringstream log{"(0.005000) can0 080#\n(0.010000) can0 081#\n"};
+    std::istringstream stimuli{"0.007000,one,1\n"};
+    ReplayInput input;
+    input.frames = read_candump_log(log, "log");
+    input.stimuli = read_stimuli(stimuli, "stimuli");
+    input.before_call = [&device] { device.told.push_back("call"); };
+    std::ostringstream frames;
+    replay(device, input, frames, nullptr);
+    EXPECT_EQ(device.told, (std::vector<std::string>{"0.000000 on", "call", "0.005000 080#", "call", "0.007000 one=1",
+                                                     "call", "0.010000 due", "call", "0.010000 081#"}));
 }
 
 }  // namespace canproof::host

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules of the socketcand server that need a certain order of arrivals, full buffers or lost connections.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "host/base/input_error.hpp"
+#include "tests/host/sim/bus/descriptor_limit.hpp"
+#include "tests/host/sim/bus/socketcand_server.hpp"
+
+namespace canproof::host::test {
+
+namespace {
+
+using canproof::test::TcpClient;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class SocketcandServerRules : public SocketcandServer {
+  protected:
+    /// Sends frames to a client that does not read, until text waits for it. Returns the number of frames.
+    std::size_t fill_output() {
+        std::size_t frames = 0;
+        while (frames < 200000 && !bus.watches().back().writable) {
+            send_one();
+            ++frames;
+        }
+        EXPECT_TRUE(bus.watches().back().writable);
+        return frames;
+    }
+    void send_one() {
+        node.send("583#4300100091010800");
+        bus.advance(now);
+        now = bus.next_deadline();
+        bus.advance(now);
+    }
+    int lowest_free_descriptor() const {
+        const int descriptor = dup(bus.watches().front().descriptor);
+        close(descriptor);
+        return descriptor;
+    }
+    /// Returns the number of open descriptors below 1024.
+    static int open_descriptors() {
+        int open = 0;
+        for (int descriptor = 0; descriptor < 1024; ++descriptor) {
+            open += fcntl(descriptor, F_GETFD) >= 0 ? 1 : 0;
+        }
+        return open;
+    }
+    /// Returns the message with which a server at this port fails.
+    static std::string refusal(std::uint16_t port) {
+        try {
+            const SocketcandBus second{{"127.0.0.1", port}, 125000, {}, 0};
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+    static std::string many_commands() {
+        std::string much;
+        for (int i = 0; i < 1000; ++i) {
+            much += "< send 123 0 >";
+        }
+        return much;
+    }
+};
+
+}  // namespace
+
+TEST_F(SocketcandServerRules, FailedServerReportsTheReasonAndLeavesNoDescriptor) {
+    const int before = open_descriptors();
+    EXPECT_THAT(refusal(bus.port()), HasSubstr("(Address already in use)"));
+    EXPECT_EQ(open_descriptors(), before);
+}
+
+TEST_F(SocketcandServerRules, LackOfDescriptorsIsTheReportedReason) {
+    const DescriptorLimit limit{lowest_free_descriptor()};
+    EXPECT_THAT(refusal(0), HasSubstr("(Too many open files)"));
+}
+
+TEST_F(SocketcandServerRules, ClosedClientLeavesNoDescriptor) {
+    const int before = open_descriptors();
+    {
+        TcpClient client{bus.port()};
+        ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    }
+    ASSERT_TRUE(until([&] { return bus.clients() == 0; }));
+    EXPECT_EQ(open_descriptors(), before);
+}
+
+TEST_F(SocketcandServerRules, OneTurnAcceptsEightClients) {
+    std::vector<std::unique_ptr<TcpClient>> clients;
+    for (int i = 0; i < 9; ++i) {
+        clients.push_back(std::make_unique<TcpClient>(bus.port()));
+    }
+    ASSERT_TRUE(arrive());
+    bus.poll(now);
+    EXPECT_EQ(bus.clients(), 8U);
+    EXPECT_TRUE(until([&] { return bus.clients() == 9; }));
+}
+
+TEST_F(SocketcandServerRules, PortCanBeUsedAgainAtOnce) {
+    int value = 0;
+    socklen_t size = sizeof value;
+    EXPECT_EQ(getsockopt(bus.watches().front().descriptor, SOL_SOCKET, SO_REUSEADDR, &value, &size), 0);
+    EXPECT_EQ(value, 1);
+}
+
+TEST_F(SocketcandServerRules, DismissedClientThatDoesNotReadGetsAllItsText) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    std::string echoes;
+    for (int i = 0; i < 400; ++i) {
+        echoes += "< echo >";
+    }
+    std::size_t all = std::string{"< hi >"}.size();
+    for (int i = 0; i < 1000 && !bus.watches().back().writable; ++i) {
+        client.say(echoes);
+        all += echoes.size();
+        ASSERT_TRUE(arrive());
+        pass(Duration{});
+    }
+    ASSERT_TRUE(bus.watches().back().writable);
+    pass(SocketcandBus::open_limit);
+    all += std::string{"< error the bus was not opened within 10 s >"}.size();
+    EXPECT_TRUE(until([&] { return client.ended(); }));
+    EXPECT_EQ(client.heard().size(), all);
+}
+
+TEST_F(SocketcandServerRules, UserFramesWaitUpTo256) {
+    for (int i = 0; i < 256; ++i) {
+        ASSERT_TRUE(bus.put(parse_frame("123#", "test"), now)) << i;
+    }
+    EXPECT_FALSE(bus.put(parse_frame("123#", "test"), now));
+}
+
+TEST_F(SocketcandServerRules, CommandMayArriveByteByByte) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    for (const char byte : join) {
+        client.say(std::string{byte});
+        ASSERT_TRUE(arrive());
+        pass(Duration{});
+    }
+    EXPECT_TRUE(until([&] { return client.heard() == joined; }));
+}
+
+TEST_F(SocketcandServerRules, TextIsReadOnlyWhenEarlierTextHasBeenPassedOn) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    client.say("< echo >");
+    ASSERT_TRUE(arrive());
+    bus.poll(now);
+    client.say("< echo >");
+    bus.poll(now);
+    EXPECT_TRUE(until([&] { return client.heard() == "< hi >< echo >< echo >"; }));
+}
+
+TEST_F(SocketcandServerRules, TextIsNotPassedOnBeforeItsTimeOfArrival) {
+    TcpClient client{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    client.say("< echo >");
+    ASSERT_TRUE(arrive());
+    now = now + microseconds(1000);
+    bus.poll(now);
+    bus.advance(Instant{now.us - 1});
+    EXPECT_EQ(bus.next_deadline(), now);
+    EXPECT_TRUE(until([&] { return client.heard() == "< hi >< echo >"; }));
+}
+
+TEST_F(SocketcandServerRules, TextThatArrivedBeforeTheTimeOfTheBusIsDueAtThatTime) {
+    now = Instant{1000000};
+    bus.use_clock([] { return Instant{1000000}; });
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    now = Instant{3600000000U};
+    bus.advance(now);
+    client.say("< echo >");
+    ASSERT_TRUE(arrive());
+    bus.poll(now);
+    EXPECT_EQ(bus.next_deadline(), now);
+}
+
+TEST_F(SocketcandServerRules, SlowClientGetsAllItsText) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    std::size_t frames = fill_output();
+    for (int i = 0; i < 10; ++i, ++frames) {
+        send_one();  // the kernel takes nothing more
+    }
+    ASSERT_LT(now, Instant{10000000});
+    // `< frame 583 0.000000 4300100091010800 >` has 39 characters
+    const std::size_t all = joined.size() + 39 * frames;
+    EXPECT_TRUE(until([&] { return client.heard().size() == all; })) << client.heard().size() << " of " << all;
+    EXPECT_FALSE(bus.watches().back().writable);
+}
+
+TEST_F(SocketcandServerRules, BlockedClientThatDoesNotReadIsWatchedForOutputOnly) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    fill_output();
+    client.say(many_commands());
+    for (int turn = 0; turn < 4; ++turn) {
+        pass(Duration{});  // no time passes, so the gateway and the text buffer of the client fill up
+    }
+    ASSERT_THAT(bus.watches(), SizeIs(2));
+    EXPECT_FALSE(bus.watches().back().readable);
+    EXPECT_TRUE(bus.watches().back().writable);
+}
+
+TEST_F(SocketcandServerRules, ClientWithAResetConnectionIsRemovedWhenTheResetIsRead) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    client.reset();
+    ASSERT_TRUE(arrive());
+    bus.poll(now);
+    EXPECT_EQ(bus.clients(), 0U);
+    EXPECT_THAT(bus.watches(), SizeIs(1));
+}
+
+TEST_F(SocketcandServerRules, ResetOfOneClientAffectsNoOther) {
+    TcpClient first{bus.port()};
+    first.say(join);
+    ASSERT_TRUE(until([&] { return first.heard() == joined; }));
+    TcpClient second{bus.port()};
+    second.say(join);
+    ASSERT_TRUE(until([&] { return second.heard() == joined; }));
+    first.reset();
+    second.say("< echo >");
+    ASSERT_TRUE(arrive());
+    pass(Duration{});  // one turn reads both
+    ASSERT_TRUE(until([&] { return second.heard() == joined + "< echo >"; }));
+    second.say("< echo >");
+    EXPECT_TRUE(until([&] { return second.heard() == joined + "< echo >< echo >"; }));
+    EXPECT_EQ(bus.clients(), 1U);
+}
+
+TEST_F(SocketcandServerRules, TextForAResetConnectionIsDiscarded) {
+    TcpClient client{bus.port()};
+    client.say(join);
+    ASSERT_TRUE(until([&] { return client.heard() == joined; }));
+    client.reset();
+    // 7000 frames of 39 characters are more than the 262144 characters that may wait for a client
+    for (int i = 0; i < 7000; ++i) {
+        send_one();
+        ASSERT_FALSE(i > 2 && bus.watches().back().writable) << i;
+    }
+    EXPECT_THAT(notices, IsEmpty());
+    EXPECT_EQ(bus.clients(), 1U);
+}
+
+TEST_F(SocketcandServerRules, OnlyAClientThatHasNotOpenedTheBusGivesItsPlace) {
+    const auto clients = clients_that(join, SocketcandBus::most_clients - 1);
+    TcpClient idle{bus.port()};
+    ASSERT_TRUE(until([&] { return bus.clients() == SocketcandBus::most_clients; }));
+    pass(SocketcandBus::patience);
+    TcpClient late{bus.port()};
+    late.say(join);
+    EXPECT_TRUE(until([&] { return late.heard() == joined && idle.ended(); }));
+    EXPECT_FALSE(clients.front()->ended());
+}
+
+TEST_F(SocketcandServerRules, FirstDismissedClientIsClosedWhenTooManyLeave) {
+    const auto idle = clients_that("", SocketcandBus::most_clients);
+    pass(SocketcandBus::open_limit);
+    EXPECT_EQ(bus.clients(), 0U);
+    const auto clients = clients_that(join, SocketcandBus::most_clients);
+    ASSERT_THAT(bus.watches(), SizeIs(1 + 2 * SocketcandBus::most_clients));
+    const int second = bus.watches()[2].descriptor;
+    TcpClient late{bus.port()};
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_THAT(bus.watches(), SizeIs(1 + 2 * SocketcandBus::most_clients));
+    EXPECT_EQ(bus.watches()[1].descriptor, second);
+}
+
+TEST_F(SocketcandServerRules, RefusalIsReportedAfterAnIdleClientHasLeft) {
+    {
+        TcpClient idle{bus.port()};
+        ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+        pass(SocketcandBus::open_limit);
+        pass(SocketcandBus::leave_limit);
+        ASSERT_THAT(bus.watches(), SizeIs(1));
+    }
+    const auto clients = clients_that(join, SocketcandBus::most_clients);
+    TcpClient late{bus.port()};
+    ASSERT_TRUE(until([&] { return late.ended(); }));
+    EXPECT_THAT(notices, SizeIs(1));
+}
+
+}  // namespace canproof::host::test
