@@ -175,12 +175,26 @@ TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
+TEST(LssStore, FailedWriteOfASlotIsReported) {
+    verifies<req::CO_LSS_076>();
+    // Three writes make a slot: the void marker, the slot, the committed marker. The fourth one ends the older slot.
+    for (const std::size_t failing : {1U, 2U, 3U, 4U}) {
+        FaultyMemory memory{64};
+        ASSERT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
+        memory.fail_write(failing);
+        EXPECT_EQ(LssStore{memory}.store({6, 250000}), failing < 4U ? LssError::storage_failed : LssError::none)
+            << failing;
+    }
+}
+
 TEST(LssStore, FailedReadCountsAsNothingStored) {
     verifies<req::CO_LSS_017>();
     FaultyMemory memory{64};
     LssStore{memory}.store({5, 500000});
     memory.fail_read(1);
-    expect(LssStore{memory}.load(shipped), 127, 125000);
+    const LssConfiguration unreadable = LssStore{memory}.load(shipped);
+    expect(unreadable, 127, 125000);
+    EXPECT_TRUE(unreadable.damaged);
     memory.fail_read(0);
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
