@@ -101,6 +101,22 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
+    faulty.fail_read(0);
+    EXPECT_EQ(save("02"), "585#6010100200000000");
+    EXPECT_EQ(faulty.reads, 2U) << "only the new bank is read, in two pieces";
+}
+
+// A power cut before the last write of a save leaves a complete bank with the void marker.
+TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
+    verifies<req::CO_STORE_006>();
+    power_on();
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    set_value("55667788");
+    EXPECT_EQ(save(), saved);
+    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // the markers of the two banks
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    EXPECT_EQ(value(), "11223344");
 }
 
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {

@@ -158,7 +158,7 @@ TEST_F(Store, StoredCobIdsFollowTheSwitchesAfterSavesOfAnotherGroup) {
     write("603#2310100173617665");  // 1010h:1 store parameters: saves all groups of node 3
     inputs.switch_low = 5;
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
-    for (int saves = 0; saves < 2; ++saves) {
+    for (int saves = 0; saves < 3; ++saves) {
         EXPECT_EQ(send("605#2310100473617665"), Frames{"585#6010100400000000"});  // manufacturer parameters only
     }
     EXPECT_EQ(power_on(), (Frames{"705#00"}));

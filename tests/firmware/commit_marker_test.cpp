@@ -29,9 +29,11 @@ TEST(CommitMarker, OnlyABankOfZerosOrOfFFhIsBlank) {
         bytes.fill(blank);
         EXPECT_EQ(state_of(bytes), BankState::unused) << int{blank};
         for (std::size_t at = 0; at < bytes.size(); ++at) {
-            std::array<std::uint8_t, 6> written = bytes;
-            written.at(at) = static_cast<std::uint8_t>(blank ^ 0xA5U);
-            EXPECT_EQ(state_of(written), BankState::doubtful) << int{blank} << ", byte " << at;
+            for (const std::uint32_t changed : {0xA5U, 0xFFU}) {
+                std::array<std::uint8_t, 6> written = bytes;
+                written.at(at) = static_cast<std::uint8_t>(blank ^ changed);
+                EXPECT_EQ(state_of(written), BankState::doubtful) << int{blank} << ", byte " << at;
+            }
         }
     }
     std::array<std::uint8_t, 6> same{};

@@ -158,6 +158,25 @@ TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     expect(LssStore{memory}.load(shipped), 6, 250000);
 }
 
+// Slots have 20 bytes each, at the end of the memory: byte 3 is the marker, the sequence number follows it.
+TEST(LssStore, NewSlotIsLoadedWhenTheOlderOneStaysCommitted) {
+    verifies<req::CO_LSS_017>();
+    for (int stores = 1; stores <= 6; ++stores) {
+        host::Memory memory{64};
+        auto& bytes = memory.bytes();
+        for (int node_id = 1; node_id <= stores; ++node_id) {
+            ASSERT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000}), LssError::none);
+        }
+        const std::size_t older = stores % 2 == 1 ? 24 : 44;
+        const std::size_t other = stores % 2 == 1 ? 44 : 24;
+        const std::uint8_t committed = bytes.at(older + 3);
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(other) + 4, 4, std::uint8_t{0});
+        ASSERT_EQ(LssStore{memory}.store({9, 50000}), LssError::none);
+        bytes.at(older + 3) = committed;  // as if its last write had failed
+        expect(LssStore{memory}.load(shipped), 9, 50000);
+    }
+}
+
 TEST(LssStore, MemoryThatIsTooSmallStoresNothing) {
     verifies<req::CO_LSS_076>();
     host::Memory memory{8};

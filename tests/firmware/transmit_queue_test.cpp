@@ -98,6 +98,16 @@ TEST(TransmitQueueOrder, NothingOvertakesTheBootUpMessage) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, SecondBootUpMessageReplacesAWaitingOneAndTheFramesBehindIt) {
+    verifies<req::CO_FRAME_003, req::CO_NMT_001>();
+    TransmitQueue queue;
+    queue.push_boot_up(numbered(0x703, 1));
+    queue.push(numbered(0x7E4, 2));
+    queue.push_boot_up(numbered(0x703, 3));
+    EXPECT_EQ(queue.pop().data[0], 3);
+    EXPECT_TRUE(queue.empty());
+}
+
 TEST(TransmitQueueOrder, QueueIsBoundedAndRefusesFramesWhileClosed) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
