@@ -174,6 +174,7 @@ TEST_F(AlteredDictionary, DefaultMappingLongerThanAFrameIsNotUsed) {
     power_on();
     EXPECT_TRUE(send("000#0105").empty());
     EXPECT_TRUE(send("205#0102030405060708").empty());
+    EXPECT_TRUE(send("205#").empty()) << "not too short for no value";
     EXPECT_EQ(device->objects().read(0x2206, 0), 0U);
 }
 

@@ -82,6 +82,27 @@ TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
 }
 
+TEST_F(Lss, IdentifyRemoteSlaveBeginsWithAVendorIdAfterAReset) {
+    verifies<req::CO_LSS_042, req::CO_LSS_077>();
+    talk({{"7E5#465F000000000000", {}},
+          {"000#8205", {"705#00"}},
+          {"7E5#47010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#4802000100000000", {}},
+          {"7E5#4902000100000000", {}},
+          {"7E5#4A21112620000000", {}},
+          {"7E5#4B21112620000000", {}}});
+}
+
+TEST_F(Lss, SwitchStateSelectiveBeginsWithAVendorIdAfterAReset) {
+    verifies<req::CO_LSS_002, req::CO_LSS_003>();
+    talk({{"7E5#405F000000000000", {}},
+          {"000#8205", {"705#00"}},
+          {"7E5#41010302AA000000", {}},  // the vendor-ID came before the reset
+          {"7E5#4202000100000000", {}},
+          {"7E5#4321112620000000", {}}});
+    EXPECT_FALSE(is_configuring());
+}
+
 TEST_F(Lss, OtherServicesDoNotDisturbIdentifyRemoteSlave) {
     verifies<req::CO_LSS_078>();
     talk({{"7E5#465F000000000000", {}},

@@ -91,6 +91,7 @@ TEST_F(Lss, NodeIdCanBeRemovedByLss) {
     talk({{"000#8205", {}}});
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(state(), NmtState::initialising);
+    EXPECT_EQ(send("605#4000100000000000"), Frames{}) << "no SDO at the identifier of node 5";
     talk({{"7E5#4C00000000000000", {"7E4#5000000000000000"}},
           {"7E5#0401000000000000", {}},
           {"7E5#1106000000000000", {"7E4#1100000000000000"}},

@@ -266,6 +266,17 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
+TEST_F(SdoBlock, UploadContinuesInTheCallThatAppliesAnNmtCommand) {
+    verifies<req::CO_SDO_039>();
+    hold(counting(140));
+    send("605#A40024007F000000");
+    device->receive(host::parse_frame("605#A300000000000000", "test"), now);
+    device->receive(host::parse_frame("000#8005", "test"), now);
+    EXPECT_EQ(sent().size(), 8U);
+    device->advance(now);
+    EXPECT_EQ(queue.size(), 8U);
+}
+
 TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
     verifies<req::CO_SDO_032>();
     hold(counting(100));

@@ -97,9 +97,26 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
     faulty.fail_read(0);
     power_on_with(faulty);
     EXPECT_EQ(value(), "11223344");
+    EXPECT_EQ(faulty.reads, 5U) << "two headers, the bank in use in two pieces, and the value once";
     faulty.fail_read(faulty.reads);  // the last read: the value, after the headers and the check of the CRC
     EXPECT_EQ(power_on_with(faulty), (Frames{"705#00", corrupt}));
     EXPECT_EQ(value(), "00000000");
+    faulty.fail_read(0);
+    EXPECT_EQ(save("02"), "585#6010100200000000");
+    EXPECT_EQ(faulty.reads, 2U) << "only the new bank is read, in two pieces";
+}
+
+// A power cut before the last write of a save leaves a complete bank with the void marker.
+TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
+    verifies<req::CO_STORE_006>();
+    power_on();
+    set_value("11223344");
+    EXPECT_EQ(save(), saved);
+    set_value("55667788");
+    EXPECT_EQ(save(), saved);
+    std::swap(memory.bytes().at(3), memory.bytes().at(bank_size + 3));  // the markers of the two banks
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    EXPECT_EQ(value(), "11223344");
 }
 
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
@@ -178,6 +195,26 @@ TEST_F(SmallStore, LongValueOfAnotherGroupIsKeptCompletely) {
     EXPECT_EQ(save("02"), "585#6010100200000000");
     EXPECT_EQ(power_on(), Frames{"705#00"});
     EXPECT_EQ(value(), "11223344");
+    const ByteView found = device->objects().value(device->objects().lookup(0x2300, 0));
+    ASSERT_EQ(found.size(), text.size());
+    EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));
+}
+
+TEST_F(SmallStore, StoredValueOf64BytesIsLoadedCompletely) {
+    verifies<req::CO_STORE_001>();
+    keep(0x2300);
+    std::vector<std::uint8_t>& image = description.rows.layout.image;
+    entry(0x2300, 0).offset = static_cast<std::uint16_t>(image.size());
+    entry(0x2300, 0).size = 64;
+    image.resize(image.size() + 64U);
+    memory.bytes().resize(2 * (bank_size + 64));
+    EXPECT_EQ(power_on(), Frames{"705#00"});
+    std::array<std::uint8_t, 64> text{};
+    std::iota(text.begin(), text.end(), std::uint8_t{'A'});
+    ObjectDictionary& objects = device->objects();
+    objects.put(objects.lookup(0x2300, 0), ByteView{text});
+    EXPECT_EQ(save(), saved);
+    EXPECT_EQ(power_on(), Frames{"705#00"});
     const ByteView found = device->objects().value(device->objects().lookup(0x2300, 0));
     ASSERT_EQ(found.size(), text.size());
     EXPECT_TRUE(std::equal(text.begin(), text.end(), found.data()));

@@ -131,8 +131,8 @@ TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
     const auto stored = memory.bytes();
     for (const std::size_t offset : {magic_at, layout_at}) {
         memory.bytes() = stored;
-        set_header(0, size, offset, 0x12345678);
-        set_header(size, size, offset, 0x12345678);
+        set_header(0, size, offset, 0x53345678);  // 53h is the marker of a committed set
+        set_header(size, size, offset, 0x53345678);
         EXPECT_EQ(power_on(), (Frames{"703#00", "083#1061010200000000"})) << offset;
         EXPECT_EQ(values(), "0000 0000 0000 ") << offset;
     }

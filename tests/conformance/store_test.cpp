@@ -153,6 +153,18 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     EXPECT_EQ(cob_id(), "85000000");
 }
 
+TEST_F(Store, StoredCobIdsFollowTheSwitchesAfterSavesOfAnotherGroup) {
+    verifies<req::AO4_STORE_006, req::CO_PDO_035, req::CO_PDO_060>();
+    write("603#2310100173617665");  // 1010h:1 store parameters: saves all groups of node 3
+    inputs.switch_low = 5;
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));
+    for (int saves = 0; saves < 3; ++saves) {
+        EXPECT_EQ(send("605#2310100473617665"), Frames{"585#6010100400000000"});  // manufacturer parameters only
+    }
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));
+    EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5
+}
+
 TEST_F(Store, UnstoredCobIdsFollowTheSwitches) {
     verifies<req::AO4_STORE_006>();
     write("603#2310100373617665");  // 1010h:3 store parameters: saves the application parameters only

@@ -117,6 +117,17 @@ TEST_F(SyncService, SyncProducerContinuesWhenTheNodeIsStarted) {
     EXPECT_EQ(pass(2), (Frames{"2:080#"}));
 }
 
+TEST_F(SyncService, ProductionOfSyncThatIsNotStoredEndsWithAReset) {
+    verifies<req::CO_SYNC_003, req::CO_NMT_005, req::CO_NMT_006>();
+    for (const char* reset : {"000#8103", "000#8203"}) {
+        write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
+        write("603#2305100080000040");
+        EXPECT_EQ(pass(5), (Frames{"5:080#"}));
+        EXPECT_EQ(send(reset), (Frames{"703#00"}));
+        EXPECT_TRUE(pass(10).empty()) << reset;
+    }
+}
+
 TEST_F(SyncService, SyncIsNotProducedWithoutAPeriod) {
     verifies<req::CO_SYNC_003>();
     write("603#2305100080000040");  // a producer without a period

@@ -224,6 +224,8 @@ TEST(Slots, PartOfSlotsEndsWithTheSlots) {
     EXPECT_EQ(four.part(3U, 3U).size(), 1U);
     EXPECT_EQ(&four.part(3U, 3U)[0U], &room[3]);
     EXPECT_EQ(four.part(5U, 1U).size(), 0U);
+    EXPECT_EQ(four.part(0U, 6U).size(), 4U);
+    EXPECT_EQ(four.part(2U, 1U).size(), 1U);
 }
 
 }  // namespace canproof::test

@@ -106,6 +106,10 @@ TEST(DictionaryCheck, ObjectWithoutSubindex0IsRefused) {
     Dictionary without;
     without.entries[0].subindex = 1U;
     EXPECT_FALSE(without.sound());
+    Dictionary second_without;
+    second_without.entries[1].subindex = 1U;
+    second_without.entries[2].subindex = 2U;
+    EXPECT_FALSE(second_without.sound());
 }
 
 TEST(DictionaryCheck, ValuesOutsideTheirPoolAreRefused) {

@@ -158,6 +158,25 @@ TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     expect(LssStore{memory}.load(shipped), 6, 250000);
 }
 
+// Slots have 20 bytes each, at the end of the memory: byte 3 is the marker, the sequence number follows it.
+TEST(LssStore, NewSlotIsLoadedWhenTheOlderOneStaysCommitted) {
+    verifies<req::CO_LSS_017>();
+    for (int stores = 1; stores <= 6; ++stores) {
+        host::Memory memory{64};
+        auto& bytes = memory.bytes();
+        for (int node_id = 1; node_id <= stores; ++node_id) {
+            ASSERT_EQ(LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000}), LssError::none);
+        }
+        const std::size_t older = stores % 2 == 1 ? 24 : 44;
+        const std::size_t other = stores % 2 == 1 ? 44 : 24;
+        const std::uint8_t committed = bytes.at(older + 3);
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(other) + 4, 4, std::uint8_t{0});
+        ASSERT_EQ(LssStore{memory}.store({9, 50000}), LssError::none);
+        bytes.at(older + 3) = committed;  // as if its last write had failed
+        expect(LssStore{memory}.load(shipped), 9, 50000);
+    }
+}
+
 TEST(LssStore, MemoryThatIsTooSmallStoresNothing) {
     verifies<req::CO_LSS_076>();
     host::Memory memory{8};
@@ -175,12 +194,26 @@ TEST(LssStore, ConfigurationThatTheMemoryDoesNotCommitIsRefused) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
+TEST(LssStore, FailedWriteOfASlotIsReported) {
+    verifies<req::CO_LSS_076>();
+    // Three writes make a slot: the void marker, the slot, the committed marker. The fourth one ends the older slot.
+    for (const std::size_t failing : {1U, 2U, 3U, 4U}) {
+        FaultyMemory memory{64};
+        ASSERT_EQ(LssStore{memory}.store({5, 500000}), LssError::none);
+        memory.fail_write(failing);
+        EXPECT_EQ(LssStore{memory}.store({6, 250000}), failing < 4U ? LssError::storage_failed : LssError::none)
+            << failing;
+    }
+}
+
 TEST(LssStore, FailedReadCountsAsNothingStored) {
     verifies<req::CO_LSS_017>();
     FaultyMemory memory{64};
     LssStore{memory}.store({5, 500000});
     memory.fail_read(1);
-    expect(LssStore{memory}.load(shipped), 127, 125000);
+    const LssConfiguration unreadable = LssStore{memory}.load(shipped);
+    expect(unreadable, 127, 125000);
+    EXPECT_TRUE(unreadable.damaged);
     memory.fail_read(0);
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }

@@ -10,8 +10,8 @@ namespace canproof::test {
 
 namespace {
 
-/// Three objects of two bytes each in the image, one after the other, and two in flash: 2000h to 2002h, 2010h, 2011h.
-/// 1A00h maps four entries.
+/// Four objects of two bytes each in the image: 2000h to 2002h one after the other, and 2003h at its end, 16 bytes
+/// behind 2000h. Two objects in flash: 2010h and 2011h. 1A00h maps four entries.
 class SmallDictionary {
   public:
     SmallDictionary() {
@@ -31,7 +31,7 @@ class SmallDictionary {
         for (std::size_t i = 0; i < mapped.size(); ++i) {
             objects_view_.write(0x1A00, static_cast<std::uint8_t>(i + 1), (std::uint32_t{mapped[i]} << 16U) | 16U);
         }
-        for (const std::uint16_t index : std::array<std::uint16_t, 3>{0x2000, 0x2001, 0x2002}) {
+        for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x2000, 0x2001, 0x2002, 0x2003}) {
             objects_view_.write(index, 0, 0xA000U + index);
         }
         std::array<PdoLine, 4> places{};
@@ -57,16 +57,18 @@ class SmallDictionary {
     static constexpr std::uint8_t in_image = rights::read | rights::write | rights::tpdo;
     static constexpr std::uint8_t in_flash = rights::read | rights::constant | rights::tpdo;
 
-    std::array<ObjectRow, 6> objects_{{{0x1A00, 0, 5, ObjectKind::record},
+    std::array<ObjectRow, 7> objects_{{{0x1A00, 0, 5, ObjectKind::record},
                                        {0x2000, 5, 1, ObjectKind::var},
                                        {0x2001, 6, 1, ObjectKind::var},
                                        {0x2002, 7, 1, ObjectKind::var},
-                                       {0x2010, 8, 1, ObjectKind::var},
-                                       {0x2011, 9, 1, ObjectKind::var}}};
-    std::array<EntryRow, 10> entries_{{line(0), line(1), line(2), line(3), line(4), word(20, in_image),
-                                       word(22, in_image), word(24, in_image), word(0, in_flash), word(2, in_flash)}};
+                                       {0x2003, 8, 1, ObjectKind::var},
+                                       {0x2010, 9, 1, ObjectKind::var},
+                                       {0x2011, 10, 1, ObjectKind::var}}};
+    std::array<EntryRow, 11> entries_{{line(0), line(1), line(2), line(3), line(4), word(20, in_image),
+                                       word(22, in_image), word(24, in_image), word(36, in_image), word(0, in_flash),
+                                       word(2, in_flash)}};
     std::array<std::uint8_t, 4> constants_{0x10, 0xF0, 0x11, 0xF0};
-    std::array<std::uint8_t, 28> image_{};
+    std::array<std::uint8_t, 38> image_{};
     std::array<std::uint16_t, 16> slots_{};
     DictionaryTables tables_{
         table_view(objects_), table_view(entries_), {}, {}, table_view(constants_), table_view(image_), 0,
@@ -76,7 +78,8 @@ class SmallDictionary {
 
 }  // namespace
 
-// The image has A000h + index, flash has F010h and F011h. 2000h has eight bytes after it, 2001h and 2002h have fewer.
+// The image has A000h + index, flash has F010h and F011h. From 2000h, 2001h and 2002h on the image has at least eight
+// bytes, from 2003h on two.
 TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;
@@ -84,7 +87,10 @@ TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     EXPECT_EQ(small.carried({0x2001, 0x2002}), 0xC002'C001U);
     EXPECT_EQ(small.carried({0x2000, 0x2002}), 0xC002'C000U);
     EXPECT_EQ(small.carried({0x2002, 0x2001, 0x2000}), 0xC000'C001'C002U);
+    EXPECT_EQ(small.carried({0x2001, 0x2000}), 0xC000'C001U) << "in descending order";
     EXPECT_EQ(small.carried({0x2000, 0x2000}), 0xC000'C000U);
+    EXPECT_EQ(small.carried({0x2000, 0x2003}), 0xC003'C000U) << "16 bytes apart";
+    EXPECT_EQ(small.carried({0x2003}), 0xC003U) << "the last two bytes of the image";
     EXPECT_EQ(small.carried({0x2000, 0x2010, 0x2011}), 0xF011'F010'C000U);
     EXPECT_EQ(small.carried({0x2010, 0x2011}), 0xF011'F010U);
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);

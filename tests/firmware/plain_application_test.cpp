@@ -99,6 +99,9 @@ TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
     device->application().access = AbortCode::device_state;
     EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#4307220001020304"});
+    device->give(0x2207, Service::device);
+    EXPECT_EQ(send("605#2307220004030201"), Frames{"585#6007220000000000"});
+    EXPECT_EQ(send("605#2307220001020304"), Frames{"585#6007220000000000"});
     device->give(0x2207, Service::program);
     EXPECT_EQ(send("605#2307220005060708"), Frames{"585#8007220022000008"});
     EXPECT_EQ(send("605#4007220000000000"), Frames{"585#8007220022000008"});

@@ -38,6 +38,32 @@ TEST(TransmitQueueOrder, LowestIdentifierIsFirstAndEqualIdentifiersKeepTheirOrde
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, FrameOfTheNextLowerIdentifierIsFirst) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    for (const std::uint32_t id : {0x184U, 0x183U, 0x185U, 0x182U}) {
+        ASSERT_TRUE(queue.push(numbered(id, 0)));
+    }
+    for (const std::uint32_t id : {0x182U, 0x183U, 0x184U, 0x185U}) {
+        EXPECT_EQ(queue.pop().id, id);
+    }
+}
+
+TEST(TransmitQueueOrder, BytesPushedBeforeAnotherFrameAreAcceptedUntilTheQueueIsFull) {
+    verifies<req::CO_FRAME_002>();
+    TransmitQueue queue;
+    ASSERT_TRUE(queue.push(0x583, 1, 0xA1));
+    for (std::size_t i = 1; i < TransmitQueue::capacity; ++i) {
+        EXPECT_TRUE(queue.push(0x183, 1, i)) << "goes before 583h";
+    }
+    EXPECT_FALSE(queue.push(0x183, 1, 0xFF)) << "the queue is full";
+    EXPECT_EQ(queue.size(), TransmitQueue::capacity);
+    for (std::size_t i = 1; i < TransmitQueue::capacity; ++i) {
+        EXPECT_EQ(queue.pop().data[0], i);
+    }
+    EXPECT_EQ(queue.pop().data[0], 0xA1);
+}
+
 TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
@@ -69,6 +95,16 @@ TEST(TransmitQueueOrder, BootUpMessageDropsEarlierFramesAndIsNotOvertaken) {
     for (const int expected : {2, 3, 4}) {
         EXPECT_EQ(queue.pop().data[0], expected);
     }
+    EXPECT_TRUE(queue.empty());
+}
+
+TEST(TransmitQueueOrder, SecondBootUpMessageReplacesAWaitingOneAndTheFramesBehindIt) {
+    verifies<req::CO_FRAME_003, req::CO_NMT_001>();
+    TransmitQueue queue;
+    queue.push_boot_up(numbered(0x703, 1));
+    queue.push(numbered(0x7E4, 2));
+    queue.push_boot_up(numbered(0x703, 3));
+    EXPECT_EQ(queue.pop().data[0], 3);
     EXPECT_TRUE(queue.empty());
 }
 

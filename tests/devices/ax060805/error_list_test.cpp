@@ -28,6 +28,15 @@ TEST_F(Ax060805Errors, EndOfBusOffRemovesNoActiveErrorFromTheList) {
     EXPECT_EQ(listed(), (List{0x0000FF00}));
 }
 
+TEST_F(Ax060805Errors, ErrorPresentAtPowerOnIsTheOnlyOneReported) {
+    verifies<req::INC_ERR_006, req::INC_ERR_008>();
+    inputs.accelerometer_fault = true;
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#00FF010000000000"}));
+    inputs.accelerometer_fault = false;
+    inputs.can_overrun = true;
+    EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#1081010000000000"}));
+}
+
 TEST_F(Ax060805Errors, ResetCommunicationKeepsTheOrderOfTheErrorList) {
     verifies<req::INC_ERR_002, req::CO_EMCY_011>();
     write(0x1029, 2, 1, 1);

@@ -218,6 +218,10 @@ TEST_F(Ax130751LookupMinimum, Point1NeverLiesAbovePoint2) {
     set32(0x3016, 2, -20);
     set16(0x2520, 1, 0);
     EXPECT_EQ(x(1, 1), -40);
+    set16(0x2520, 1, -20);
+    EXPECT_EQ(x(1, 1), -20) << "point 2 itself";
+    set16(0x2520, 1, 0);
+    EXPECT_EQ(x(1, 1), -20);
     set32(0x3016, 2, 10);
     EXPECT_EQ(x(1, 1), 0);
 }

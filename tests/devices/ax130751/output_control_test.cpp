@@ -155,13 +155,14 @@ TEST_F(Ax130751Output, OutputWithoutAControlIsOff) {
 
 TEST_F(Ax130751Output, OutputThatLosesItsControlRampsToOff) {
     verifies<req::AOR_OUT_032, req::AOR_OUT_012>();
+    set16(0x2330, 1, 0);
+    set16(0x2331, 1, 20);  // 5 V in 20 ms
     command(1, 5000);
-    pass(1000);  // 5 V per second, the default
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
     set8(0x2340, 1, not_used);
-    pass(1 + 500);
+    pass(1 + 10);
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
-    pass(500);
+    pass(10);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
 }
 

@@ -219,11 +219,12 @@ TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     set16(0x2330, 1, 10000);
     set16(0x7300, 1, 5000);
     pass(1);
-    pass(5000);
-    EXPECT_FLOAT_EQ(volts(1), 0.05F);
-    EXPECT_EQ(get16(0x2370, 1), 50);
-    pass(5000);
-    EXPECT_FLOAT_EQ(volts(1), 0.1F);
+    pass(40);
+    EXPECT_FLOAT_EQ(volts(1), 0.0004F);  // less than half a digit, which is 1 mV
+    EXPECT_EQ(get16(0x2370, 1), 0);
+    pass(360);
+    EXPECT_FLOAT_EQ(volts(1), 0.004F);
+    EXPECT_EQ(get16(0x2370, 1), 4);
 }
 
 TEST_F(Ax130751Output, IdleOutputsNeedNoCycle) {

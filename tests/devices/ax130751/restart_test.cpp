@@ -54,44 +54,67 @@ class Ax130751Restart : public Ax130751Blocks {
     }
 };
 
+/// A digital output.
+class Ax130751RestartOfOutput : public Ax130751Restart, public testing::WithParamInterface<int> {
+  protected:
+    void SetUp() override {
+        Ax130751Restart::SetUp();
+        set16(0x6310, output, 1020);
+    }
+
+    const int output{GetParam()};
+};
+
 }  // namespace
 
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfOutputInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
-    for (const int output : {1, 2}) {
-        set16(0x6310, output, 1020);
-        follow_supply(0x2340, output);
-        forgets(fmt::format("control {}", output), [&] { return is_on(output); });
-
-        set16(0x6310, output, 1020);
-        set8(0x2241, output, 1);  // inverse: ON without a command
-        set8(0x2352, output, 0);  // enabled when ON
-        follow_supply(0x2350, output);
-        forgets(fmt::format("enable {}", output), [&] { return is_on(output); });
-
-        set16(0x6310, output, 1020);
-        set16(0x2300, output, 1);
-        set8(0x2362, output, 0);  // overridden when ON
-        follow_supply(0x2360, output);
-        forgets(fmt::format("override {}", output), [&] { return is_on(output); });
-    }
+    follow_supply(0x2340, output);
+    forgets("control", [&] { return is_on(output); });
 }
+
+TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsEnable) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
+    set8(0x2241, output, 1);  // inverse: ON without a command
+    set8(0x2352, output, 0);  // enabled when ON
+    follow_supply(0x2350, output);
+    forgets("enable", [&] { return is_on(output); });
+}
+
+TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsOverride) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
+    set16(0x2300, output, 1);
+    set8(0x2362, output, 0);  // overridden when ON
+    follow_supply(0x2360, output);
+    forgets("override", [&] { return is_on(output); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Ax130751RestartOfOutput, testing::Values(1, 2));
 
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfRelayInputs) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
+}
 
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayEnable) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: ON without a command
     set8(0x2282, 1, 0);  // enabled when ON
     follow_supply(0x2280, 1);
     forgets("enable", [&] { return relay_on(); });
+}
 
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayOverride) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2293, 1, 1);
     set8(0x2292, 1, 0);  // overridden when ON
     follow_supply(0x2290, 1);
     forgets("override", [&] { return relay_on(); });
+}
 
+TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayUnlatch) {
+    verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 4);  // the inverse latch goes OFF with its control while it is not unlatched
     follow_supply(0x2270, 1);
     forgets("unlatch", [&] {

@@ -49,27 +49,16 @@ class Ax130751Sources : public Ax130751Blocks {
         set8(0x6302, 2, 0);
         set16(0x7322, 2, 100);
     }
-    /// Returns the lowest and highest X that a source allows for a point, in hundredths.
-    std::pair<int, int> limits(int source, int number) {
+    /// Checks the lowest and highest X that a source allows for a point, in hundredths.
+    void expect_limits(int source, int number, int low, int high) {
+        SCOPED_TRACE(fmt::format("source {}, number {}", source, number));
         set8(0x3020, 0, source);
         set8(0x3021, 0, number);
         set8(0x3023, 0, 2);
-        const auto allowed = [this](int x) { return write(0x3026, 2, x, 4).empty(); };
-        int low = 0;
-        int high = 0;
-        for (int x = -20000; x <= 20000; x += 50) {
-            if (allowed(x)) {
-                low = x;
-                break;
-            }
-        }
-        for (int x = 20000; x >= -20000; x -= 50) {
-            if (allowed(x)) {
-                high = x;
-                break;
-            }
-        }
-        return {low, high};
+        EXPECT_EQ(write(0x3026, 2, low, 4), "");
+        EXPECT_EQ(write(0x3026, 2, low - 1, 4), "06090032");
+        EXPECT_EQ(write(0x3026, 2, high, 4), "");
+        EXPECT_EQ(write(0x3026, 2, high + 1, 4), "06090031");
     }
 };
 
@@ -178,44 +167,46 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set32(0x3026, point, 32000);
     }
     set32(0x3026, 1, -32000);
-    using Pair = std::pair<int, int>;
-    EXPECT_EQ(limits(1, 1), (Pair{0, 500}));  // limits of 7320h and 7322h: 0 to 5 V
+    expect_limits(1, 1, 0, 500);  // limits of 7320h and 7322h: 0 to 5 V
     set16(0x7322, 2, 8000);
     set16(0x7320, 2, -2000);
-    EXPECT_EQ(limits(1, 2), (Pair{-200, 800}));
-    EXPECT_EQ(limits(1, 3), (Pair{0, 100}));
-    EXPECT_EQ(limits(2, 1), (Pair{0, 100}));
+    expect_limits(1, 2, -200, 800);
+    expect_limits(1, 3, 0, 100);
+    expect_limits(2, 1, 0, 100);
     set16(0x2522, 4, 450);
     set16(0x2520, 4, -50);
-    EXPECT_EQ(limits(1, 7), (Pair{-500, 4500}));  // one digit
+    expect_limits(1, 7, -500, 4500);  // one digit
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
-    EXPECT_EQ(limits(1, 9), (Pair{200, 3000}));
-    EXPECT_EQ(limits(4, 1), (Pair{0, 10000}));  // limits of 4021h and 4023h: 0 to 100 %
+    expect_limits(1, 9, 200, 3000);
+    expect_limits(4, 1, 0, 10000);  // limits of 4021h and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
-    EXPECT_EQ(limits(4, 2), (Pair{-3000, 3000})) << "the smaller first";
-    EXPECT_EQ(limits(8, 0), (Pair{800, 3500}));   // limits of 5022h and 5023h: 8 to 35 V
-    EXPECT_EQ(limits(9, 0), (Pair{6000, 8500}));  // 5032h and 5033h: 85 - 25 = 60 to 85 degrees
+    expect_limits(4, 2, -3000, 3000);  // the smaller first
+    set8(0x4032, 3, 0);
+    set16(0x4023, 3, 80);
+    expect_limits(4, 3, 0, 8000);     // without decimal digits
+    expect_limits(8, 0, 800, 3500);   // limits of 5022h and 5023h: 8 to 35 V
+    expect_limits(9, 0, 6000, 8500);  // 5032h and 5033h: 85 - 25 = 60 to 85 degrees
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
-    EXPECT_EQ(limits(6, 1), (Pair{100, 400}));
-    EXPECT_EQ(limits(7, 1), (Pair{100, 400}));
+    expect_limits(6, 1, 100, 400);
+    expect_limits(7, 1, 100, 400);
     set8(0x3300, 1, 1);
     set8(0x3401, 1, 1);
     set8(0x3010, 0, 1);
     set8(0x3011, 0, 4);
     pass(2);
-    EXPECT_EQ(limits(5, 1), (Pair{0, 10000}));  // limits of a percentage: 0 to 100 %
-    set16(0x3017, 1, -1500);                    // table 1: -150.0 to 300.0, limited by the tested range
+    expect_limits(5, 1, 0, 10000);  // limits of a percentage: 0 to 100 %
+    set16(0x3017, 1, -1500);        // table 1: -150.0 to 300.0
     pass(2);
-    EXPECT_EQ(limits(3, 1).first, -15000);
+    expect_limits(3, 1, -15000, 30000);
     set16(0x3017, 1, 0);
     for (int point = 2; point <= 11; ++point) {
         set16(0x3017, point, 900);
     }
     pass(2);
-    EXPECT_EQ(limits(3, 1), (Pair{0, 10000})) << "0 to 90 lies within 0 to 100";
+    expect_limits(3, 1, 0, 10000);  // 0 to 90 lies within 0 to 100
 }
 
 TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
+#include <fmt/format.h>
+
 #include "generated/canopen/requirements.hpp"
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -195,10 +197,12 @@ TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
     power_on();
-    EXPECT_EQ(send("603#4004240200000000"), (Frames{"583#4B04240214000000"}));
-    EXPECT_EQ(send("603#4005240200000000"), (Frames{"583#4B052402FEFF0000"}));
-    EXPECT_EQ(send("603#4004240400000000"), (Frames{"583#4B04240428000000"}));
-    EXPECT_EQ(send("603#4005240400000000"), (Frames{"583#4B052404FCFF0000"}));
+    for (int output = 1; output <= 4; ++output) {  // 2404h calibration offset 10 to 40, 2405h gain -1 to -4
+        EXPECT_EQ(send(fmt::format("603#400424{:02X}00000000", output)),
+                  (Frames{fmt::format("583#4B0424{:02X}{:02X}000000", output, 10 * output)}));
+        EXPECT_EQ(send(fmt::format("603#400524{:02X}00000000", output)),
+                  (Frames{fmt::format("583#4B0524{:02X}{:02X}FF0000", output, 0x100 - output)}));
+    }
     for (const char* group : {"01", "04"}) {
         write("603#2B04240263000000");
         write("603#2310100173617665");

@@ -27,7 +27,19 @@ long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
 }
 
+/// A thermocouple of one of the types.
+class ThermocoupleType : public testing::TestWithParam<std::size_t> {
+  protected:
+    const Its90Type type{its90_types().at(GetParam())};
+};
+
+std::string letter_of(const testing::TestParamInfo<std::size_t>& info) {
+    return std::string{its90_types().at(info.param).letter};
+}
+
 }  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Each, ThermocoupleType, testing::Range(std::size_t{0}, its90_types().size()), letter_of);
 
 TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     verifies<req::TCS_T_REFERENCE, req::TCS_E_SENSOR_TYPE, req::TCS_CONV_001, req::TCS_K_EXPONENTIAL_A0,
@@ -137,43 +149,42 @@ TEST(Thermocouple, ConversionErrsByAtMost1_18MillionthsOfADegree) {
     }
 }
 
-TEST(Thermocouple, LowestTemperaturesAreFoundFromTheirVoltages) {
+TEST_P(ThermocoupleType, LowestTemperaturesAreFoundFromTheirVoltages) {
     verifies<req::TCS_CONV_002>();
     // At the lowest temperatures the curves are flat and the inverse functions are not defined, so the search starts
     // outside.
-    for (const auto& type : its90_types()) {
-        for (int step = 0; step <= 2000; ++step) {
-            const long double celsius = lowest_convertible(type) + step * 0.001L;
-            ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))),
-                        static_cast<double>(celsius), 1e-6)
-                << type.letter;
+    for (int step = 0; step <= 2000; ++step) {
+        const long double celsius = lowest_convertible(type) + step * 0.001L;
+        ASSERT_NEAR(exact_celsius(curve_of(type), static_cast<double>(type.mv(celsius))), static_cast<double>(celsius),
+                    1e-6);
+    }
+}
+
+TEST_P(ThermocoupleType, InverseFunctionsMatchIts90) {
+    verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
+    for (std::size_t i = 0; i < type.inverse.size(); ++i) {
+        const auto& piece = type.inverse[i];
+        // Pieces of R and S overlap; the lower one applies up to its own end.
+        const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
+        for (int step = 1; step <= 2000; ++step) {
+            const long double mv = from + (piece.to - from) * step / 2000.0L;
+            const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
+            ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << step;
+            // The bounds of NIST are up to 0.06 degC; the ends are rounded to 0.001 mV
+            ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
+                << static_cast<double>(mv);
         }
     }
 }
 
-TEST(Thermocouple, InverseFunctionsMatchIts90) {
-    verifies<req::TCS_T_INVERSE, req::TCS_CONV_009>();
-    for (const auto& type : its90_types()) {
-        for (std::size_t i = 0; i < type.inverse.size(); ++i) {
-            const auto& piece = type.inverse[i];
-            // Pieces of R and S overlap; the lower one applies up to its own end.
-            const long double from = i == 0 ? piece.from : std::max(piece.from, type.inverse[i - 1].to);
-            for (int step = 1; step <= 2000; ++step) {
-                const long double mv = from + (piece.to - from) * step / 2000.0L;
-                const double celsius = approximate_celsius(curve_of(type), static_cast<double>(mv));
-                ASSERT_NEAR(celsius, static_cast<double>(piece.at(mv)), 1e-7) << type.letter << " " << step;
-                // The bounds of NIST are up to 0.06 degC; the ends are rounded to 0.001 mV
-                ASSERT_NEAR(celsius, exact_celsius(curve_of(type), static_cast<double>(mv)), 0.0605)
-                    << type.letter << " at " << static_cast<double>(mv);
-            }
-        }
-        const auto& first = type.inverse.front();
-        const auto& last = type.inverse.back();
-        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(first.from) - 1.0),
-                    static_cast<double>(first.at(first.from)), 1e-7);
-        EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(last.to) + 1.0),
-                    static_cast<double>(last.at(last.to)), 1e-7);
-    }
+TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesItsEnds) {
+    verifies<req::TCS_CONV_009>();
+    const auto& first = type.inverse.front();
+    const auto& last = type.inverse.back();
+    EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(first.from) - 1.0),
+                static_cast<double>(first.at(first.from)), 1e-7);
+    EXPECT_NEAR(approximate_celsius(curve_of(type), static_cast<double>(last.to) + 1.0),
+                static_cast<double>(last.at(last.to)), 1e-7);
 }
 
 TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {

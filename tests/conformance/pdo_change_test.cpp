@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The changes of values that trigger a TPDO of an event-driven type (CiA 301, 7.2.2.2), in an altered slave; node 5.
+#include <gtest/gtest.h>
+
+#include "firmware/canopen/pdo_mapping.hpp"
+#include "generated/canopen/requirements.hpp"
+#include "tests/support/altered_slave.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+class PdoChange : public testing::Test, public AlteredSlaveBench {};
+
+TEST_F(PdoChange, ChangeOfAnEntryWithTheLowestWatchMarkTriggersItsTpdo) {
+    verifies<req::CO_PDO_015>();
+    ASSERT_EQ(watch_mark(0x2001, 63), 1U);  // 2001h + 200h + 63 is a multiple of 64
+    extend(0x2001, 63);
+    ship(0x1A00, 0, 1);
+    ship(0x1A00, 1, 0x20013F08);
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#00"});
+    EXPECT_EQ(send("605#2F01203F11000000"), (Frames{"185#11", "585#6001203F00000000"}));
+}
+
+TEST_F(PdoChange, RpdoThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
+    verifies<req::CO_PDO_015>();
+    EntryRow& row = entry(0x2206, 0);  // 64 bits
+    row.rights = static_cast<std::uint8_t>(row.rights | rights::rpdo | rights::tpdo);
+    row.service = Service::device;
+    for (const std::uint16_t mapping : {std::uint16_t{0x1600}, std::uint16_t{0x1A00}}) {
+        ship(mapping, 0, 1);
+        ship(mapping, 1, 0x22060040);
+    }
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#0000000000000000"});
+    EXPECT_EQ(send("205#0102030405060708"), Frames{"185#0102030405060708"});
+    EXPECT_EQ(send("205#0102030405060708"), Frames{}) << "the same value";
+    EXPECT_EQ(send("205#0102030405060709"), Frames{"185#0102030405060709"});
+}
+
+}  // namespace canproof::test

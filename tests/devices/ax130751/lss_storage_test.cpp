@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What LSS and 1011h (restore defaults) do with a value of 5B51h (change node-ID) that is not stored (AX130751, 3.1.2,
+// 3.1.3, 3.2.8, 3.4.88).
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+using Ax130751LssStorage = Ax130751Test;
+
+TEST_F(Ax130751LssStorage, LssStoreOfABitRateKeepsANodeIdThatIsNotStored) {
+    verifies<req::AOR_NODE_009, req::AOR_OD_5B51>();
+    EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");  // 5B51h change node-ID: 32h, not stored
+    send("7E5#0401");
+    EXPECT_EQ(send("7E5#130003"), (Frames{"7E4#130000"}));  // index 3: 250 kbit/s
+    EXPECT_EQ(send("7E5#17"), (Frames{"7E4#170000"}));
+    send("7E5#0400");
+    EXPECT_EQ(read(0x5B51, 0), 0x32U) << "LSS does not replace it";
+    EXPECT_EQ(power_on(), (Frames{"77F#00"})) << "nor does LSS store it";
+}
+
+TEST_F(Ax130751LssStorage, RestoreStoresNoNodeIdWrittenBySdo) {
+    verifies<req::AOR_NODE_002, req::AOR_NODE_004, req::AOR_OD_5B51>();
+    for (const int group : {1, 4}) {
+        EXPECT_EQ(write(0x5B51, 0, 0x32, 1), "");
+        EXPECT_EQ(restore(group), (Frames{fmt::format("5FF#601110{:02X}00000000", group)}));
+        EXPECT_EQ(power_on(), (Frames{"77F#00"})) << group;
+    }
+}
+
+}  // namespace canproof::test

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entries of an object with absent sub-indices (firmware/canopen/object_dictionary.hpp), and the number of PDOs of a
+// dictionary.
+#include "firmware/canopen/object_dictionary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "firmware/canopen/dictionary_check.hpp"
+#include "tests/support/shows_rule.hpp"
+
+namespace canproof {
+namespace {
+
+/// 2000h:0, and 2001h with the sub-indices 0, 3, 4 and 5, each of 4 bytes. Its sub-indices 3 to 5 have the limits 0
+/// to 2. Factor 1 << 16 puts index i into slot i & 3: 2001h has slot 1, and its first entry is the second one of all.
+struct SparseDictionary {
+    static constexpr EntryRow word(std::uint16_t offset, std::uint16_t limit, std::uint8_t subindex) {
+        return {offset, 4U, limit, subindex, DataType::unsigned32, rights::read | rights::write, Service::none};
+    }
+
+    std::array<ObjectRow, 2> rows{{{0x2000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 4U, ObjectKind::record}}};
+    std::array<EntryRow, 5> entries{
+        {word(0U, no_limit, 0U), word(4U, no_limit, 0U), word(8U, 0U, 3U), word(12U, 1U, 4U), word(16U, 2U, 5U)}};
+    std::array<LimitRow, 3> limits{};
+    std::array<std::uint8_t, 20> defaults{{0x01U, 0x02U, 0x03U, 0x04U, 0x05U, 0x06U, 0x07U, 0x08U, 0x09U, 0x0AU,
+                                           0x0BU, 0x0CU, 0x0DU, 0x0EU, 0x0FU, 0x10U, 0x11U, 0x12U, 0x13U, 0x14U}};
+    std::array<std::uint16_t, 4> slots{{0U, 1U, no_object, no_object}};
+    DictionaryTables tables{
+        table_view(rows), table_view(entries), table_view(limits), {}, {}, table_view(defaults), 0U, table_view(slots),
+        0x10000U};
+    std::array<std::uint8_t, 20> image{};
+    ObjectDictionary objects{tables, MutableBytes{image}, LimitAbort::range};
+};
+
+TEST(ObjectDictionary, EntryBehindAbsentSubindicesIsFound) {
+    test::shows_rule("each entry of a dictionary is found");
+    const SparseDictionary sparse;
+    ASSERT_TRUE(is_sound(sparse.tables));
+    for (const std::uint8_t subindex : std::array<std::uint8_t, 4>{0U, 3U, 4U, 5U}) {
+        const EntryRef entry = sparse.objects.lookup(0x2001U, subindex);
+        ASSERT_TRUE(entry.exists()) << int{subindex};
+        EXPECT_EQ(entry.row->subindex, subindex);
+    }
+    for (const std::uint8_t subindex : std::array<std::uint8_t, 4>{1U, 2U, 6U, 255U}) {
+        EXPECT_FALSE(sparse.objects.lookup(0x2001U, subindex).exists()) << int{subindex};
+    }
+    EXPECT_FALSE(sparse.objects.lookup(0x2000U, 1U).exists());
+}
+
+TEST(ObjectDictionary, DefaultOfALimitedEntryIsLoadedCompletely) {
+    test::shows_rule("a default is loaded with all of its bytes");
+    SparseDictionary sparse;
+    sparse.objects.load_defaults(ParameterGroup::manufacturer, 5U);
+    EXPECT_EQ(sparse.image, sparse.defaults);
+    EXPECT_EQ(sparse.objects.read(0x2001U, 3U), 0x0C0B0A09U);
+}
+
+/// The number of RPDOs and TPDOs of a dictionary with one object.
+std::pair<std::size_t, std::size_t> pdos_with(const std::uint16_t index) {
+    const std::array<ObjectRow, 1> rows{{{index, 0U, 1U, ObjectKind::record}}};
+    const DictionaryTables tables{table_view(rows), {}, {}, {}, {}, {}, 0U, {}, 0U};
+    return {pdo_count(tables, PdoDirection::receive), pdo_count(tables, PdoDirection::transmit)};
+}
+
+// CiA 301, Table 40: the communication parameters of RPDO1 are 1400h, those of TPDO1 are 1800h.
+TEST(ObjectDictionary, HighestPdoOfADirectionIsItsNumberOfPdos) {
+    test::shows_rule("a dictionary that is compiled is sound");
+    using Counts = std::pair<std::size_t, std::size_t>;
+    EXPECT_EQ(pdos_with(0x13FFU), (Counts{0U, 0U}));
+    EXPECT_EQ(pdos_with(0x1400U), (Counts{1U, 0U}));
+    EXPECT_EQ(pdos_with(0x1403U), (Counts{4U, 0U}));
+    EXPECT_EQ(pdos_with(0x1407U), (Counts{8U, 0U}));
+    EXPECT_EQ(pdos_with(0x1408U), (Counts{0U, 0U})) << "the node serves eight";
+    EXPECT_EQ(pdos_with(0x1800U), (Counts{0U, 1U}));
+    EXPECT_EQ(pdos_with(0x1807U), (Counts{0U, 8U}));
+}
+
+}  // namespace
+}  // namespace canproof
