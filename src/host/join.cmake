@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# canproof_join(TARGET BELOW folder [DEPTH n] [AT_MOST n] [APART regex]): compiles sources in groups of about AT_MOST (16), each group
-# as one joined file. This divides the time for their headers. A group contains sources whose paths below BELOW start with the same
-# DEPTH folders; without DEPTH, the sources of one folder. The names of the sources determine the groups, so that a new source changes
-# one group. A joined file includes its sources by their path below BELOW, an include folder of TARGET, so that all copies of the
-# project can share one compiler cache. A source that matches APART is compiled alone; with -DCANPROOF_JOIN=OFF every source is.
+# canproof_join(TARGET BELOW folder [APART regex]): compiles the sources of a folder in groups of about six, each group as one joined
+# file. This halves the time for their headers. The names of the sources determine the groups, so that a new source changes one group.
+# A joined file includes its sources by their path below BELOW, an include folder of TARGET, so that all copies of the project can
+# share one compiler cache. A source that matches APART is compiled alone; with -DCANPROOF_JOIN=OFF every source is.
 set(CANPROOF_JOIN ON CACHE BOOL "Compile several sources of one folder as one")
 function(canproof_join target)
-  cmake_parse_arguments(PARSE_ARGV 1 join "" "BELOW;DEPTH;AT_MOST;APART" "")
+  cmake_parse_arguments(PARSE_ARGV 1 join "" "BELOW;APART" "")
   if(NOT CANPROOF_JOIN OR outside)
     return()
-  endif()
-  if(NOT join_AT_MOST)
-    set(join_AT_MOST 16)
   endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
@@ -20,11 +16,7 @@ function(canproof_join target)
       list(APPEND compiled ${source})
     else()
       get_filename_component(folder ${name} DIRECTORY)
-      string(REPLACE "/" ";" folder "${folder}")
-      if(join_DEPTH)
-        list(SUBLIST folder 0 ${join_DEPTH} folder)
-      endif()
-      list(JOIN folder "_" folder)
+      string(REPLACE "/" "_" folder ${folder})
       list(APPEND folders ${folder})
       list(APPEND in_${folder} ${name})
     endif()
@@ -32,7 +24,7 @@ function(canproof_join target)
   list(REMOVE_DUPLICATES folders)
   foreach(folder ${folders})
     list(LENGTH in_${folder} count)
-    math(EXPR groups "(${count} + ${join_AT_MOST} - 1) / ${join_AT_MOST}")
+    math(EXPR groups "(${count} + 5) / 6")
     foreach(name ${in_${folder}})
       string(MD5 hash ${name})
       string(SUBSTRING ${hash} 0 6 hash)
@@ -50,9 +42,6 @@ function(canproof_join target)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES SOURCES "${compiled}" CANPROOF_SOURCES "${sources}")
-  # In a joined file, a local variable can have the name of a global of another source. clang warns of this; the g++ builds check
-  # shadowing within one source.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
   # In a joined file, g++ treats the unnamed namespace of an included source like that of a header and would warn.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()

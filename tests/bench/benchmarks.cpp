@@ -28,7 +28,8 @@ void tick_idle(benchmark::State& state) {
     }
 }
 
-/// Gives every table, logic and math block a source that changes; output 1 follows table 10.
+/// Connects the tables to received value 1, and the inputs of the math and logic blocks to tables. The blocks stay
+/// disabled. Output 1 follows received value 1.
 void configure(Fleet& fleet) {
     const auto write = [&fleet](unsigned index, unsigned subindex, unsigned value) {
         char text[32];

@@ -258,7 +258,7 @@ TEST_P(Remapping, InhibitTimeIsLockedWhileThePdoIsValid) {
     });
 }
 
-TEST_P(Remapping, EventTimerCanChangeAtAnyTime) {
+TEST_P(Remapping, EventTimerCanChangeWhileThePdoIsValid) {
     verifies<req::CO_PDO_051, req::CO_PDO_039>();
     hold({
         {parameter("05"), "6400", ""},

@@ -33,7 +33,7 @@ def logs_of_the_clock():
     """A log of `candump -L` contains the time of day: replay starts at the time of its first frame and prints it."""
     result = replay(EPOCH, "ax060805", "--node", 3, "-")
     expect(result.returncode == 0, f"a log of the clock: {result.stderr!r}")
-    expect("power-on at 1436509052.249713" in result.stderr, f"nothing of the start in {result.stderr!r}")
+    expect("power-on is at 1436509052.249713" in result.stderr, f"nothing of the start in {result.stderr!r}")
     lines = result.stdout.splitlines()
     expect(len(lines) == 2 and lines[0] == "(1436509052.249713) vcan0 703#00" and " 583#43001000" in lines[1],
            f"a log of the clock gives {lines}")

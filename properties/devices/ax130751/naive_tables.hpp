@@ -112,8 +112,8 @@ class NaiveTable {
     std::uint64_t since_{0};
 };
 
-/// Evaluates one logic block, which keeps no state between cycles (1.6). `sources` have the results of the previous
-/// cycle.
+/// Evaluates one logic block, which keeps no state between cycles (1.6). `sources` show this cycle's
+/// results of the tables and of the logic blocks before this one, and the previous cycle's results of later blocks.
 inline Shown::OfLogic evaluate(const Logic& logic, const Sources& sources) {
     Shown::OfLogic shown;
     if (logic.enable == 0) {

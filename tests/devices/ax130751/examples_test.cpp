@@ -29,8 +29,8 @@ class Ax130751Examples : public Ax130751Test {
         put(base, 0, 1, 1);
         put(static_cast<std::uint16_t>(base + 1), 0, 4, 1);
     }
-    /// Writes points from 1 on, X from the highest down, as 1.5.1 recommends. Later points equal the last one and are
-    /// ignored.
+    /// Writes X from point 11 down to 1, as 1.5.1 recommends, then Y from point 1 on. Points after the last given one
+    /// get its X and are ignored.
     void put_points(std::uint16_t base, const std::vector<std::pair<int, int>>& points) {
         const auto at = [base](int offset) { return static_cast<std::uint16_t>(base + offset); };
         const int count = static_cast<int>(points.size());

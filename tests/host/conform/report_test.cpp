@@ -35,7 +35,7 @@ TEST(ConformReportFiles, ReportShowsAFailedCaseWithItsFrames) {
     EXPECT_THAT(page, HasSubstr("CiA 301 7.2.4.3"));
     EXPECT_THAT(page, HasSubstr("can0 605#4000100000000000 tester"));
     EXPECT_THAT(page, HasSubstr("can0 585#43001000"));
-    EXPECT_THAT(page, HasSubstr("1000h:00 was accepted; it must be refused"));
+    EXPECT_THAT(page, HasSubstr("1000h:00 was accepted, but must be refused"));
     EXPECT_EQ(files.count("case-good.html"), 0U);
     EXPECT_THAT(files.at("sdo.html"), HasSubstr("no object 5555h"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("case-bad.html"));

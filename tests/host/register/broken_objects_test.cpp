@@ -143,7 +143,7 @@ const std::vector<Broken> cases{
      "range of element 2 is no table", "{ min = "},
     {"SecondElementOutsideItsOwnLimit", items_file,
      rw16 + "array = 2\nrange = [ { max = 9 }, { max = 5 } ]\ndefault = [\n  7,\n  6,\n]\n", 11,
-     "2000h:2 default 6 exceeds its limit (5)", "lower it"},
+     "2000h:2 default 6 exceeds its limit (5)", "lower the default or raise the limit"},
     {"RangeListWithoutArray", items_file, rw16 + "default = 1\nrange = [ { max = 5 } ]\n", 8, "range", "table"},
     {"ElementNamesTooFew", items_file, rw16 + "array = 2\nelement = [ \"a\" ]\ndefault = 1\n", 8,
      "element lists 1 names for 2 elements", "for each element"},

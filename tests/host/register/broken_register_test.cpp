@@ -140,7 +140,7 @@ const std::vector<Broken> table_cases{
     {"TwoColumnsOfOneName", items_file, table("inputs = [\"a\"]\noutputs = [\"a\"]\nrows = [[1, 1]]\n"), 6,
      "AO4-T1 has two columns a", "give each column its own name"},
     {"ColumnNameIsKeyword", items_file, table("inputs = [\"switch\"]\noutputs = [\"a\"]\nrows = [[1, 1]]\n"), 5,
-     "AO4-T1 column switch is no C++ name", "no keyword"},
+     "AO4-T1 column switch is no C++ name", "no C++ keyword"},
 };
 
 const std::vector<Broken> other_cases{
@@ -194,7 +194,7 @@ const std::vector<Broken> other_cases{
     {"LimitAbortUnknown", device_file, small_register().at(device_file) + "limit_abort = \"any\"\n", 13,
      "limit_abort = \"any\" is unknown", "use one of range, high_low"},
     {"FileInNoFolder", "spec/odd/x.toml", "a = 1\n", 1, "the file is in no known folder", "move the file to manuals/"},
-    {"FolderWithoutDevice", "spec/devices/lid/items.toml", "", 1, "the device has no device.toml", "write it"},
+    {"FolderWithoutDevice", "spec/devices/lid/items.toml", "", 1, "the device has no device.toml", "write one"},
     {"ReviewOfStranger", "spec/devices/box/reviews.toml",
      "[[review]]\ndate = \"2026-11-21\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"00000000\"\n", 5,
      "the reviewed item or section AO4-R-1 does not exist", "remove the line"},

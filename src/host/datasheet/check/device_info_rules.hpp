@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for [DeviceInfo].
 const std::vector<EdsRule>& device_info_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_device_info(const EdsSheet& sheet, EdsFindings& findings);

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for [FileInfo].
 const std::vector<EdsRule>& file_info_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_file_info(const EdsSheet& sheet, EdsFindings& findings);

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for PDO mappings.
 const std::vector<EdsRule>& mapping_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_mapping(const EdsSheet& sheet, EdsFindings& findings);

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for objects.
 const std::vector<EdsRule>& object_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_object(const EdsSheet& sheet, EdsFindings& findings);

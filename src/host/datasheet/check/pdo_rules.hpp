@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for PDO communication parameters.
 const std::vector<EdsRule>& pdo_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_pdo(const EdsSheet& sheet, EdsFindings& findings);

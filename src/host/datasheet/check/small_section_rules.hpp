@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for the small sections.
 const std::vector<EdsRule>& small_section_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_small_section(const EdsSheet& sheet, EdsFindings& findings);

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules of this group.
+/// Returns the rules for the text of the file.
 const std::vector<EdsRule>& text_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_text(const EdsSheet& sheet, EdsFindings& findings);

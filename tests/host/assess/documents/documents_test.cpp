@@ -195,11 +195,12 @@ class Documents : public ::testing::Test {
 }  // namespace
 
 TEST_F(Documents, ItemTextDescribesObjectConstantTableAndSignal) {
-    EXPECT_EQ(
-        item_words(box(), "AO4-OD-2000"),
-        "ARRAY. Sub 0 (Highest sub-index): UNSIGNED8, constant, every value of the type, default 2, not stored, is in "
-        "no PDO. Sub 1 to 2 (Level 1): INTEGER16, read and write, range -10 … 10, default 5, stored by 1010h (store "
-        "parameters), may be mapped into TPDOs.");
+    EXPECT_EQ(item_words(box(), "AO4-OD-2000"),
+              "ARRAY. Sub 0 (Highest sub-index): UNSIGNED8, constant, every value of the type, default 2, not stored, "
+              "cannot be "
+              "mapped into PDOs. Sub 1 to 2 (Level 1): INTEGER16, read and write, range -10 … 10, default 5, stored by "
+              "1010h (store "
+              "parameters), may be mapped into TPDOs.");
     EXPECT_EQ(item_words(box(), "AO4-K-LIMIT"), "REAL32: limit = 9 V.");
     EXPECT_EQ(item_words(box(), "AO4-T-ERRORS"),
               "error → code, register_bits: supply → 3100h, 05h; silence → 8130h, 11h.");

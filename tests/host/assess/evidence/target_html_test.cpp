@@ -47,7 +47,7 @@ TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
                 HasSubstr("4 tests passed on QEMU's STM32F405; 15 frames compared with this machine, 1 difference"));
 }
 
-TEST_F(TargetHtml, InstructionsPerFrameAndFullBusLoadAreShown) {
+TEST_F(TargetHtml, InstructionsPerFrameAndCoreTimeOfAFullBusAreShown) {
     leave("suites.json", R"({"images": {}, "differences": 0})");
     leave("work.json", R"({"bit_rate": 1000000, "core_hz": 168000000, "cycles_an_instruction": 1.5, "devices": {"one": {
         "frame": {"count": 7, "instructions": 4321, "what": "605#40", "where": "Suite.<Test>"},

@@ -61,7 +61,7 @@ TEST(FaultPlan, FaultsAreSortedByCall) {
     }
 }
 
-TEST(FaultPlan, DeviceWithoutCallsOrMemoryHasNoFaults) {
+TEST(FaultPlan, PlanForNoCallsOrNoBytesIsEmpty) {
     EXPECT_TRUE(plan_faults(1, 10, 0, regions).empty());
     EXPECT_TRUE(plan_faults(1, 10, 10, {}).empty());
     EXPECT_TRUE(plan_faults(1, 10, 10, {{"device", 0}}).empty());

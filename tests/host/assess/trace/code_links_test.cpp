@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of the firmware without a requirement, and places where code names what was generated from an item.
+// Finds firmware files that no requirement reaches, and the places where code uses a name that is generated from an
+// item of the register.
 #include "host/assess/trace/code_links.hpp"
 
 #include <gmock/gmock.h>

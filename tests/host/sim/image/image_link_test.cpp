@@ -103,8 +103,8 @@ TEST(ImageLink, InvalidGreetingIsRefused) {
 }
 
 TEST(ImageLink, EndOfTheImageIsReported) {
-    EXPECT_EQ(why(saying("")), "box.elf has ended");
-    EXPECT_EQ(why(saying("\x05")), "box.elf has ended");
+    EXPECT_EQ(why(saying("")), "box.elf has ended; see the messages of the emulator");
+    EXPECT_EQ(why(saying("\x05")), "box.elf has ended; see the messages of the emulator");
     ImageLink link = saying("");
     Message message{Kind::look};
     EXPECT_THROW(link.send(message), ImageFailed);

@@ -82,7 +82,8 @@ TEST_F(ReplayEdges, OptionUntilMayEqualTheStartButNotPrecedeIt) {
         play(device, "");
         FAIL() << "played";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "--until 1.999999 is before the start at 2.000000");
+        EXPECT_STREQ(error.what(),
+                     "--until 1.999999 is before the start at 2.000000; write a later --until or an earlier --start");
     }
 }
 
