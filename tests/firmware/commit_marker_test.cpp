@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Content of the first bytes of a bank of stored values show (firmware/base/commit_marker.hpp).
+// Meaning of the first bytes of a bank of stored values (firmware/base/commit_marker.hpp).
 #include "firmware/base/commit_marker.hpp"
 
 #include <gtest/gtest.h>

@@ -67,13 +67,13 @@ class Ax130751RestartOfOutput : public Ax130751Restart, public testing::WithPara
 
 }  // namespace
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfOutputInputs) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsControl) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2340, output);
     forgets("control", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsEnable) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2241, output, 1);  // inverse: ON without a command
     set8(0x2352, output, 0);  // enabled when ON
@@ -81,7 +81,7 @@ TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsEnable) {
     forgets("enable", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsOverride) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set16(0x2300, output, 1);
     set8(0x2362, output, 0);  // overridden when ON
@@ -91,13 +91,13 @@ TEST_P(Ax130751RestartOfOutput, ResetClearsTheHysteresisOfItsOverride) {
 
 INSTANTIATE_TEST_SUITE_P(Each, Ax130751RestartOfOutput, testing::Values(1, 2));
 
-TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfRelayInputs) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayControl) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2260, 1);
     forgets("control", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayEnable) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: ON without a command
     set8(0x2282, 1, 0);  // enabled when ON
@@ -105,7 +105,7 @@ TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayEnable) {
     forgets("enable", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayOverride) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2293, 1, 1);
     set8(0x2292, 1, 0);  // overridden when ON
@@ -113,7 +113,7 @@ TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayOverride) {
     forgets("override", [&] { return relay_on(); });
 }
 
-TEST_F(Ax130751Restart, ResetClearsTheHysteresisOfTheRelayUnlatch) {
+TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayUnlatch) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 4);  // the inverse latch goes OFF with its control while it is not unlatched
     follow_supply(0x2270, 1);
