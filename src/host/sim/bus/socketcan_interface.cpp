@@ -96,8 +96,8 @@ void SocketCanBus::lose_interface(Instant now) {
         return;
     }
     down_ = true;
-    restart_at_ =
-        never;  // setting the interface up again also starts the controller, so no restart after bus-off is needed
+    // Setting the interface up again also starts the controller, so no restart after bus-off is needed.
+    restart_at_ = never;
     look_at_ = now + search_period;
     notice(fmt::format("{} is {}; waiting for it", interface_,
                        system_.interface_number(interface_) == 0 ? "gone" : "down"));
