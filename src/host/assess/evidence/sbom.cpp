@@ -32,12 +32,17 @@ Json component_of(const std::string& name, const std::string& version, const Pro
     return component;
 }
 
+/// Returns the word of CycloneDX for the state of a recorded vulnerability. The records use the words of OpenVEX.
+std::string cyclonedx_state(const std::string& state) {
+    return state == "fixed" ? "resolved" : state == "affected" ? "exploitable" : state;
+}
+
 Json vulnerabilities_of(const Provenance& provenance, const PackageRecords& records) {
     Json all = Json::array();
     for (const auto& one : records.vulnerabilities) {
         if (const auto version = provenance.packages.find(one.package); version != provenance.packages.end()) {
             all.push_back({{"id", one.id},
-                           {"analysis", {{"state", one.state}, {"detail", one.detail}}},
+                           {"analysis", {{"state", cyclonedx_state(one.state)}, {"detail", one.detail}}},
                            {"affects", Json::array({Json{{"ref", purl_of(one.package, version->second)}}})}});
         }
     }

@@ -93,7 +93,10 @@ TEST_F(Pack, BillOfMaterialsNamesEachPackage) {
     input_.provenance.packages["toolx"] = "3";
     input_.provenance.package_sums = {{"libx", std::string(64, 'a')}};
     input_.packages.packages = {{"libx", "required", "MIT"}, {"toolx", "excluded", ""}};
-    input_.packages.vulnerabilities = {{"CVE-2026-1", "libx", "not_affected", "The function is not called."}};
+    input_.packages.vulnerabilities = {{"CVE-2026-1", "libx", "not_affected", "The function is not called."},
+                                       {"CVE-2026-2", "libx", "fixed", "1.2-3 repairs it."},
+                                       {"CVE-2026-3", "libx", "affected", "Read no foreign key."},
+                                       {"CVE-2026-4", "libx", "in_triage", "Not judged yet."}};
     const auto sbom = nlohmann::json::parse(make().at("data/sbom.cdx.json"));
     EXPECT_EQ(sbom.at("bomFormat"), "CycloneDX");
     EXPECT_EQ(sbom.at("specVersion"), "1.6");
@@ -107,6 +110,9 @@ TEST_F(Pack, BillOfMaterialsNamesEachPackage) {
     EXPECT_EQ(sbom.at("dependencies").at(0).at("dependsOn").size(), 1U);
     EXPECT_EQ(sbom.at("dependencies").at(0).at("dependsOn").at(0), "pkg:deb/debian/libx@1.2-3");
     EXPECT_EQ(sbom.at("vulnerabilities").at(0).at("analysis").at("state"), "not_affected");
+    EXPECT_EQ(sbom.at("vulnerabilities").at(1).at("analysis").at("state"), "resolved");
+    EXPECT_EQ(sbom.at("vulnerabilities").at(2).at("analysis").at("state"), "exploitable");
+    EXPECT_EQ(sbom.at("vulnerabilities").at(3).at("analysis").at("state"), "in_triage");
     EXPECT_EQ(sbom.at("vulnerabilities").at(0).at("affects").at(0).at("ref"), "pkg:deb/debian/libx@1.2-3");
 }
 
