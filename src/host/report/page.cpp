@@ -36,7 +36,7 @@ figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#ff
 .wrap{overflow-x:auto}footer{max-width:76rem;margin:0 auto;padding:1rem;color:var(--quiet);font-size:.85rem;overflow-wrap:anywhere}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
 @media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
-@page{size:A4;margin:14mm 12mm}@page wide{size:A4 landscape}
+@page{size:A4;margin:11mm 9mm}@page wide{size:A4 landscape}
 @media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8pt}nav,input,.filter,.screen,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td a{display:inline;padding:0}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
 )";
 
