@@ -53,8 +53,8 @@ class ParameterStore {
     static constexpr std::size_t header_size = 16U;
     static constexpr std::size_t crc_size = 4U;
     static constexpr std::size_t bank_count = 2U;
-    static constexpr std::uint32_t tag_shift =
-        3U;  ///< lowest bit of the tag in the header's byte of groups; the groups are bits 0 to 2
+    /// lowest bit of the tag in the header's byte of groups; the groups are bits 0 to 2
+    static constexpr std::uint32_t tag_shift = 3U;
     using Header = std::array<std::uint8_t, header_size>;
 
     /// Writes consecutive bytes and computes their CRC; writes nothing more after a failure.

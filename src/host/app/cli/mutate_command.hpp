@@ -16,8 +16,8 @@ struct MutateOptions {
     std::string programs;  ///< folder; empty: build/mutation below `root`
     std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
     bool code{false};      ///< alters the code of the firmware instead of generated cells
-    bool kills{
-        false};  ///< writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
+    /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
+    bool kills{false};
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};

@@ -15,8 +15,8 @@ struct ReviewOptions {
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
     bool mark{false};      ///< updates the marks of code and tests in existing reviews and adds no review
-    bool wording{
-        false};  ///< records that only the text of the items was read; marks the present code and tests, as `mark` does
+    /// records that only the text of the items was read; marks the present code and tests, as `mark` does
+    bool wording{false};
     std::string date;  ///< YYYY-MM-DD; empty: today
 };
 

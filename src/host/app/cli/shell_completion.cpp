@@ -184,10 +184,7 @@ std::string manual_page(const std::vector<CommandWords>& commands, const std::ve
         throw InputError{
             fmt::format("there is no command `{}`; `canproof --help` lists the commands", fmt::join(path, " "))};
     }
-    std::string name = "canproof";
-    for (const auto& word : path) {
-        name += "-" + word;
-    }
+    const std::string name = path.empty() ? "canproof" : "canproof-" + first->joined("-");
     std::string text = fmt::format(
         ".TH {} 1 \"\" \"canproof {}\" \"User commands\"\n.SH NAME\n{} \\- {}\n", roff(upper(name)), roff(version),
         roff(name),

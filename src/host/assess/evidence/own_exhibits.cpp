@@ -61,14 +61,8 @@ Exhibit suspects_exhibit(const PackInput& input) {
     ReviewCounts dispositions;
     for (const auto& audit : input.audits) {
         suspects += audit.suspects.size();
-        const ReviewCounts here = count_reviews(*audit.part, input.evidence.work);
-        read.author += here.author;
-        read.independent += here.independent;
-        read.unsaid += here.unsaid;
-        read.marked += here.marked;
-        const ReviewCounts of_manual = count_section_reviews(*input.content, *audit.part);
-        dispositions.author += of_manual.author;
-        dispositions.independent += of_manual.independent;
+        read += count_reviews(*audit.part, input.evidence.work);
+        dispositions += count_section_reviews(*input.content, *audit.part);
     }
     return exhibit(
         "suspects", "Suspects", suspects == 0,

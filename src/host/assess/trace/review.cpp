@@ -205,6 +205,14 @@ ReviewCounts count_current(const Prints& prints, const Part& part, const WorkByI
 
 }  // namespace
 
+ReviewCounts& ReviewCounts::operator+=(const ReviewCounts& other) {
+    author += other.author;
+    independent += other.independent;
+    unsaid += other.unsaid;
+    marked += other.marked;
+    return *this;
+}
+
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
     return count_current(prints_in_force(part), part, work);
 }

@@ -69,6 +69,8 @@ struct ReviewCounts {
     std::size_t independent{0};
     std::size_t unsaid{0};
     std::size_t marked{0};  ///< number among these whose code and tests got new marks without being read
+
+    ReviewCounts& operator+=(const ReviewCounts& other);
 };
 /// Counts the current reviews of the part's items, decisions and hazards in force.
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);

@@ -62,8 +62,8 @@ struct BusReport {
     std::uint64_t errors{0};  ///< number of error frames
     /// number of frames that came faster than they were read; they are neither logged nor counted
     std::uint64_t lost{0};
-    std::uint64_t missed{
-        0};            ///< number of frames that nodes of this program have lost, each counted once for each node
+    /// number of frames that nodes of this program have lost, each counted once for each node
+    std::uint64_t missed{0};
     double load{0.0};  ///< load over the last second, 0 to 1
     /// time from the moment a frame becomes the first in the queue of its node until its last bit is sent
     Duration worst_latency{};
