@@ -18,6 +18,7 @@ namespace canproof::host::test {
 
 class SocketcandServer : public testing::Test {
   protected:
+    static constexpr int most_looks = 500;  // reached only in a broken test
     static inline const std::string join = "< open can0 >< rawmode >";
     static inline const std::string joined = "< hi >< ok >< ok >";
 
@@ -76,7 +77,6 @@ class SocketcandServer : public testing::Test {
   private:
     static constexpr int look_again_ms =
         10;  // bytes may also be on their way to a client, whose socket is not in watches()
-    static constexpr int most_looks = 500;  // reached only in a broken test
     static constexpr Duration soon =
         milliseconds(500);  // deadlines of the bus are earlier, those of its clients are later
 

@@ -30,6 +30,21 @@ class SocketcandServerRules : public SocketcandServer {
         EXPECT_TRUE(bus.watches().back().writable);
         return frames;
     }
+    /// Returns whether text waits for the client, and the server reads nothing from it. The kernel may take some of the
+    /// text later: then more frames are sent.
+    bool block() {
+        for (int looks = 0; looks < most_looks; ++looks) {
+            fill_output();
+            for (int turn = 0; turn < 4; ++turn) {
+                pass(Duration{});  // no time passes, so the gateway and the text buffer of the client fill up
+            }
+            const Watch last = bus.watches().back();
+            if (bus.watches().size() == 2 && last.writable && !last.readable) {
+                return true;
+            }
+        }
+        return false;
+    }
     void send_one() {
         node.send("583#4300100091010800");
         bus.advance(now);
@@ -203,14 +218,8 @@ TEST_F(SocketcandServerRules, BlockedClientThatDoesNotReadIsWatchedForOutputOnly
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
-    fill_output();
     client.say(many_commands());
-    for (int turn = 0; turn < 4; ++turn) {
-        pass(Duration{});  // no time passes, so the gateway and the text buffer of the client fill up
-    }
-    ASSERT_THAT(bus.watches(), SizeIs(2));
-    EXPECT_FALSE(bus.watches().back().readable);
-    EXPECT_TRUE(bus.watches().back().writable);
+    EXPECT_TRUE(block());
 }
 
 TEST_F(SocketcandServerRules, ClientWithAResetConnectionIsRemovedWhenTheResetIsRead) {
