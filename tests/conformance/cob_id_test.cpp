@@ -64,6 +64,19 @@ TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAno
     EXPECT_EQ(cob_id(), as_shipped + 6);
 }
 
+/// Bit 31 disables the RPDO, and bit 30 is a flag without effect on an RPDO: neither is an identifier that a user has
+/// set.
+TEST_P(CobIdOfTheDevice, CobIdWithOnlyItsFlagsChangedFollowsTheNodeIdAndKeepsTheFlags) {
+    verifies<req::CO_PDO_035, req::CO_PDO_061>();
+    for (const std::uint32_t flags : {0x80000000U, 0xC0000000U, 0U, 0x40000000U}) {
+        unit.move_to(3);
+        set_cob_id(flags | (as_shipped & 0x7FFU));
+        ASSERT_TRUE(unit.save());
+        unit.move_to(9);
+        EXPECT_EQ(cob_id(), flags | ((as_shipped & 0x7FFU) + 6U)) << flags;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, CobIdOfTheDevice, testing::Values("ax060805", "ax130751", "ax188001", "cbx-ao412"),
                          [](const auto& one) {
                              return std::string{one.param}.substr(0, 3) + std::to_string(one.index);

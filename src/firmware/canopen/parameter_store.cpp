@@ -3,6 +3,7 @@
 
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/sequence_number.hpp"
+#include "firmware/canopen/cob_id.hpp"
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/index.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -164,7 +165,17 @@ void ParameterStore::give_up() noexcept {
     groups_ = no_groups;
 }
 
-static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060>);
+/// Lets a loaded COB-ID follow the node-ID when its identifier was the default one for the node-ID of the save. Bits 30
+/// and 31 are flags: they stay, and whoever changed only them has chosen no identifier.
+static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060> && implements<req::CO_PDO_061>);
+void ParameterStore::follow_node_id(const EntryRow& row, const std::uint8_t saved_node_id) noexcept {
+    const std::uint64_t loaded = objects_.bits(row);
+    const std::uint64_t shipped = objects_.default_bits(row) + saved_node_id;
+    if (((loaded ^ shipped) & cob_id::identifier_mask) == 0U) {
+        static_cast<void>(objects_.put_bits(row, (loaded - saved_node_id) + node_id_));
+    }
+}
+
 void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id) noexcept {
     node_id_ = node_id;
     const ParameterGroups wanted = group_bit(group) & groups_;
@@ -185,10 +196,7 @@ void ParameterStore::load(const ParameterGroup group, const std::uint8_t node_id
         }
         static_cast<void>(objects_.put(entry, value.view()));
         if (row.may(rights::node_id)) {
-            const std::uint64_t base = objects_.default_bits(row);
-            if (objects_.bits(row) == (base + saved_node_id)) {
-                static_cast<void>(objects_.put_bits(row, base + node_id));
-            }
+            follow_node_id(row, saved_node_id);
         }
     }
 }

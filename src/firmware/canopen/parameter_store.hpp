@@ -29,7 +29,8 @@ class ParameterStore {
     /// Searches for the valid bank. The node calls it at power-on and at NMT reset node, before load().
     void open() noexcept;
     /// Puts the stored values of a group into the dictionary of the node `node_id`; a group that was never saved keeps
-    /// its defaults. A value that was saved at a default that includes the node-ID follows the new node-ID.
+    /// its defaults. A COB-ID that was saved with the identifier of its default follows the new node-ID, if the
+    /// default includes the node-ID.
     void load(ParameterGroup group, std::uint8_t node_id) noexcept;
     /// Returns whether a saved set exists that the last open() or a load() after it could not read. None of its values
     /// may then be used; the defaults apply.
@@ -92,6 +93,7 @@ class ParameterStore {
     void use(std::size_t bank, const Header& header) noexcept;
     AbortCode write_set(ParameterGroups fresh, ParameterGroups kept) noexcept;
     void give_up() noexcept;
+    void follow_node_id(const EntryRow& row, std::uint8_t saved_node_id) noexcept;
     bool write_marker(std::size_t bank, std::uint8_t marker) noexcept;
     void write_values(ParameterGroups fresh, Writer& to) const noexcept;
     void keep_value(const EntryRow& row, std::size_t from, Writer& to) const noexcept;
