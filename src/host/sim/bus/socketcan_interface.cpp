@@ -149,6 +149,13 @@ void SocketCanBus::restart_controller(Instant now) {
             interface_));
     } else if (!system_.restart(interface_)) {
         restart_at_ = now + restart_after;
+        if (!restart_failure_told_) {
+            notice(
+                fmt::format("{0} is bus-off, and the kernel refuses the restart; the program goes on trying. With "
+                            "CAP_NET_ADMIN, try: ip link set {0} type can restart",
+                            interface_));
+        }
+        restart_failure_told_ = true;
     }
 }
 

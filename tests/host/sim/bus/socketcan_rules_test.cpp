@@ -207,6 +207,22 @@ TEST_F(SocketCan, FailedRestartIsRetried) {
     EXPECT_EQ(system.restarts, 2);
 }
 
+TEST_F(SocketCan, RestartRefusedByTheKernelIsReportedOnceForEachBusOff) {
+    start(InterfaceControl::granted);
+    system.restart_answer = false;
+    for (std::size_t bus_off = 1; bus_off <= 2; ++bus_off) {
+        system.arrive_error(first, CAN_ERR_BUSOFF, 0);
+        step(10);
+        for (int attempts = 0; attempts < 3; ++attempts) {
+            step(500000);
+            EXPECT_THAT(notices, SizeIs(bus_off));
+        }
+        EXPECT_THAT(notices.back(), HasSubstr("vcan0 is bus-off, and the kernel refuses the restart"));
+        system.arrive_error(first, CAN_ERR_RESTARTED, 0);
+        step(10);
+    }
+}
+
 TEST_F(SocketCan, RestartWithoutPermissionIsReportedOnce) {
     start();
     system.arrive_error(first, CAN_ERR_BUSOFF, 0);
