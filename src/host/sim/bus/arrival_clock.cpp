@@ -2,6 +2,7 @@
 #include "host/sim/bus/arrival_clock.hpp"
 
 #include <cstdlib>
+#include <utility>
 
 namespace canproof::host {
 
@@ -11,6 +12,10 @@ constexpr int most_comparisons = 4;
 constexpr std::uint64_t good_enough_us = 10;
 
 }  // namespace
+
+void ArrivalClock::use(Clock clock) {
+    clock_ = std::move(clock);
+}
 
 /// Reads the real time between two readings of the run's clock. If the two are far apart, the process did not run in
 /// between, so the comparison is repeated. The comparison with the shortest distance is used. It replaces an earlier

@@ -18,7 +18,7 @@ class ArrivalClock {
     static constexpr Duration tolerance = milliseconds(50);
 
     /// Sets the clock of the run. Without a clock, time does not advance while the bus reads.
-    void use(Clock clock) { clock_ = std::move(clock); }
+    void use(Clock clock);
     /// Compares the clock of the run with the real time, which `realtime_ns` returns. Without a clock, `now` is the
     /// time of the run.
     void compare(Instant now, const std::function<std::uint64_t()>& realtime_ns);

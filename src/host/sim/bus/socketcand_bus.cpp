@@ -47,7 +47,7 @@ int listen_at(const ListenAddress& address) {
         refuse(address, gai_strerror(unknown));
     }
     const int descriptor = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    const int on = 1;
+    int on = 1;
     // Without SO_REUSEADDR, the port cannot be used again for about a minute.
     const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
                        bind(descriptor, found->ai_addr, found->ai_addrlen) == 0 &&

@@ -93,7 +93,7 @@ void SocketcandClientBus::connect_to_server(Instant now) {
         lose_server(std::strerror(errno), now);
         return;
     }
-    const int on = 1;
+    int on = 1;
     static_cast<void>(setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure is ignored
     ask_for_stamps(descriptor_);
     connecting_ = connect(descriptor_, reinterpret_cast<const sockaddr*>(&address_), address_size_) == 0 || must_wait();

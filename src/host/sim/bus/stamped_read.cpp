@@ -37,7 +37,7 @@ std::uint64_t receive_stamp_ns(msghdr& message) {
 }
 
 void ask_for_stamps(int descriptor) {
-    const int on = 1;
+    int on = 1;
     static_cast<void>(setsockopt(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof on));
 }
 
