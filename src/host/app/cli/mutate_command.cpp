@@ -129,11 +129,17 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
 
 /// Judges `cells` with the test programs. `count` is the number of all alterations that the programs contain.
 std::vector<MutationOutcome> judge(const MutateOptions& options, const std::filesystem::path& programs,
-                                   const std::vector<AlteredCell>& cells, std::size_t count) {
+                                   const std::vector<AlteredCell>& cells, std::size_t count,
+                                   const std::vector<SurvivorRecord>& records) {
     const auto progress = [&](std::size_t done) { show_progress(done, cells.size()); };
     if (options.code) {
-        return mutate_code({programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs}, cells,
-                           count, progress);
+        const auto is_explained = [&](const AlteredCell& mutant) {
+            return std::any_of(records.begin(), records.end(),
+                               [&](const SurvivorRecord& record) { return is_about(record, mutant); });
+        };
+        return mutate_code(
+            {programs / "code_mutants", programs / "verdicts" / "code_mutants", options.jobs, is_explained}, cells,
+            count, progress);
     }
     return mutate_cells(
         {programs / "canproof_tests", programs / "canproof_properties", programs / "verdicts", options.jobs}, cells,
@@ -142,10 +148,10 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
 
 /// Judges one shard of `cells` and writes its outcomes for `--merge`. `count` has the same meaning as in judge().
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
-                const std::vector<AlteredCell>& cells, std::size_t count) {
+                const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
     const auto share = share_of(cells, *options.shard);
     const auto file = programs / "shards" / mutation_shard_name(options.code, *options.shard);
-    write_file(file, write_mutation_shard(*options.shard, judge(options, programs, share, count)));
+    write_file(file, write_mutation_shard(*options.shard, judge(options, programs, share, count, records)));
     if (options.json) {
         const nlohmann::ordered_json json{{"shard", options.shard->text()},
                                           {"judged", share.size()},
@@ -217,9 +223,9 @@ int mutate(const MutateOptions& options) {
     auto faults = lines_about(without_alteration(records, all), record_file, "no alteration matches this record");
     const auto cells = alterations_for(options, all);
     if (options.shard) {
-        return judge_shard(options, programs, cells, all.size());
+        return judge_shard(options, programs, cells, all.size(), records);
     }
-    auto outcomes = options.merge.empty() ? judge(options, programs, cells, all.size())
+    auto outcomes = options.merge.empty() ? judge(options, programs, cells, all.size(), records)
                                           : merge_mutation_shards(options.merge, options.code, cells);
     const auto unneeded = justify(outcomes, records);
     if (options.subject.empty() && options.sample == 0) {

@@ -24,6 +24,8 @@ namespace {
 /// Longest processor time of the tests for one mutant, in seconds. The sum uses the times that the tests take without a
 /// mutant.
 constexpr double most_seconds = 1.5;
+/// Longest processor time of the tests for a mutant that survives these tests and that no record explains, in seconds.
+constexpr double patient_seconds = 60.0;
 /// Longest processor time of the tests that run first, in seconds. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
 /// Name of the entry for the time before the first test.
@@ -154,6 +156,7 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
     }
     const auto quick = tests_by_mutant(tests, count, quick_seconds);
     const auto most = tests_by_mutant(tests, count, most_seconds);
+    const auto patient = tests_by_mutant(tests, count, patient_seconds);
     KillerLog log{setup.folder / "killers.tsv"};
     return judge_all(
         mutants, {setup.program}, setup.jobs,
@@ -161,10 +164,13 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
             const std::size_t number = mutant.number;
             MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr, ""};
             if (!most.at(number).empty()) {
-                outcome.killed_by =
-                    killer(*servers.front(), number,
-                           {stage(log.filter(mutant), seconds), stage(filter_of(tests, quick[number]), seconds),
-                            stage(filter_of(tests, most[number]), seconds)});
+                std::vector<Stage> stages{stage(log.filter(mutant), seconds),
+                                          stage(filter_of(tests, quick[number]), seconds),
+                                          stage(filter_of(tests, most[number]), seconds)};
+                if (patient[number].size() > most[number].size() && !setup.is_explained(mutant)) {
+                    stages.push_back(stage(filter_of(tests, patient[number]), seconds));
+                }
+                outcome.killed_by = killer(*servers.front(), number, stages);
                 if (const auto found = files.find(outcome.killed_by); found != files.end()) {
                     outcome.killer_file = found->second;
                 }

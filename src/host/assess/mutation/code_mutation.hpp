@@ -47,6 +47,8 @@ struct CodeMutationSetup {
     std::filesystem::path program;
     std::filesystem::path folder;  ///< folder for the files that the program writes when it runs without a mutant
     unsigned jobs{2};
+    /// Returns whether a record explains why the mutant may survive. Slow tests run only with the others.
+    std::function<bool(const AlteredCell&)> is_explained{[](const AlteredCell&) { return false; }};
 };
 
 /// Runs the program without a mutant, then with each of `mutants`. `count` is the number of all mutants of the program.

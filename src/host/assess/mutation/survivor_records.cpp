@@ -50,13 +50,9 @@ bool matches(const std::string& pattern, const std::string& text) {
     return p == pattern.size();
 }
 
-namespace {
-
 bool is_about(const SurvivorRecord& record, const AlteredCell& cell) {
     return matches(record.item, cell.item) && matches(record.cell, cell.cell) && matches(record.change, cell.change);
 }
-
-}  // namespace
 
 std::vector<const SurvivorRecord*> without_alteration(const std::vector<SurvivorRecord>& records,
                                                       const std::vector<AlteredCell>& cells) {

@@ -14,6 +14,8 @@ namespace canproof::host {
 std::vector<SurvivorRecord> read_survivor_records(const std::filesystem::path& file);
 /// Returns whether the text matches the pattern: `*` matches any characters, `?` one character.
 bool matches(const std::string& pattern, const std::string& text);
+/// Returns whether the record gives a reason why this alteration may survive.
+bool is_about(const SurvivorRecord& record, const AlteredCell& cell);
 
 /// Assigns to each survivor the record that explains it. Returns the records that explain no survivor.
 std::vector<const SurvivorRecord*> justify(std::vector<MutationOutcome>& outcomes,
