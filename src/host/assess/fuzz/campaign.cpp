@@ -123,8 +123,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
             throw InputError{fmt::format(
-                "{} contains an unfinished campaign of {} minutes, started {}; run the same command again to "
-                "continue it, or add --restart to start a new campaign",
+                "{} contains an unfinished campaign with another time, shard or targets ({} minutes, started {}); give "
+                "the command that started it to continue it, or add --restart to start a new campaign",
                 files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
