@@ -292,7 +292,8 @@ class DeviceWorld {
         seen.assign(image.data(), image.data() + image.size());
         return true;
     }
-    /// Checks that every value is within its limits; the limits of 1003h:0 apply to writes only.
+    /// Checks that every value is within its limits. Exceptions: 1003h:0 (number of errors), whose limits apply to
+    /// writes only, and the entries that Unit::shows_beyond_limits() names. Does nothing when no value has changed.
     void check_values() {
         const ObjectDictionary& objects = device_->objects();
         if (!Unit::has_values(*device_) || !differs_from(checked_)) {

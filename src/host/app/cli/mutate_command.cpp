@@ -53,10 +53,10 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     };
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
-        throw InputError{
-            fmt::format("`{}` is no device and no item with generated cells; name a device or an item, or leave it out "
-                        "to judge all cells",
-                        subject)};
+        throw InputError{fmt::format(
+            "`{}` is no device and no item with generated cells; name a device or an item, or leave the argument "
+            "out to judge all cells",
+            subject)};
     }
     return cells;
 }

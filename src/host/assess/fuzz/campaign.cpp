@@ -177,7 +177,7 @@ int run_shard(const CampaignContext& context) {
         context.state.phase = done ? phase_after_fuzzing : phases[0].name;
         context.save();
         if (!done) {
-            context.display.say("interrupted; the same command continues the campaign");
+            context.display.say("interrupted; the same command without --restart continues the campaign");
             return was_interrupted;
         }
     }
@@ -224,7 +224,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         return found_something;
     }
     if (!finished) {
-        display.say("interrupted; the same command continues the campaign");
+        display.say("interrupted; the same command without --restart continues the campaign");
         return was_interrupted;
     }
     const bool broken = is_broken(state);
