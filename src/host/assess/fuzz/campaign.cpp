@@ -242,7 +242,7 @@ int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
     if (options.shard) {
         if (options.seed == 0) {
-            throw InputError{"all shards need the same --seed; write --seed 1 for each"};
+            throw InputError{"all shards need the same --seed, which must not be 0; write --seed 1 for each"};
         }
         CampaignState state = begin_or_go_on(options, targets, files, display);
         return run_shard({options, targets, files, state, display, interrupted});
