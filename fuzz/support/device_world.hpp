@@ -306,9 +306,9 @@ class DeviceWorld {
         });
     }
 
-    /// Checks everything that one event caused: well-formed frames on identifiers of the device, and at most one SDO
-    /// answer. The queue must not be full, because then a frame may be lost; only after a long time without emptying it
-    /// may be full.
+    /// Checks everything that one event caused: well-formed frames on identifiers of the device or as
+    /// Unit::may_also_send() permits, and at most one SDO answer. The queue must not be full, because then a frame may
+    /// be lost; only after a long time without emptying it may be full.
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;
