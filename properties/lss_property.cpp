@@ -41,7 +41,7 @@ using Events = std::vector<Event>;
 std::uint64_t below(std::uint64_t limit) {
     return *rc::gen::inRange<std::uint64_t>(0, limit);
 }
-/// Returns a number of the address of the slave, one next to it, or any number.
+/// Returns number `which` of the slave's LSS address, this number plus or minus one, or any number.
 std::uint32_t number_near(std::size_t which) {
     const std::uint64_t kind = below(10);
     return kind < 7    ? address[which]

@@ -292,7 +292,8 @@ class DeviceWorld {
         seen.assign(image.data(), image.data() + image.size());
         return true;
     }
-    /// Checks that every value is within its limits; the limits of 1003h:0 apply to writes only.
+    /// Checks that every value is within its limits. Exceptions: 1003h:0 (number of errors), whose limits apply to
+    /// writes only, and the entries that Unit::shows_beyond_limits() names. Does nothing when no value has changed.
     void check_values() {
         const ObjectDictionary& objects = device_->objects();
         if (!Unit::has_values(*device_) || !differs_from(checked_)) {
@@ -305,9 +306,9 @@ class DeviceWorld {
         });
     }
 
-    /// Checks everything that one event caused: well-formed frames on identifiers of the device, and at most one SDO
-    /// answer. The queue must not be full, because then a frame may be lost; only after a long time without emptying it
-    /// may be full.
+    /// Checks everything that one event caused: well-formed frames on identifiers of the device or as
+    /// Unit::may_also_send() permits, and at most one SDO answer. The queue must not be full, because then a frame may
+    /// be lost; only after a long time without emptying it may be full.
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
         const Identifiers before = known_;

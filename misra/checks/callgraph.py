@@ -18,7 +18,10 @@ INDIRECT = "__indirect_call"
 
 
 def called_through(place):
-    """Returns `memory_` and `read` for the call at file:line:column, the place of the opening parenthesis or of the name's end."""
+    """Returns the object and the function of the call at `place`: for `memory_.read(…)`, (`memory_`, `read`).
+
+    `place` is file:line:column of the opening parenthesis or of a letter of the function's name.
+    """
     path, line, column = place.rsplit(":", 2)
     text = (HOME / path).read_text().splitlines()[int(line) - 1]
     before = re.match(r"[\s\S]*", text[: int(column) - 1]).group()

@@ -192,8 +192,8 @@ void TestNode::map_words(unsigned communication, std::uint32_t cob_id) {
     const unsigned mapping = communication + 0x200;
     write(communication, 1, 4, 0x80000000U | cob_id);
     write(communication, 2, 1, 255);
-    write(communication, 3, 2, 0);  // no inhibit time, no event timer
-    write(communication, 5, 2, 0);
+    write(communication, 3, 2, 0);  // no inhibit time
+    write(communication, 5, 2, 0);  // no event timer
     write(mapping, 0, 1, 0);
     for (unsigned sub = 1; sub <= 4; ++sub) {
         write(mapping, sub, 4, 0x5F020010U | (sub << 8U));

@@ -180,7 +180,7 @@ std::uint64_t number(std::size_t size, std::size_t at, std::size_t count) {
     return value;
 }
 
-/// Reads and writes `count` bytes at `at` in a view of `size` bytes.
+/// Reads and writes `N` bytes at `at` in a view of `size` bytes. Expects the result of access byte by byte.
 template <std::size_t N>
 void expect_bytes(std::size_t size, std::size_t at, std::uint64_t value) {
     Room room = numbered();

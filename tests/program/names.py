@@ -59,7 +59,7 @@ def switches():
 
 
 def factory():
-    """Factory data are in the answer to 1018h:4 serial number, are listed, and are refused when wrong."""
+    """`--factory serial_number=7` sets 1018h:4 (serial number); `signals` lists the key; a wrong key or value is refused."""
     request = "(0.1) can0 605#4018100400000000\n"
     done = subprocess.run([program, "replay", "ax188001@5", "--factory", "serial_number=7", "-"], input=request,
                           capture_output=True, text=True, timeout=120)

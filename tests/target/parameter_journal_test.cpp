@@ -132,7 +132,7 @@ TEST(ParameterJournal, JournalContinuesInTheOtherSectorAndErasesAtPowerOn) {
     EXPECT_THAT(model.sector(0).faults(), IsEmpty());
 }
 
-TEST(ParameterJournal, CommitErasesTheSectorWhenNotPrepared) {
+TEST(ParameterJournal, CommitErasesTheOtherSectorIfPrepareHasNotErasedIt) {
     verifies<req::CO_FLASH_002>();
     FlashModel model{1, small_sector};
     Unit unit{model};

@@ -24,7 +24,8 @@ inline Instant any_time() {
     return now;
 }
 
-/// The dictionary of the CAN-CBX-AO412, which has an object for each service. Its values are open.
+/// The dictionary of the CAN-CBX-AO412, which has objects for error control, heartbeat consumer, SYNC and EMCY. Its
+/// values are open.
 struct AnyDictionary {
     std::array<std::uint8_t, generated::cbx_ao412::image_size> image{
         any<std::array<std::uint8_t, generated::cbx_ao412::image_size>>()};

@@ -32,7 +32,7 @@ constexpr std::uint32_t read = 0x01U;
 constexpr std::uint32_t write = 0x02U;
 constexpr std::uint32_t rpdo = 0x04U;      ///< may be mapped into a receive PDO
 constexpr std::uint32_t tpdo = 0x08U;      ///< may be mapped into a transmit PDO
-constexpr std::uint32_t stored = 0x10U;    ///< 1010h store parameters stores the value
+constexpr std::uint32_t stored = 0x10U;    ///< a write to 1010h (store parameters) stores the value
 constexpr std::uint32_t node_id = 0x20U;   ///< the node-ID is added to the default
 constexpr std::uint32_t constant = 0x40U;  ///< the value lies in flash: `offset` refers to the constant pool
 }  // namespace rights

@@ -68,7 +68,8 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong != 0) {
-        throw InputError{fmt::format("cannot run {0}: {1}; build or install {0}", words.front(), std::strerror(wrong))};
+        throw InputError{fmt::format("cannot run {0}: {1}; check that {0} is built or installed and may be executed",
+                                     words.front(), std::strerror(wrong))};
     }
     return process;
 }
@@ -89,7 +90,7 @@ void reap_process(pid_t process) noexcept {
 std::array<int, 2> make_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw InputError{"cannot open a pipe: too many files are open; close other programs"};
+        throw InputError{"cannot open a pipe; if too many files are open, close other programs"};
     }
     return ends;
 }

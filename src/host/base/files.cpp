@@ -16,7 +16,7 @@ std::ifstream open_input(const std::string& path) {
     }
     std::ifstream in{path, std::ios::binary};
     if (!in) {
-        throw InputError{fmt::format("cannot read {}; name an existing file", path)};
+        throw InputError{fmt::format("cannot read {}; name an existing file that you may read", path)};
     }
     return in;
 }

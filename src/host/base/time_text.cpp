@@ -50,7 +50,8 @@ Instant parse_seconds(const std::string& text, const std::string& where) {
     const std::optional<Instant> time = seconds_of(text);
     if (!time) {
         throw InputError{fmt::format(
-            "{}: `{}` is no time in seconds with up to six decimals; write a time such as 12.345678", where, text)};
+            "{}: `{}` is no time in seconds with up to twelve digits and six decimals; write a time such as 12.345678",
+            where, text)};
     }
     return *time;
 }

@@ -68,7 +68,7 @@ Term Globals::scalar(const llvm::Constant& constant) {
         const Term any = proof_.fresh(width);
         return width == 1 ? as_truth(any) : any;
     }
-    throw Unknown{"canproof prove does not support a constant of this kind"};
+    throw Unknown{"canproof prove does not support a constant that is neither a number nor an address"};
 }
 
 Term Globals::of_expression(const llvm::ConstantExpr& expression) {

@@ -16,9 +16,9 @@ class Solver {
   public:
     explicit Solver(z3::context& context) : context_{context} {}
 
-    /// Adds a fact that every later question assumes. z3 gets a fact only after an answer has contradicted it, which
-    /// happens to few of thousands of facts. This is sound: what is impossible without a fact is also impossible with
-    /// it.
+    /// Adds a fact that every later question assumes. z3 gets a fact only when a model of z3 contradicts it: of
+    /// thousands of facts, z3 gets few. This is sound: what is impossible without a fact is also impossible with it,
+    /// and a model counts only if it contradicts no fact.
     void know(const Term& fact) { facts_.push_back(fact); }
     /// Returns whether all conditions in `truths` can be true at the same time. Returns `unknown` when z3 needs more
     /// than `milliseconds`.

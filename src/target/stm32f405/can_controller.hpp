@@ -29,7 +29,7 @@ class CanController {
     std::uint32_t bit_rate() const noexcept { return bit_rate_; }
 
     void advance(Instant now) noexcept;
-    /// Returns whether frames can be sent and received.
+    /// Returns whether the controller has left initialisation mode. This can also be true in bus-off: see state().
     bool is_on_bus() const noexcept { return phase_ == Phase::on_bus; }
     /// Returns the state; bus-off also while the controller cannot join the bus.
     CanState state() const noexcept { return state_; }

@@ -98,7 +98,8 @@ TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
     EXPECT_EQ(read(0x1003, 1), 0x00008210U);
     EXPECT_EQ(read(0x1003, 2), 0x80248130U);
     EXPECT_EQ(read(0x1003, 4), 0x80228130U);
-    // the four listed errors end; the one removed from the list still keeps bit 0
+    // The four listed errors end. The oldest error, which the full list has dropped, is still active: bit 0 of 1001h
+    // (error register) stays set.
     send("27F#0000000000");
     send("722#05");
     send("723#05");

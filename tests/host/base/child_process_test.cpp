@@ -45,9 +45,9 @@ TEST(ChildProcess, ProgramThatCannotRunIsNamedWithTheReason) {
         host::start_process({"/nonexistent/program"}, {}, {});
         FAIL() << "the program does not exist";
     } catch (const host::InputError& error) {
-        EXPECT_STREQ(
-            error.what(),
-            "cannot run /nonexistent/program: No such file or directory; build or install /nonexistent/program");
+        EXPECT_STREQ(error.what(),
+                     "cannot run /nonexistent/program: No such file or directory; check that /nonexistent/program is "
+                     "built or installed and may be executed");
     }
 }
 

@@ -9,8 +9,8 @@
 
 namespace canproof::ax130751 {
 
-/// The effect of the unlatch input, which the polarity of the relay determines. It also determines the rest state of
-/// the latch.
+/// The effect of the unlatch input. The polarity of the relay determines this effect. The effect determines the rest
+/// state of the latch.
 using UnlatchEffect = generated::ax130751::relay_polarity::Unlatch;
 
 struct RelayPolarity {

@@ -57,9 +57,9 @@ class Converter {
         return static_cast<double>(device_.outputs().out_voltage.at(static_cast<std::size_t>(output - 1)));
     }
 
-    /// Sets the points of the lookup table at `base` = 3yz0h, with extra value 1 as its input. X is written from the
-    /// highest point down, as 1.5.1 advises; unused points lie on the last one, and the first of them is ignored, which
-    /// ends the table.
+    /// Sets the points of the lookup table whose first object is `base` (3yz0h). Its X axis is extra received value 1.
+    /// X is written from point 11 down to point 1, as 1.5.1 advises. Points after the last given one get its X. The
+    /// first of them has the response `ignore`, which ends the table.
     void set_table(int base, const std::vector<Point>& points) {
         put8(base, 0, canopen_source);
         put8(base + 1, 0, extra_number + 1);

@@ -276,7 +276,7 @@ void Scanner::advance(const Instant now) noexcept {
     schedule();
 }
 
-/// Computes when the next waiting fault becomes a reported one. It is called only after a reading, a parameter write or
+/// Computes when the delay of the next waiting fault ends. It is called only after a reading, a parameter write or
 /// a deadline, because nothing else changes faults and delays.
 void Scanner::schedule() noexcept {
     Instant next = never;

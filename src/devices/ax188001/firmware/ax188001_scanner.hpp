@@ -43,9 +43,9 @@ class Scanner {
     /// Converts and evaluates again the values that depend on a written parameter, of this channel (0 or 1) if the
     /// parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
-    /// Makes every waiting fault whose delay has passed a reported one.
+    /// Reports every waiting fault whose delay has ended, and updates 6150h (TC Status).
     void advance(Instant now) noexcept;
-    /// Returns when the next waiting fault becomes a reported one; never when none waits.
+    /// Returns when the delay of the next waiting fault ends; never when no fault waits.
     Instant next_deadline() const noexcept { return next_deadline_; }
 
     bool told(const std::size_t channel, const ChannelFault fault) const noexcept {

@@ -54,7 +54,9 @@ std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Regi
     cells.erase(std::remove_if(cells.begin(), cells.end(), other), cells.end());
     if (cells.empty()) {
         throw InputError{fmt::format(
-            "`{}` is no device and no item with generated cells; name a device, an item, or no subject", subject)};
+            "`{}` is no device and no item with generated cells; name a device or an item, or leave the argument "
+            "out to judge all cells",
+            subject)};
     }
     return cells;
 }
@@ -63,8 +65,10 @@ std::vector<AlteredCell> chosen_mutants(std::vector<AlteredCell> mutants, const 
     const auto other = [&](const AlteredCell& mutant) { return mutant.item.find(file) == std::string::npos; };
     mutants.erase(std::remove_if(mutants.begin(), mutants.end(), other), mutants.end());
     if (mutants.empty()) {
-        throw InputError{
-            fmt::format("no file with mutants has `{}` in its path; name another part of a path, or no subject", file)};
+        throw InputError{fmt::format(
+            "no file with mutants has `{}` in its path; give another part of a path, or leave the argument out to "
+            "judge all files",
+            file)};
     }
     return mutants;
 }

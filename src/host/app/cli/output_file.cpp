@@ -44,8 +44,9 @@ void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<s
         // Opening for appending creates the file if necessary and keeps its content.
         file->out_.open(file->path_, std::ios::binary | std::ios::app);
         if (!file->out_) {
-            throw InputError{fmt::format("cannot write {} ({}); name a file in a folder that exists", file->path_,
-                                         std::strerror(errno))};
+            throw InputError{
+                fmt::format("cannot write {} ({}); name a file that you may write, in a folder that exists",
+                            file->path_, std::strerror(errno))};
         }
         if (std::any_of(taken.begin(), taken.end(), [&](const auto& one) { return same_file(file->path_, one); })) {
             throw InputError{fmt::format("{} is named twice; name another file to write", file->path_)};

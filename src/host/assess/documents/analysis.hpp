@@ -34,8 +34,8 @@ struct Lamp {
     Place place;
 };
 
-/// A threat to a service. It concerns a device that has one of these objects; without objects, it concerns every
-/// device.
+/// A threat to a service. If `objects` is not empty, the threat concerns only devices that have one of them. If `lss`
+/// is true, it concerns only devices with LSS. Otherwise it concerns every device.
 struct Threat {
     std::string service;
     std::vector<std::string> objects;  ///< indices such as `1010h`

@@ -24,7 +24,8 @@ class OnlyRun {
   public:
     explicit OnlyRun(const std::filesystem::path& file) : descriptor_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
         if (descriptor_ < 0) {
-            throw InputError{fmt::format("cannot open {} for writing; check the access rights", file.string())};
+            throw InputError{fmt::format(
+                "cannot open {} for writing; check that its folder exists, and the access rights", file.string())};
         }
         if (!try_lock(descriptor_)) {
             const std::string holder = lock_holder(descriptor_);

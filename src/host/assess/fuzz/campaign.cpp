@@ -123,8 +123,8 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
             throw InputError{fmt::format(
-                "{} contains an unfinished campaign of {} minutes, started {}; run the same command again to "
-                "continue it, or add --restart to start a new campaign",
+                "{} contains an unfinished campaign with another time, shard or targets ({} minutes, started {}); give "
+                "the command that started it to continue it, or add --restart to start a new campaign",
                 files.work().string(), state.minutes, state.started)};
         }
         state.jobs = options.jobs;
@@ -177,7 +177,7 @@ int run_shard(const CampaignContext& context) {
         context.state.phase = done ? phase_after_fuzzing : phases[0].name;
         context.save();
         if (!done) {
-            context.display.say("interrupted; the same command continues the campaign");
+            context.display.say("interrupted; the same command without --restart continues the campaign");
             return was_interrupted;
         }
     }
@@ -224,7 +224,7 @@ int verdict(const CampaignState& state, bool finished, CampaignDisplay& display)
         return found_something;
     }
     if (!finished) {
-        display.say("interrupted; the same command continues the campaign");
+        display.say("interrupted; the same command without --restart continues the campaign");
         return was_interrupted;
     }
     const bool broken = is_broken(state);
@@ -242,7 +242,7 @@ int run_campaign(CampaignOptions options, const Interrupted& interrupted) {
     CampaignDisplay display{stdout, !options.plain && isatty(STDOUT_FILENO) != 0};
     if (options.shard) {
         if (options.seed == 0) {
-            throw InputError{"all shards need the same --seed; write --seed 1 for each"};
+            throw InputError{"all shards need the same --seed, which must not be 0; write --seed 1 for each"};
         }
         CampaignState state = begin_or_go_on(options, targets, files, display);
         return run_shard({options, targets, files, state, display, interrupted});

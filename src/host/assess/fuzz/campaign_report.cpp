@@ -56,7 +56,8 @@ std::string head(const CampaignState& state, const std::optional<Night>& last) {
     text += "</p>";
     if (state.phase != "done") {
         text += fmt::format(
-            "<p class=open>Not finished: the campaign was stopped during “{}”. The same command continues it.</p>",
+            "<p class=open>Not finished: the campaign was stopped during “{}”. The same command without --restart "
+            "continues it.</p>",
             state.phase);
     }
     for (const auto& remark : state.remarks) {

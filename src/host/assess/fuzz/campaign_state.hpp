@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a campaign. The corpus folder keeps it, so that the same command continues an interrupted campaign.
+// The state of a campaign. The corpus folder keeps it, so that the same command without --restart continues an
+// interrupted campaign.
 #pragma once
 
 #include <cstdint>

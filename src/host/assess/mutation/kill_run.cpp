@@ -32,7 +32,7 @@ using Numbers = std::vector<std::size_t>;
 /// Numbers of the mutants of each item, by kind: altered cells and mutants of code.
 struct Mutants {
     std::map<std::string, Numbers> cells;
-    std::map<std::string, Numbers> code;  ///< sorted in ascending order
+    std::map<std::string, Numbers> code;  ///< the numbers of each item are in ascending order
 };
 
 /// A test to judge.

@@ -35,7 +35,7 @@ std::string from_project(std::string file) {
 void read_verdicts(const std::filesystem::path& file, Evidence& evidence) {
     pugi::xml_document document;
     if (!document.load_file(file.c_str())) {
-        throw InputError{fmt::format("{} is no XML; run the tests again", file.string())};
+        throw InputError{fmt::format("{} cannot be read as XML; run the tests again", file.string())};
     }
     const auto cases = document.select_nodes("//testcase");
     for (const auto& node : cases) {

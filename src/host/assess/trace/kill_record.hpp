@@ -23,7 +23,8 @@ using KillRecord = std::map<std::string, KillLine>;
 /// Reads the record; returns an empty record when the file does not exist. Throws InputError with the line of invalid
 /// content.
 KillRecord read_kill_record(const std::filesystem::path& file);
-/// Returns one line for each test, sorted by name: `test,body,kills,without mutants`. Spaces separate the items.
+/// Returns the heading `test,body,kills,without mutants` and one line for each test, sorted by name. The last two
+/// fields are lists of item ids, separated by spaces.
 std::string write_kill_record(const KillRecord& record);
 
 }  // namespace canproof::host

@@ -14,7 +14,7 @@ constexpr std::int64_t segment_size = 7;
 std::size_t count_of(const Value& value) {
     const std::int64_t count = number_of(value);
     if (count < 0 || count > longest_bytes) {
-        throw BrokenCase{words_of(value) + " is not a number of bytes"};
+        throw BrokenCase{words_of(value) + " is not a possible number of bytes; use 0 to 1048576"};
     }
     return static_cast<std::size_t>(count);
 }

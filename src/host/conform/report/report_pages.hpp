@@ -9,8 +9,8 @@
 
 namespace canproof::host::conform {
 
-/// Returns pages by their paths: index.html, SERVICE.html for each service, and case-ID.html for each case that ran and
-/// did not pass.
+/// Returns pages by their paths: index.html, GROUP.html for each group of cases in the report, and case-ID.html for
+/// each case that ran and did not pass.
 std::map<std::string, std::string> report_pages(const ConformReport& report);
 
 }  // namespace canproof::host::conform

@@ -40,7 +40,7 @@ struct CaseBook {
     std::map<std::string, Procedure> procedures;
 };
 
-/// Returns the services in the order of a run.
+/// Returns the names of the groups of cases, in the order in which a run executes them.
 const std::vector<std::string>& case_groups();
 
 /// Parses all files. Adds a fault with file, line and fix for each part that cannot be parsed.

@@ -17,8 +17,9 @@ class Snapshot {
     /// Longest value in bytes. Longer values are not part of the snapshot.
     static constexpr std::size_t longest_value = 64;
 
-    /// Reads every entry that can be read and written, except commands and DOMAINs. Returns a sentence for each entry
-    /// that the slave answers wrongly. Such entries are not part of the snapshot.
+    /// Reads every entry that can be read and written, except commands, DOMAINs and values longer than longest_value.
+    /// Returns a sentence for each entry that the slave answers wrongly. Such an entry is not part of the snapshot, nor
+    /// is one whose upload the slave aborts.
     std::vector<std::string> take(SdoClient& sdo, const ConformSheet& sheet);
     /// Writes back the entries of `places` that have changed, in an order that a slave accepts, and reads them again.
     /// Returns a sentence for each entry that could not be restored. Throws NoAnswer when the slave stops answering.

@@ -16,7 +16,7 @@ struct Need {
     std::function<std::string(Context&)> unmet;
 };
 
-/// Parses a need. Throws LanguageError.
+/// Parses a need: a condition without which a case does not apply to a slave. Throws LanguageError.
 Need parse_need(Scanner& line);
 
 }  // namespace canproof::host::conform

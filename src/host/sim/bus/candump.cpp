@@ -52,7 +52,7 @@ TextFault read_time(std::string_view text, Instant& time) {
     const std::string_view seconds = text.substr(1, text.size() - 2);
     const std::optional<Instant> at = seconds_of(seconds);
     if (!at) {
-        return fmt::format("`{}` is no time in seconds with up to six decimals", seconds);
+        return fmt::format("`{}` is no time in seconds with up to twelve digits and six decimals", seconds);
     }
     time = *at;
     return std::nullopt;

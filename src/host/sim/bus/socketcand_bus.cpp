@@ -230,8 +230,8 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     }
 }
 
-/// Reads one piece from each client in each turn, so that a client that sends all the time cannot block the others. The
-/// piece becomes due at its time of arrival.
+/// Reads at most one buffer of text from the client, so that a client that sends all the time cannot block the others.
+/// take_arrivals() passes the text on at its time of arrival.
 void SocketcandBus::read_client(Client& client, Instant now) {
     if (!client.reads()) {
         return;

@@ -21,8 +21,8 @@ struct ListenAddress {
 /// for an invalid port. Does not check the host.
 ListenAddress parse_listen_address(const std::string& text);
 
-/// A bus with a limited number of clients, none of which can exclude the others. A client that does not open the bus in
-/// time is dismissed. TCP keepalive detects a lost machine. A client for which there is no room gets an error message.
+/// A bus with a limited number of clients. A client that does not open the bus in time is dismissed, so that it cannot
+/// exclude others. TCP keepalive detects a lost machine. A client for which there is no room gets an error message.
 /// A client that has opened the bus may be silent.
 class SocketcandBus final : public Bus {
   public:

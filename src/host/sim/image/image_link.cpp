@@ -61,8 +61,9 @@ void ImageLink::read(std::uint8_t* to, std::size_t count) {
         pollfd waited{from_.number(), POLLIN, 0};
         const int ready = poll(&waited, 1, patience_ms);
         if (ready == 0) {
-            throw ImageFailed{fmt::format("{} has not answered for {} s; check that it is a bridged_NAME.elf", name_,
-                                          patience_ms / 1000)};
+            throw ImageFailed{fmt::format(
+                "{} has not answered for {} s; check that it is build/target/bridged_NAME.elf of the device NAME",
+                name_, patience_ms / 1000)};
         }
         const ssize_t got = ready < 0 ? -1 : ::read(from_.number(), to + done, count - done);
         if (got == 0 || (got < 0 && errno != EINTR)) {

@@ -19,7 +19,7 @@ double parse_value(const std::string& text, const std::string& where) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !std::isfinite(value)) {
-        throw InputError{fmt::format("{}: value `{}` is not a number; write seconds,signal,value", where, text)};
+        throw InputError{fmt::format("{}: value `{}` is not a finite number; write seconds,signal,value", where, text)};
     }
     return value;
 }

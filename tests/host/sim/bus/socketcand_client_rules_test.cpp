@@ -167,7 +167,7 @@ TEST_F(ScriptedBus, LoadRoundsEachFrameDownToMicroseconds) {
     EXPECT_NEAR(bus->report(now).load, static_cast<double>(bits_of("703#05") - 1U) / 1.0e6, 1.0e-9);
 }
 
-TEST_F(ScriptedBus, TextOfOneByteIsRead) {
+TEST_F(ScriptedBus, FirstByteOfACommandMayArriveAlone) {
     join();
     say("<");
     say(" frame 080 9.5 >");

@@ -73,9 +73,11 @@ TEST(StimulusText, StimulusLineHasTimeSignalValueAndPlace) {
 TEST(StimulusText, RefusalNamesPlaceAndRemedy) {
     EXPECT_EQ(refusal_of("1.0;one;2\n"), "s.csv:1: `1.0;one;2` does not have three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("1.0,one\n"), "s.csv:1: `1.0,one` does not have three fields; write seconds,signal,value");
-    EXPECT_EQ(refusal_of("0.5,one,1\n1.0,one,2x\n"), "s.csv:2: value `2x` is not a number; write seconds,signal,value");
+    EXPECT_EQ(refusal_of("0.5,one,1\n1.0,one,2x\n"),
+              "s.csv:2: value `2x` is not a finite number; write seconds,signal,value");
     for (const char* value : {"", "inf", "-inf", "nan", "1,2", "1e999"}) {
-        EXPECT_NE(refusal_of(std::string{"1.0,one,"} + value).find("is not a number"), std::string::npos) << value;
+        EXPECT_NE(refusal_of(std::string{"1.0,one,"} + value).find("is not a finite number"), std::string::npos)
+            << value;
     }
     EXPECT_EQ(refusal_of("0.500001,one,1\n0.5,one,2\n"), "s.csv:2: time goes backwards; sort the stimuli by time");
 }
