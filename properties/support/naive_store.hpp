@@ -92,6 +92,7 @@ constexpr std::uint8_t committed = 'S';
 constexpr std::uint8_t without_effect = '-';  ///< the marker of an invalid bank
 constexpr std::size_t marker_at = 3;
 constexpr std::size_t header_size = 16;
+constexpr std::uint64_t identifiers = 2048;  ///< a COB-ID has an identifier of 11 bits below its flags
 
 /// The stored format of a device with these entries.
 class Format {
@@ -148,6 +149,17 @@ class Format {
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
+    /// Gives a saved COB-ID the node-ID of the present start when its identifier is `base` plus the node-ID of the
+    /// save. The bits above the identifier stay (CO-PDO-035, CO-PDO-061).
+    static void follow(Bytes& cob_id, std::uint64_t base, unsigned saved_node_id, unsigned node_id) {
+        const std::uint64_t saved = number_of(cob_id.data(), cob_id.size());
+        if (saved % identifiers == base + saved_node_id) {
+            const std::uint64_t flags = saved / identifiers * identifiers;
+            for (std::size_t i = 0; i < cob_id.size(); ++i) {
+                cob_id[i] = static_cast<std::uint8_t>((flags + base + node_id) >> (8 * i));
+            }
+        }
+    }
     /// Returns the values of the saved groups as node `node_id` loads them.
     Values read(const Bytes& image, unsigned node_id) const {
         Values values;
@@ -163,10 +175,8 @@ class Format {
             if (((groups >> one.group) & 1U) != 0) {
                 const auto begin = image.begin() + static_cast<std::ptrdiff_t>(at);
                 Bytes value(begin, begin + static_cast<std::ptrdiff_t>(one.size));
-                if (one.has_node_id && number_of(value.data(), one.size) == one.base + image[node_ids + one.group]) {
-                    for (std::size_t i = 0; i < one.size; ++i) {
-                        value[i] = static_cast<std::uint8_t>((one.base + node_id) >> (8 * i));
-                    }
+                if (one.has_node_id) {
+                    follow(value, one.base % identifiers, image[node_ids + one.group], node_id);
                 }
                 values[one.address] = one.is_text ? ended(std::move(value)) : std::move(value);
             }
