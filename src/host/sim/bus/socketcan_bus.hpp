@@ -102,7 +102,7 @@ class SocketCanBus final : public Bus {
     bool down_{false};
     Instant look_at_{never};
     Instant restart_at_{never};
-    bool restart_failure_told_{false};  ///< in the present bus-off
+    bool restart_failure_told_{false};  ///< whether a refused restart of the present bus-off was reported
     Instant advanced_to_{};
     std::deque<Arrival> arrived_;
     Instant known_{};  ///< time up to which all arrivals are known

@@ -70,6 +70,26 @@ TEST_F(SocketCanRestart, BusOffControllerIsNotRestartedAfterItsInterfaceReturned
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
+TEST_F(SocketCanRestart, RefusedRestartIsReportedAgainAfterTheInterfaceReturned) {
+    std::vector<std::string> refusals;
+    bus->on_notice([&](const std::string& text) {
+        if (text.find("refuses the restart") != std::string::npos) {
+            refusals.push_back(text);
+        }
+    });
+    system.restart_answer = false;
+    for (std::size_t life = 1; life <= 2; ++life) {
+        for (int frame = 0; frame < 2; ++frame) {  // the second frame belongs to the same bus-off
+            system.arrive_error(socket_of_a, CAN_ERR_BUSOFF, 0);
+            step(10);
+            step(500000);
+        }
+        EXPECT_THAT(refusals, SizeIs(life));
+        go_down();
+        come_back(3);
+    }
+}
+
 TEST_F(SocketCanRestart, MissingEchoIsNotMatchedWithANewFrame) {
     a.send("703#05");
     step(10);
