@@ -164,13 +164,15 @@ std::vector<MutationOutcome> mutate_code(const CodeMutationSetup& setup, const s
             const std::size_t number = mutant.number;
             MutationOutcome outcome{mutant, "", starting.at(number) || !most.at(number).empty(), nullptr, ""};
             if (!most.at(number).empty()) {
-                std::vector<Stage> stages{stage(log.filter(mutant), seconds),
-                                          stage(filter_of(tests, quick[number]), seconds),
-                                          stage(filter_of(tests, most[number]), seconds)};
-                if (patient[number].size() > most[number].size() && !setup.is_explained(mutant)) {
-                    stages.push_back(stage(filter_of(tests, patient[number]), seconds));
+                outcome.killed_by =
+                    killer(*servers.front(), number,
+                           {stage(log.filter(mutant), seconds), stage(filter_of(tests, quick[number]), seconds),
+                            stage(filter_of(tests, most[number]), seconds)});
+                if (outcome.killed_by.empty() && patient[number].size() > most[number].size() &&
+                    !setup.is_explained(mutant)) {
+                    outcome.killed_by =
+                        killer(*servers.front(), number, {stage(filter_of(tests, patient[number]), seconds)});
                 }
-                outcome.killed_by = killer(*servers.front(), number, stages);
                 if (const auto found = files.find(outcome.killed_by); found != files.end()) {
                     outcome.killer_file = found->second;
                 }
