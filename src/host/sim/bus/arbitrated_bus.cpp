@@ -268,7 +268,6 @@ void ArbitratedBus::deliver(const Transmission& done) {
     const Instant now = instant_of(done.end);
     Port& sender = *done.port;
     worst_latency_ = std::max(worst_latency_, done.end - sender.first_since);
-    waiting_.set(sender.number, sender.next());
     sender.first_since = done.end;
     tell(BusFrame{now, done.frame, sender.gateway ? nullptr : sender.node});
     if (!sender.gateway) {

@@ -102,23 +102,17 @@ class Bus {
 
     /// Sets the clock of the run. A bus to the outside needs it to determine when data arrived. Without this clock, all
     /// data that poll(now) reads count as arrived at `now`.
-    void use_clock(ArrivalClock::Clock clock) { arrival_clock_.use(std::move(clock)); }
+    void use_clock(ArrivalClock::Clock clock);
     /// Sets the listener. It receives every frame once, in order of time.
-    void listen(FrameListener listener) { listener_ = std::move(listener); }
+    void listen(FrameListener listener);
     /// Sets the listener for messages to the user, such as "vcan0 is down; waiting for it".
-    void on_notice(NoticeListener listener) { notice_ = std::move(listener); }
+    void on_notice(NoticeListener listener);
 
   protected:
-    void tell(const BusFrame& frame) const {
-        if (listener_) {
-            listener_(frame);
-        }
-    }
-    void notice(const std::string& text) const {
-        if (notice_) {
-            notice_(text);
-        }
-    }
+    /// Passes a frame to the listener.
+    void tell(const BusFrame& frame) const;
+    /// Passes a message to the listener for messages.
+    void notice(const std::string& text) const;
 
     ArrivalClock& arrival_clock() { return arrival_clock_; }
     const ArrivalClock& arrival_clock() const { return arrival_clock_; }

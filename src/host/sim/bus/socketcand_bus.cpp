@@ -257,7 +257,7 @@ void SocketcandBus::take_arrivals(Instant now) {
 
 void SocketcandBus::write_client(Client& client) {
     const std::string& text = client.session->output();
-    if (!client.deaf && !text.empty()) {
+    if (!text.empty()) {
         const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
         client.deaf = count < 0 && errno != EAGAIN;
         client.session->sent(count > 0 ? static_cast<std::size_t>(count) : 0U);
