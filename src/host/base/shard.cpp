@@ -63,6 +63,15 @@ void require_all_shards(const std::vector<Shard>& shards, const std::vector<std:
     }
 }
 
+void require_same_sources(const std::vector<std::string>& sources, const std::vector<std::string>& names) {
+    for (std::size_t at = 0; at < sources.size(); ++at) {
+        if (sources[at] != sources.front()) {
+            throw InputError{fmt::format("{} and {} come from different sources; run all shards from one commit",
+                                         names.front(), names[at])};
+        }
+    }
+}
+
 std::size_t size_of_share(std::size_t all, const Shard& shard) {
     return (all + shard.count - shard.number) / shard.count;
 }

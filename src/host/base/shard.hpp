@@ -30,6 +30,10 @@ Shard parse_shard(const std::string& text);
 /// message.
 void require_all_shards(const std::vector<Shard>& shards, const std::vector<std::string>& names);
 
+/// Throws InputError unless all shards come from the same sources. `sources` contains the source_hash() of each shard,
+/// `names` its origin.
+void require_same_sources(const std::vector<std::string>& sources, const std::vector<std::string>& names);
+
 /// Sorts elements by the number in their member `shard`, then by their member `name`.
 template <typename Read>
 void sort_shards(std::vector<Read>& all) {
@@ -38,17 +42,20 @@ void sort_shards(std::vector<Read>& all) {
     });
 }
 
-/// Throws InputError unless the elements belong to the shards 1/n to n/n, one to each. An element has the members
-/// `shard` and `name`, its origin.
+/// Throws InputError unless the elements belong to the shards 1/n to n/n, one to each, of the same sources. An element
+/// has the members `shard`, `name`, its origin, and `sources`, the source_hash() of the tree that made it.
 template <typename Read>
 void require_all_shards(const std::vector<Read>& all) {
     std::vector<Shard> shards;
     std::vector<std::string> names;
+    std::vector<std::string> sources;
     for (const Read& one : all) {
         shards.push_back(one.shard);
         names.push_back(one.name);
+        sources.push_back(one.sources);
     }
     require_all_shards(shards, names);
+    require_same_sources(sources, names);
 }
 
 /// Returns the elements that belong to a shard, in their original order.

@@ -11,6 +11,7 @@
 #include "host/base/input_error.hpp"
 #include "host/base/prove_options.hpp"
 #include "host/base/replace_folder.hpp"
+#include "host/base/source_hash.hpp"
 #include "host/prove/faults.hpp"
 #include "host/prove/proofs_exhibit.hpp"
 #include "host/prove/prove_all.hpp"
@@ -106,7 +107,7 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     const std::vector<TheoremResult> results = merge.empty() ? prove_all(options) : merge_shards(merge);
     std::cout << table_of(results);
     if (!json.empty()) {
-        write_file(json, options.shard ? shard_text(*options.shard, results) : json_text(results));
+        write_file(json, options.shard ? shard_text(*options.shard, source_hash("."), results) : json_text(results));
     }
     if (!xml.empty()) {
         write_file(xml, verdict_xml(results));

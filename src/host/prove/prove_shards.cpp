@@ -16,13 +16,17 @@ namespace {
 struct ReadShard {
     Shard shard;
     std::string name;
+    std::string sources;
     std::vector<TheoremResult> results;
 };
 
 ReadShard read_shard(const std::filesystem::path& file) {
     try {
         const auto document = nlohmann::json::parse(read_file(file));
-        ReadShard read{parse_shard(document.at("shard").get<std::string>()), file.string(), {}};
+        ReadShard read{parse_shard(document.at("shard").get<std::string>()),
+                       file.string(),
+                       document.at("sources").get<std::string>(),
+                       {}};
         for (const auto& one : document.at("theorems")) {
             read.results.push_back(result_of(one));
         }
@@ -47,12 +51,12 @@ std::vector<ReadShard> read_shards(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::string shard_text(const Shard& shard, const std::vector<TheoremResult>& results) {
+std::string shard_text(const Shard& shard, const std::string& sources, const std::vector<TheoremResult>& results) {
     nlohmann::json theorems = nlohmann::json::array();
     for (const TheoremResult& one : results) {
         theorems.push_back(json_of(one));
     }
-    return nlohmann::json{{"shard", shard.text()}, {"theorems", theorems}}.dump(1) + "\n";
+    return nlohmann::json{{"shard", shard.text()}, {"sources", sources}, {"theorems", theorems}}.dump(1) + "\n";
 }
 
 std::vector<TheoremResult> merge_shards(const std::filesystem::path& folder) {

@@ -63,6 +63,16 @@ TEST(Shard, SizeOfShareIsTheNumberOfItsElements) {
     }
 }
 
+TEST(Shard, ShardsOfDifferentSourcesAreRefused) {
+    EXPECT_NO_THROW(require_same_sources({"a", "a"}, {"one", "two"}));
+    try {
+        require_same_sources({"a", "a", "b"}, {"one", "two", "three"});
+        ADD_FAILURE() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "one and three come from different sources; run all shards from one commit");
+    }
+}
+
 TEST(Shard, MergingNeedsEachShardOnce) {
     EXPECT_EQ(complaint_about({{1, 1}}), "");
     EXPECT_EQ(complaint_about({{2, 3}, {1, 3}, {3, 3}}), "");

@@ -10,6 +10,7 @@
 #include "host/assess/inject/injection_report.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/source_hash.hpp"
 
 namespace canproof::host {
 
@@ -58,6 +59,7 @@ int inject(const InjectOptions& options) {
         campaign = merge_injection_shards(options.merge, options.device, campaign_options);
     }
     if (options.is_shard) {
+        campaign_options.sources = source_hash(options.root);
         const auto file =
             std::filesystem::path{options.out} / injection_shard_name(options.device, campaign_options.shard);
         write_file(file, write_injection_shard(options.device, campaign_options, campaign));

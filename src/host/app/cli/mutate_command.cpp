@@ -24,6 +24,7 @@
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
+#include "host/base/source_hash.hpp"
 
 namespace canproof::host {
 
@@ -155,7 +156,8 @@ int judge_shard(const MutateOptions& options, const std::filesystem::path& progr
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
     const auto share = share_of(cells, *options.shard);
     const auto file = programs / "shards" / mutation_shard_name(options.code, *options.shard);
-    write_file(file, write_mutation_shard(*options.shard, judge(options, programs, share, count, records)));
+    write_file(file, write_mutation_shard(*options.shard, source_hash(options.root),
+                                          judge(options, programs, share, count, records)));
     if (options.json) {
         const nlohmann::ordered_json json{{"shard", options.shard->text()},
                                           {"judged", share.size()},

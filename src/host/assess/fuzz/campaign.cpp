@@ -21,6 +21,7 @@
 #include "host/assess/fuzz/second_pass.hpp"
 #include "host/assess/fuzz/sort_findings.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/source_hash.hpp"
 #include "host/report/markup.hpp"
 
 namespace canproof::host {
@@ -86,6 +87,7 @@ CampaignState new_state(const CampaignOptions& options, const std::vector<FuzzTa
                      : static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
     state.jobs = options.jobs;
     state.rounds = rounds_for(options, targets.size());
+    state.sources = source_hash(options.root);
     state.shard = shard_of(options);
     state.phase = phases[0].name;
     for (const FuzzTarget& target : targets) {
@@ -122,10 +124,12 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         const bool same =
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
-            throw InputError{fmt::format(
-                "{} contains an unfinished campaign with another time, shard or targets ({} minutes, started {}); give "
-                "the command that started it to continue it, or add --restart to start a new campaign",
-                files.work().string(), state.minutes, state.started)};
+            throw InputError{
+                fmt::format("{} contains an unfinished campaign with another time, shard or targets ({} minutes, "
+                            "{}started {}); give "
+                            "the command that started it to continue it, or add --restart to start a new campaign",
+                            files.work().string(), state.minutes,
+                            state.shard.empty() ? "" : "shard " + state.shard + ", ", state.started)};
         }
         state.jobs = options.jobs;
         state.remarks.push_back(

@@ -21,6 +21,7 @@ namespace canproof::host {
 struct CampaignOptions {
     double minutes{20.0};              ///< duration of the fuzzing in minutes, shared by all targets
     std::vector<std::string> targets;  ///< names of the targets; empty: all
+    std::string root{"."};             ///< folder of the project
     std::string corpus{"build/fuzz-corpus"};
     /// folder for index.html, report.json, and exhibit.json for the evidence pack
     std::string out{"build/exhibits/fuzz"};

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 struct ReadShard {
     CampaignFiles files;
     std::string name;
+    std::string sources;
     Shard shard;
     CampaignState state;
 };
@@ -27,7 +28,8 @@ ReadShard read_shard(const fs::path& folder) {
     try {
         auto state = read_json(files.state()).get<CampaignState>();
         const Shard shard = parse_shard(state.shard);
-        return {files, folder.string(), shard, std::move(state)};
+        std::string sources = state.sources;
+        return {files, folder.string(), std::move(sources), shard, std::move(state)};
     } catch (const nlohmann::json::exception&) {
         throw InputError{
             fmt::format("{} is no state that `canproof fuzz --shard` of this version wrote; run this shard "

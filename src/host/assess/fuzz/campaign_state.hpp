@@ -80,8 +80,9 @@ struct CampaignState {
     std::uint64_t seed{0};
     unsigned jobs{1};
     unsigned rounds{1};
-    std::string shard;  ///< `2/3`: this machine fuzzes that part of the targets; empty: all
-    std::string phase;  ///< the present phase; `done` at the end
+    std::string sources;  ///< source_hash() of the tree in which the campaign began
+    std::string shard;    ///< `2/3`: this machine fuzzes that part of the targets; empty: all
+    std::string phase;    ///< the present phase; `done` at the end
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
@@ -110,8 +111,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Finding, target, title, signature, first_seen
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LinePoint, share, hit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FileLines, path, lines, hit, unreached, functions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LineCoverage, measured, files, over_time)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, rounds, shard, phase, targets, findings,
-                                   coverage, remarks)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CampaignState, started, minutes, seed, jobs, rounds, sources, shard, phase, targets,
+                                   findings, coverage, remarks)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Night, started, minutes, executions, lines_hit, edges, per_second, findings)
 
 /// Returns the JSON of the file; `null` when the file does not exist. Throws InputError for invalid content.

@@ -63,6 +63,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
 struct ShardFile {
     Shard shard;
     std::string name;
+    std::string sources;
     Json head;
     InjectionCampaign campaign;
 };
@@ -70,7 +71,11 @@ struct ShardFile {
 ShardFile read_shard(const std::filesystem::path& path) {
     try {
         const Json all = Json::parse(read_file(path));
-        ShardFile file{parse_shard(all.at("shard").get<std::string>()), path.string(), all.at("campaign"), {}};
+        ShardFile file{parse_shard(all.at("shard").get<std::string>()),
+                       path.string(),
+                       all.at("sources").get<std::string>(),
+                       all.at("campaign"),
+                       {}};
         file.campaign.calls = file.head.at("calls").get<std::size_t>();
         for (const Json& region : file.head.at("regions")) {
             file.campaign.regions.push_back(
@@ -200,7 +205,11 @@ std::string write_injection_shard(const std::string& device, const InjectionOpti
         runs.push_back(
             {run.fault.call, run.fault.region, run.fault.byte, run.fault.bit, static_cast<std::size_t>(run.effect)});
     }
-    return Json{{"shard", options.shard.text()}, {"campaign", head(device, options, campaign)}, {"runs", runs}}.dump() +
+    return Json{{"shard", options.shard.text()},
+                {"sources", options.sources},
+                {"campaign", head(device, options, campaign)},
+                {"runs", runs}}
+               .dump() +
            "\n";
 }
 

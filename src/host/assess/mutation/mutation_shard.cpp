@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 struct ReadShard {
     Shard shard;
     std::string name;
+    std::string sources;
     std::vector<MutationOutcome> outcomes;
 };
 
@@ -38,7 +39,10 @@ MutationOutcome outcome_of(const Json& one) {
 ReadShard read_shard(const std::filesystem::path& file) {
     try {
         const Json document = Json::parse(read_file(file));
-        ReadShard read{parse_shard(document.at("shard").get<std::string>()), file.string(), {}};
+        ReadShard read{parse_shard(document.at("shard").get<std::string>()),
+                       file.string(),
+                       document.at("sources").get<std::string>(),
+                       {}};
         for (const Json& one : document.at("outcomes")) {
             read.outcomes.push_back(outcome_of(one));
         }
@@ -73,7 +77,8 @@ std::string mutation_shard_name(bool code, const Shard& shard) {
     return fmt::format("{}{}-of-{}.json", stem_of(code), shard.number, shard.count);
 }
 
-std::string write_mutation_shard(const Shard& shard, const std::vector<MutationOutcome>& outcomes) {
+std::string write_mutation_shard(const Shard& shard, const std::string& sources,
+                                 const std::vector<MutationOutcome>& outcomes) {
     Json all = Json::array();
     for (const MutationOutcome& one : outcomes) {
         all.push_back({{"number", one.cell.number},
@@ -84,7 +89,7 @@ std::string write_mutation_shard(const Shard& shard, const std::vector<MutationO
                        {"claimed", one.claimed},
                        {"killer_file", one.killer_file}});
     }
-    return Json{{"shard", shard.text()}, {"outcomes", all}}.dump(1) + "\n";
+    return Json{{"shard", shard.text()}, {"sources", sources}, {"outcomes", all}}.dump(1) + "\n";
 }
 
 std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,

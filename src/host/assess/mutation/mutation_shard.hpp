@@ -17,10 +17,12 @@ namespace canproof::host {
 /// Returns the name of a shard's file: `code_mutation-2-of-3.json`.
 std::string mutation_shard_name(bool code, const Shard& shard);
 
-std::string write_mutation_shard(const Shard& shard, const std::vector<MutationOutcome>& outcomes);
+/// Returns the outcomes of a shard as JSON. `sources` is the source_hash() of the tree that was judged.
+std::string write_mutation_shard(const Shard& shard, const std::string& sources,
+                                 const std::vector<MutationOutcome>& outcomes);
 
 /// Returns the outcomes of `cells` from the shards in `folder`, in the order of `cells`. Throws InputError when a shard
-/// is missing, is present twice, or judged other alterations.
+/// is missing, is present twice, comes from other sources, or judged other alterations.
 std::vector<MutationOutcome> merge_mutation_shards(const std::filesystem::path& folder, bool code,
                                                    const std::vector<AlteredCell>& cells);
 

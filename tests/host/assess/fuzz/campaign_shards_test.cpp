@@ -58,6 +58,7 @@ class ShardedCampaign : public testing::Test {
         options.second_pass = false;
         options.coverage = false;
         options.plain = true;
+        options.root = folder.string();
         for (const char* target : {"a", "b", "c", "d", "e"}) {
             add_target(target);
         }
@@ -162,6 +163,14 @@ TEST_F(ShardedCampaign, ShardOfAnotherCampaignIsRefused) {
     options.restart = false;
     add_target("f");
     EXPECT_THAT(complaint(), HasSubstr("fuzzed other targets; run shard 2/2"));
+}
+
+TEST_F(ShardedCampaign, ShardOfOtherSourcesIsRefused) {
+    EXPECT_EQ(run("shards/first", Shard{1, 2}), 0);
+    fs::create_directories(folder / "src");
+    std::ofstream{folder / "src" / "new.cpp"} << "int changed;";
+    EXPECT_EQ(run("shards/second", Shard{2, 2}), 0);
+    EXPECT_THAT(complaint(), HasSubstr("come from different sources; run all shards from one commit"));
 }
 
 TEST_F(ShardedCampaign, ShardWithoutASeedIsRefused) {

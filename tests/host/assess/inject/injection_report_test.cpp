@@ -97,9 +97,22 @@ TEST(InjectionReport, ShardOfAnotherCampaignIsRefused) {
     EXPECT_THROW(merge_injection_shards(folder / "", "box", options), InputError);
 }
 
+TEST(InjectionReport, ShardOfOtherSourcesIsRefused) {
+    const canproof::test::ScratchFolder folder;
+    write_shards(folder / "", 2);
+    InjectionOptions options = seven();
+    options.shard = {2, 2};
+    options.sources = "other";
+    InjectionCampaign part = seven_runs();
+    part.runs = share_of(part.runs, options.shard);
+    write_file(folder / "" / injection_shard_name("box", options.shard), write_injection_shard("box", options, part));
+    EXPECT_THROW(merge_injection_shards(folder / "", "box", options), InputError);
+}
+
 TEST(InjectionReport, DamagedShardIsRefused) {
     for (const char* const text :
-         {"", "{}", R"({"shard": "1/1", "campaign": {"calls": 1, "regions": []}, "runs": [[0, 0, 0, 0, 99]]})"}) {
+         {"", "{}",
+          R"({"shard": "1/1", "sources": "", "campaign": {"calls": 1, "regions": []}, "runs": [[0, 0, 0, 0, 99]]})"}) {
         const canproof::test::ScratchFolder folder;
         write_file(folder / "" / injection_shard_name("box", {1, 1}), text);
         InjectionOptions options;

@@ -50,7 +50,7 @@ class MutationShards : public testing::Test {
     ~MutationShards() override { fs::remove_all(folder); }
 
     void leave(const Shard& shard) const {
-        write_file(folder / mutation_shard_name(true, shard), write_mutation_shard(shard, share_of(whole, shard)));
+        write_file(folder / mutation_shard_name(true, shard), write_mutation_shard(shard, "a", share_of(whole, shard)));
     }
     std::vector<MutationOutcome> merged() const { return merge_mutation_shards(folder, true, cells_of(whole)); }
     std::string complaint() const {
@@ -79,7 +79,7 @@ TEST_F(MutationShards, MergedShardsGiveTheSameBytesAsOneMachine) {
 
 TEST_F(MutationShards, ShardsOfCellsAreNotTakenForShardsOfCode) {
     leave({1, 1});
-    write_file(folder / mutation_shard_name(false, {1, 1}), write_mutation_shard({1, 1}, {}));
+    write_file(folder / mutation_shard_name(false, {1, 1}), write_mutation_shard({1, 1}, "a", {}));
     EXPECT_EQ(merged().size(), whole.size());
     EXPECT_TRUE(merge_mutation_shards(folder, false, {}).empty());
 }
@@ -97,7 +97,7 @@ TEST_F(MutationShards, ShardsOfOtherAlterationsAreRefused) {
     EXPECT_EQ(complaint(), "");
     auto other = whole;
     other[3].cell.change = "1 -> +2";
-    write_file(folder / mutation_shard_name(true, {2, 2}), write_mutation_shard({2, 2}, share_of(other, {2, 2})));
+    write_file(folder / mutation_shard_name(true, {2, 2}), write_mutation_shard({2, 2}, "a", share_of(other, {2, 2})));
     EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 2/2`"));
     whole.push_back(whole.back());
     leave({2, 2});
@@ -107,14 +107,21 @@ TEST_F(MutationShards, ShardsOfOtherAlterationsAreRefused) {
     EXPECT_THAT(complaint(), HasSubstr("judged other alterations; run `--shard 1/2`"));
 }
 
+TEST_F(MutationShards, ShardOfOtherSourcesIsRefused) {
+    leave({1, 2});
+    write_file(folder / mutation_shard_name(true, {2, 2}), write_mutation_shard({2, 2}, "b", share_of(whole, {2, 2})));
+    EXPECT_THAT(complaint(), HasSubstr("come from different sources"));
+}
+
 TEST_F(MutationShards, InvalidShardFileIsNamed) {
     leave({1, 2});
     const fs::path file = folder / mutation_shard_name(true, {2, 2});
-    for (const char* text : {"", "{", "[]", "{}", R"({"shard": "2/2", "outcomes": [{"number": "x"}]})"}) {
+    for (const char* text :
+         {"", "{", "[]", "{}", R"({"shard": "2/2", "sources": "a", "outcomes": [{"number": "x"}]})"}) {
         write_file(file, text);
         EXPECT_THAT(complaint(), HasSubstr(file.string() + " is no result of")) << text;
     }
-    write_file(file, R"({"shard": "3/2", "outcomes": []})");
+    write_file(file, R"({"shard": "3/2", "sources": "a", "outcomes": []})");
     EXPECT_THAT(complaint(), HasSubstr("`3/2` is not a shard"));
 }
 
