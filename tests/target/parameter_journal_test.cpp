@@ -141,6 +141,8 @@ TEST(ParameterJournal, CommitErasesTheOtherSectorIfPrepareHasNotErasedIt) {
         ASSERT_TRUE(unit.store(place(number), pattern(number))) << number;
         expected = with(expected, place(number), pattern(number));
     }
+    EXPECT_GT(model.erases(0), 0U);
+    EXPECT_GT(model.erases(1), 0U);
     EXPECT_EQ(Unit{model}.content(), expected);
 }
 

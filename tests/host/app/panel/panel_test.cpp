@@ -94,11 +94,14 @@ TEST(Panel, PanelShowsTheAccelerationThatFollowsFromThePitch) {
     const nlohmann::json inputs = bench.get("/api/panel").at("devices").at(0).at("inputs");
     const nlohmann::json values = bench.get("/api/state").at("devices").at(0).at("inputs");
     ASSERT_EQ(inputs.size(), values.size());
+    int found = 0;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (inputs.at(i).at("name") == "acceleration_x") {
+            ++found;
             EXPECT_NEAR(values.at(i).get<double>(), 1.0, 1e-6);  // a pitch of 90°: gravity is along X
         }
     }
+    EXPECT_EQ(found, 1);
 }
 
 TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {

@@ -33,9 +33,10 @@ TEST_F(Generic, LimitsOfTheDescriptionAreEnforced) {
     EXPECT_EQ(send("605#2F01220008000000"), Frames{"585#6001220000000000"});
 }
 
-TEST_F(Generic, ReceivePdoSetsAMappedObject) {
+TEST_F(Generic, ReceivePdoSetsEachMappedObject) {
     send("000#0105");
     send("205#0102");
+    EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200101000000"});
     EXPECT_EQ(send("605#4000200200000000"), Frames{"585#4F00200202000000"});
 }
 
