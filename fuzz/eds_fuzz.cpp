@@ -30,6 +30,7 @@ void run(const host::Part& part) {
     for (int i = 0; i < 20 && device.next_deadline() != never; ++i) {
         now = now < device.next_deadline() ? device.next_deadline() : now;
         device.advance(now);
+        require(device.next_deadline() > now);
         for (std::uint8_t sub = 0; sub < 3; ++sub) {
             Frame request = data_frame(0x600U + static_cast<std::uint32_t>(part.info.node_id), 8);
             const host::Object& object = part.objects[static_cast<std::size_t>(i) % part.objects.size()];

@@ -6,6 +6,7 @@
 
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/frame_probe.hpp"
+#include "fuzz/support/keep_deadlines.hpp"
 #include "fuzz/support/replays_as.hpp"
 #include "fuzz/support/require.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -175,10 +176,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::uint8_t what = data[0] & 0x0FU;
         if (what == 0x0F) {  // time passes
             const Instant end = now + milliseconds(data[1]);
-            for (; device.next_deadline() <= end; device.advance(now)) {
-                now = device.next_deadline();
-            }
-            now = end;
+            fuzz::keep_deadlines(device, now, end, [] {});
             require(queue.empty());
             continue;
         }

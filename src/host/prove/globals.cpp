@@ -4,6 +4,7 @@
 #include <llvm/ADT/APInt.h>
 #include <llvm/IR/GlobalAlias.h>
 #include <llvm/IR/Operator.h>
+#include <llvm/Support/raw_ostream.h>
 
 #include "host/prove/layout.hpp"
 #include "host/prove/unknown.hpp"
@@ -24,6 +25,12 @@ Term of_integer(z3::context& context, const llvm::APInt& value) {
     return z3::concat(of_integer(context, value.extractBits(width - low, low)),
                       of_integer(context, value.extractBits(low, 0)))
         .simplify();
+}
+
+std::string text_of(const llvm::Constant& constant) {
+    std::string text;
+    llvm::raw_string_ostream{text} << constant;
+    return text;
 }
 
 }  // namespace
@@ -68,7 +75,8 @@ Term Globals::scalar(const llvm::Constant& constant) {
         const Term any = proof_.fresh(width);
         return width == 1 ? as_truth(any) : any;
     }
-    throw Unknown{"canproof prove does not support a constant that is neither a number nor an address"};
+    throw Unknown{"canproof prove does not support the constant `" + text_of(constant) +
+                  "`, which is neither a number nor an address"};
 }
 
 Term Globals::of_expression(const llvm::ConstantExpr& expression) {
@@ -84,8 +92,7 @@ Term Globals::of_expression(const llvm::ConstantExpr& expression) {
         const auto width = static_cast<unsigned>(layout_.getTypeSizeInBits(expression.getType()).getFixedValue());
         return resized(scalar(*expression.getOperand(0)), width);
     }
-    throw Unknown{std::string{"canproof prove does not support a constant computed by `"} + expression.getOpcodeName() +
-                  "`"};
+    throw Unknown{"canproof prove does not support the computed constant `" + text_of(expression) + "`"};
 }
 
 Term Globals::address_of(const llvm::GlobalValue& global) {

@@ -10,8 +10,13 @@ namespace canproof::host {
 
 namespace {
 
+bool is_of(const std::string& file, const CoverageRecord& record) {
+    const bool is_folder = !record.file.empty() && record.file.back() == '/';
+    return is_folder ? file.rfind(record.file, 0) == 0 : file == record.file;
+}
+
 bool matches(const CoverageRecord& record, const CoverageGap& gap) {
-    return record.kind == gap.kind && record.code == gap.code && gap.file.rfind(record.file, 0) == 0;
+    return record.kind == gap.kind && record.code == gap.code && is_of(gap.file, record);
 }
 
 }  // namespace

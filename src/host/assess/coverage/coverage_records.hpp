@@ -11,8 +11,8 @@
 
 namespace canproof::host {
 
-/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code in a file
-/// whose path begins with `file`, so `file` can be a folder.
+/// A known gap and the reason why no test closes it. A record matches each gap of this kind with this code in `file`.
+/// A `file` that ends with a slash is a folder: the record matches in each file below it.
 struct CoverageRecord {
     std::string file;
     std::string kind;

@@ -15,11 +15,18 @@ namespace {
 
 /// Returns the fields of one CSV line, escaped for HTML. A field in quotes may contain commas, but no line break. All
 /// quotes are dropped, also doubled ones.
+/// Returns the fields of one line of CSV as HTML text. Two quotes in a quoted field are one quote (RFC 4180).
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;
+    char before = ',';
     for (const char one : line) {
-        if (one == '"') {
+        const bool is_second_quote = one == '"' && before == '"' && !quoted;
+        before = is_second_quote ? '\0' : one;
+        if (is_second_quote) {
+            fields.back() += one;
+            quoted = true;
+        } else if (one == '"') {
             quoted = !quoted;
         } else if (one == ',' && !quoted) {
             fields.emplace_back();

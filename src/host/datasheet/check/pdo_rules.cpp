@@ -78,9 +78,7 @@ class PdoCheck {
                           fmt::format("{} has an identifier of 29 bits", entry->title()));
             return;
         }
-        // Tries only the lowest and the highest node-ID. Among all bases, only $NODEID+681h is reserved at node-IDs
-        // between these two alone.
-        for (const unsigned node : {1U, 127U}) {
+        for (unsigned node = 1; node <= 127; ++node) {
             const unsigned id = identifier(*value, node);
             if (is_reserved(id)) {
                 findings_.add("pdo-cob-id-reserved", entry->value_line(),

@@ -202,6 +202,17 @@ TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }
 
+TEST_F(Coverage, RecordOfAFileMatchesInNoFileWhoseNameOnlyBeginsAlike) {
+    const auto open = [this](const std::string& file) {
+        return judge_coverage(read(), {CoverageRecord{file, "branch", "a", "reason", 1}}).open();
+    };
+    const std::size_t all = judge_coverage(read(), {}).open();
+    EXPECT_EQ(open("src/firmware/base/one.cpp"), all - 1);
+    EXPECT_EQ(open("src/firmware/base/one.c"), all);
+    EXPECT_EQ(open("src/firmware/base"), all);
+    EXPECT_EQ(open("src/firmware/base/"), all - 1);
+}
+
 TEST_F(Coverage, RecordOfRemovedCodeIsReportedWithoutAMeasurement) {
     const auto record = [](const std::string& file, const std::string& kind, const std::string& code) {
         return CoverageRecord{file, kind, code, "reason", 1};

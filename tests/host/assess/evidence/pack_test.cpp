@@ -190,7 +190,9 @@ TEST_F(Pack, UnreadableOldMeasurementIsStaleAndNotAbsent) {
 
 TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
-    exhibit.files = {{"scale/scale.csv", "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"},
+    exhibit.files = {{"scale/scale.csv",
+                      "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"
+                      "1,1,\"a \"\"wire\"\", cut\"\r\n2,2,\"\"\r\n3,3,\"\"\"\"\r\n"},
                      {"scale/scale.svg", "<svg/>"}};
     exhibit.figures = {{"devices in real time", "1,000"}};
     exhibit.open = {"nothing beyond 2,000 was tried"};
@@ -205,6 +207,9 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
                                 "<td data-h=\"case\">2.1.1"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">20<td><td data-h=\"case\">3.4"));
     EXPECT_THAT(page, HasSubstr("<tr><td class=n data-h=\"devices\">1,000<td class=n data-h=\"seconds\">12,345.25"));
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"case\">a &quot;wire&quot;, cut\n"));  // quotes are doubled in CSV
+    EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"seconds\">2<td>\n"));
+    EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"seconds\">3<td data-h=\"case\">&quot;"));
     EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\" alt=\"Plot of the figures of Many devices\">"));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));

@@ -36,7 +36,8 @@ std::vector<RuleExample> service_examples() {
         {"pdo-sub-reserved", "[1800sub3] ~[1800sub4]", ""},
         {"pdo-cob-id-extended", "[1800sub1] DefaultValue=$NODEID+0x20000180",
          "[1800sub1] DefaultValue=$NODEID+0x40000180"},
-        {"pdo-cob-id-reserved", "[1800sub1] DefaultValue=0x701", "[1800sub1] DefaultValue=0x700"},
+        // reserved at the node-IDs 95 to 126 only: 681h + 95 = 6E0h, 681h + 126 = 6FFh, 681h + 127 = 700h
+        {"pdo-cob-id-reserved", "[1800sub1] DefaultValue=$NODEID+0x681", "[1800sub1] DefaultValue=0x700"},
         {"pdo-cob-id-default", "[1800sub1] DefaultValue=0x181", "[1800sub1] DefaultValue=0x80000181"},
         {"pdo-cob-id-same", "[1401sub1] DefaultValue=$NODEID+0x200", "[1401sub1] DefaultValue=$NODEID+0x80000200"},
         {"pdo-transmission-reserved", "[1401sub2] DefaultValue=252", "[1800sub2] DefaultValue=252"},
