@@ -43,7 +43,7 @@ Frame any_frame(std::size_t station) {
 }
 
 constexpr std::size_t node_count = 3;
-constexpr std::size_t most_doors = 2;
+constexpr std::size_t most_gateways = 2;
 
 std::vector<Act> any_acts(std::uint64_t us_per_bit) {
     std::vector<Act> acts(*rc::gen::inRange<std::size_t>(1, 40));
@@ -58,7 +58,7 @@ std::vector<Act> any_acts(std::uint64_t us_per_bit) {
                                                     {2, Deed::plug},
                                                     {1, Deed::unplug}});
         act.which = *rc::gen::inRange<std::size_t>(
-            0, act.deed == Deed::send || act.deed == Deed::switch_off ? node_count : most_doors);
+            0, act.deed == Deed::send || act.deed == Deed::switch_off ? node_count : most_gateways);
         const bool by_door = act.deed == Deed::send_by_door;
         act.frame = any_frame(act.deed == Deed::put ? 7U : by_door ? 5U + act.which : act.which);
     }
@@ -130,7 +130,7 @@ class TwoBuses {
                 }
                 break;
             default:
-                let_door(act);
+                let_gateway(act);
                 break;
         }
         run_to(now_.us);
@@ -138,9 +138,9 @@ class TwoBuses {
     void check() const {
         std::vector<std::string> expected;
         for (const NaiveBus::Sent& one : naive_.sent()) {
-            const bool is_door = one.sender == "door";
+            const bool is_gateway = one.sender == "gateway";
             expected.push_back(
-                fmt::format("{} {} {}", one.us, is_door ? "outside" : one.sender, format_frame(one.frame)));
+                fmt::format("{} {} {}", one.us, is_gateway ? "outside" : one.sender, format_frame(one.frame)));
         }
         RC_ASSERT(log_ == expected);
         for (std::size_t i = 0; i < node_count; ++i) {
@@ -149,8 +149,8 @@ class TwoBuses {
             RC_ASSERT(nodes_[i].states == lines_of(same.states));
             RC_ASSERT(nodes_[i].overruns == same.overruns);
         }
-        for (const auto& [which, door] : doors_) {
-            RC_ASSERT(door.heard == lines_of(naive_.station(door.number).heard));
+        for (const auto& [which, attached] : gateways_) {
+            RC_ASSERT(attached.heard == lines_of(naive_.station(attached.number).heard));
         }
         RC_ASSERT(bus_.report(now_).frames == expected.size());
         RC_ASSERT(bus_.report(now_).errors == naive_.errors());
@@ -159,27 +159,28 @@ class TwoBuses {
     }
 
   private:
-    struct Door {
+    struct AttachedGateway {
         std::unique_ptr<Gateway> gateway;
         int number{0};
         std::vector<std::string> heard;
     };
 
-    void let_door(const Act& act) {
-        const auto found = doors_.find(act.which);
-        if (found == doors_.end()) {
+    void let_gateway(const Act& act) {
+        const auto found = gateways_.find(act.which);
+        if (found == gateways_.end()) {
             if (act.deed == Deed::plug) {
-                Door& door = doors_[act.which];
-                door.gateway = std::make_unique<Gateway>("door", 100, [&door](const Frame& frame, Instant at) {
-                    door.heard.push_back(fmt::format("{} {}", at.us, format_frame(frame)));
-                });
-                bus_.attach_gateway(*door.gateway);
-                door.number = naive_.add("door", true);
+                AttachedGateway& attached = gateways_[act.which];
+                attached.gateway =
+                    std::make_unique<Gateway>("gateway", 100, [&attached](const Frame& frame, Instant at) {
+                        attached.heard.push_back(fmt::format("{} {}", at.us, format_frame(frame)));
+                    });
+                bus_.attach_gateway(*attached.gateway);
+                attached.number = naive_.add("gateway", true);
             }
         } else if (act.deed == Deed::unplug) {
             bus_.detach_gateway(*found->second.gateway);
             naive_.remove(found->second.number, now_.us);
-            doors_.erase(found);
+            gateways_.erase(found);
         } else {
             found->second.gateway->put(act.frame);
             naive_.send(found->second.number, act.frame, now_.us);
@@ -189,7 +190,7 @@ class TwoBuses {
     std::array<test::PlainNode, node_count> nodes_{test::PlainNode{"a"}, test::PlainNode{"b"}, test::PlainNode{"c"}};
     ArbitratedBus bus_;
     NaiveBus naive_;
-    std::map<std::size_t, Door> doors_;
+    std::map<std::size_t, AttachedGateway> gateways_;
     std::vector<std::string> log_;
     Instant now_{};
 };

@@ -42,7 +42,7 @@ bool turn_until(HttpFront& front, Instant now, const Condition& done) {
     return false;
 }
 
-class Front : public testing::Test {
+class HttpFrontEnd : public testing::Test {
   protected:
     bool until(const std::function<bool()>& done) { return turn_until(front, now, done); }
     std::string exchange(const std::string& request) {
@@ -101,12 +101,12 @@ const std::string frame = R"({"frame":"000#0103"})";
 
 }  // namespace
 
-TEST_F(Front, SlowClientsDoNotDelayOtherClients) {
+TEST_F(HttpFrontEnd, SlowClientsDoNotDelayOtherClients) {
     const auto slow = slow_ones(HttpFront::most_connections - 1);
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
+TEST_F(HttpFrontEnd, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
     EXPECT_TRUE(slow.front()->ended());  // the oldest connection has given way
@@ -114,7 +114,7 @@ TEST_F(Front, ConnectionsAreBounded_AndALateClientIsStillServed) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(Front, SlowRequestEndsAtItsDeadline) {
+TEST_F(HttpFrontEnd, SlowRequestEndsAtItsDeadline) {
     TcpClient drip{front.port()};
     ASSERT_TRUE(until([&] { return front.connections() == 1; }));
     EXPECT_EQ(front.next_deadline(), now + HttpFront::request_limit);
@@ -130,7 +130,7 @@ TEST_F(Front, SlowRequestEndsAtItsDeadline) {
     EXPECT_EQ(front.next_deadline(), never);
 }
 
-TEST_F(Front, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
+TEST_F(HttpFrontEnd, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
     answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel buffers
     const TcpClient deaf{front.port()};
     deaf.say(plain_get);
@@ -143,7 +143,7 @@ TEST_F(Front, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(Front, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
+TEST_F(HttpFrontEnd, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
     ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all, and keeps its side open
@@ -154,19 +154,19 @@ TEST_F(Front, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
     EXPECT_EQ(front.connections(), 0U);
 }
 
-TEST_F(Front, LongResponseArrivesCompletely) {
+TEST_F(HttpFrontEnd, LongResponseArrivesCompletely) {
     answer.body = std::string(3U * 1024U * 1024U, 'x');
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\n" + answer.body));
 }
 
-TEST_F(Front, RefusalArrivesBeforeTheRequestIsComplete) {
+TEST_F(HttpFrontEnd, RefusalArrivesBeforeTheRequestIsComplete) {
     const std::string heard = exchange("GET /" + std::string(100000, 'a'));
     EXPECT_THAT(heard, StartsWith("HTTP/1.1 414 "));
     EXPECT_THAT(heard, HasSubstr("2048 bytes"));
     EXPECT_EQ(asked, 0);
 }
 
-TEST_F(Front, RangeHeadersAreIgnored) {
+TEST_F(HttpFrontEnd, RangeHeadersAreIgnored) {
     std::string ranges = "Range: bytes=0-";
     while (ranges.size() < 7900) {
         ranges += ",0-";

@@ -14,7 +14,7 @@ using testing::SizeIs;
 
 }  // namespace
 
-TEST(Door, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
+TEST(Gateway, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
     std::size_t repeated = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         BusFaultRates faults;
@@ -38,7 +38,7 @@ TEST(Door, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
     EXPECT_GT(repeated, 0U);
 }
 
-TEST(Door, FullGatewayTakesAFrameWhenTheBusHasTakenOne) {
+TEST(Gateway, FullGatewayTakesAFrameWhenTheBusHasTakenOne) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode node{"node"};
     bus.attach(node);
