@@ -145,12 +145,12 @@ TEST_F(ArbitratedBusTest, FloodingGatewayLeavesTheBusToOthersAfterEachFrame) {
 
 TEST_F(ArbitratedBusTest, FrameOfADetachedGatewayIsNotDelivered) {
     start();
-    auto door = std::make_unique<Gateway>("door", 4, Gateway::Outlet{});
-    bus->attach_gateway(*door);
-    door->put(parse_frame("123#", "test"));
+    auto gateway = std::make_unique<Gateway>("gateway", 4, Gateway::Outlet{});
+    bus->attach_gateway(*gateway);
+    gateway->put(parse_frame("123#", "test"));
     bus->advance(Instant{0});
-    bus->detach_gateway(*door);
-    door.reset();
+    bus->detach_gateway(*gateway);
+    gateway.reset();
     a.send("703#05");
     run_until(*bus, Instant{100}, Instant{10000});
     EXPECT_THAT(log, ElementsAre("a 703#05"));

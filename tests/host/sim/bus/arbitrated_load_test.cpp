@@ -177,10 +177,10 @@ TEST_F(BusLoad, NoDeadlineIsSetWhileNoNodeMaySend) {
 }
 
 TEST_F(BusLoad, GatewayWaitsEightBitsAfterItsFrameAndANodeDoesNot) {
-    Gateway door{"door", 4, {}};
-    bus.attach_gateway(door);
-    door.put(parse_frame("123#", "test"));
-    door.put(parse_frame("124#", "test"));
+    Gateway gateway{"gateway", 4, {}};
+    bus.attach_gateway(gateway);
+    gateway.put(parse_frame("123#", "test"));
+    gateway.put(parse_frame("124#", "test"));
     bus.advance(Instant{0});
     const Instant end{time_of("123#")};
     EXPECT_EQ(bus.next_deadline(), end);
@@ -227,11 +227,11 @@ TEST_F(BusLoad, EachInterruptedFrameIsAnErrorOfItsReceivers) {
     Instant now{};
     for (int i = 0; i < 96; ++i) {
         EXPECT_THAT(a.states, IsEmpty()) << i;
-        Gateway door{"door", 4, {}};
-        bus.attach_gateway(door);
-        door.put(parse_frame("123#", "test"));
+        Gateway gateway{"gateway", 4, {}};
+        bus.attach_gateway(gateway);
+        gateway.put(parse_frame("123#", "test"));
         bus.advance(now);
-        bus.detach_gateway(door);
+        bus.detach_gateway(gateway);
         now = now + milliseconds(1);
         bus.advance(now);
     }
@@ -261,10 +261,10 @@ TEST(BusErrors, GatewayIsNeverBusOff) {
     ArbitratedBus bus{"inproc", 1000000, BusFaultRates{0.9, 0.0, 0.0, 7}};
     PlainNode b{"b"};
     bus.attach(b);
-    Gateway door{"door", 50, {}};
-    bus.attach_gateway(door);
+    Gateway gateway{"gateway", 50, {}};
+    bus.attach_gateway(gateway);
     for (int i = 0; i < 50; ++i) {
-        door.put(parse_frame("123#", "test"));
+        gateway.put(parse_frame("123#", "test"));
     }
     run_until(bus, Instant{0}, Instant{1000000});
     EXPECT_EQ(b.heard.size(), 50U);

@@ -50,11 +50,11 @@ class ErrorBench {
     explicit ErrorBench(const BusFaultRates& faults = {}) : bus{"inproc", 125000, faults} { bus.attach(node); }
     void pass_errors(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-            Gateway door{"door", 1, {}};
-            bus.attach_gateway(door);
-            door.put(parse_frame("123#", "test"));
+            Gateway gateway{"gateway", 1, {}};
+            bus.attach_gateway(gateway);
+            gateway.put(parse_frame("123#", "test"));
             bus.advance(now);
-            bus.detach_gateway(door);
+            bus.detach_gateway(gateway);
             pass(milliseconds(1));
         }
     }
@@ -114,11 +114,11 @@ TEST(ArbitratedRules, GatewayWhosePauseEndsWithinAMicrosecondStartsAtTheNextMicr
     ArbitratedBus bus{"inproc", 10000000, {}};
     PlainNode node{"node"};
     bus.attach(node);
-    Gateway door{"door", 2, {}};
-    bus.attach_gateway(door);
+    Gateway gateway{"gateway", 2, {}};
+    bus.attach_gateway(gateway);
     ASSERT_EQ(length_of("100#"), 48U);
-    door.put(parse_frame("100#", "test"));
-    door.put(parse_frame("100#", "test"));
+    gateway.put(parse_frame("100#", "test"));
+    gateway.put(parse_frame("100#", "test"));
     bus.advance(Instant{0});
     for (const std::uint64_t us : {5U, 6U, 11U}) {
         EXPECT_EQ(bus.next_deadline(), Instant{us});
@@ -129,11 +129,11 @@ TEST(ArbitratedRules, GatewayWhosePauseEndsWithinAMicrosecondStartsAtTheNextMicr
 
 TEST(ArbitratedRules, IdleGatewayIsNotSendingDuringTheFrameOfAnother) {
     ErrorBench bench;
-    Gateway door{"door", 2, {}};
-    bench.bus.attach_gateway(door);
+    Gateway gateway{"gateway", 2, {}};
+    bench.bus.attach_gateway(gateway);
     bench.node.send("703#05");
     bench.bus.advance(Instant{0});
-    EXPECT_FALSE(bench.bus.is_sending(door));
+    EXPECT_FALSE(bench.bus.is_sending(gateway));
 }
 
 TEST(ArbitratedRules, LatencyOfAnAnswerCountsFromTheEndOfItsRequest) {

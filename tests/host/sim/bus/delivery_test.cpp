@@ -100,10 +100,10 @@ TEST(Delivery, ErrorCountersFollowEachFrameWhetherAcceptedOrNot) {
     deaf.accepted = {};
     bus.attach(reader);
     bus.attach(deaf);
-    Gateway door{"door", 600, {}};
-    bus.attach_gateway(door);
+    Gateway gateway{"gateway", 600, {}};
+    bus.attach_gateway(gateway);
     for (int i = 0; i < 600; ++i) {
-        ASSERT_TRUE(door.put(parse_frame("123#0102030405060708", "test")));
+        ASSERT_TRUE(gateway.put(parse_frame("123#0102030405060708", "test")));
     }
     run_until(bus, Instant{0}, Instant{2000000});
     EXPECT_FALSE(reader.states.empty());
@@ -136,10 +136,10 @@ TEST(Delivery, LossOfAnUnacceptedFrameIsReportedAndEndsWithTheNextFrame) {
     PlainNode deaf{"deaf"};
     deaf.accepted = {};
     bus.attach(deaf);
-    Gateway door{"door", 100, {}};
-    bus.attach_gateway(door);
+    Gateway gateway{"gateway", 100, {}};
+    bus.attach_gateway(gateway);
     for (int i = 0; i < 100; ++i) {
-        ASSERT_TRUE(door.put(parse_frame("123#", "test")));
+        ASSERT_TRUE(gateway.put(parse_frame("123#", "test")));
     }
     run_until(bus, Instant{0}, Instant{100000});
     ASSERT_GT(deaf.overruns.size(), 3U);

@@ -23,16 +23,16 @@ TEST(Gateway, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
         ArbitratedBus bus{"inproc", 125000, faults};
         PlainNode node{"node"};
         bus.attach(node);
-        Gateway door{"door", 4, {}};
-        bus.attach_gateway(door);
-        EXPECT_FALSE(bus.is_sending(door));
-        ASSERT_TRUE(door.put(parse_frame("123#", "test")));
+        Gateway gateway{"gateway", 4, {}};
+        bus.attach_gateway(gateway);
+        EXPECT_FALSE(bus.is_sending(gateway));
+        ASSERT_TRUE(gateway.put(parse_frame("123#", "test")));
         bus.advance(Instant{0});
         while (node.heard.empty()) {
-            EXPECT_TRUE(bus.is_sending(door)) << bus.next_deadline().us;
+            EXPECT_TRUE(bus.is_sending(gateway)) << bus.next_deadline().us;
             bus.advance(bus.next_deadline());
         }
-        EXPECT_FALSE(bus.is_sending(door));
+        EXPECT_FALSE(bus.is_sending(gateway));
         repeated += bus.report(Instant{100000}).errors;
     }
     EXPECT_GT(repeated, 0U);
@@ -42,13 +42,13 @@ TEST(Gateway, FullGatewayTakesAFrameWhenTheBusHasTakenOne) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode node{"node"};
     bus.attach(node);
-    Gateway door{"door", 2, {}};
-    bus.attach_gateway(door);
-    EXPECT_TRUE(door.put(parse_frame("123#", "test")));
-    EXPECT_TRUE(door.put(parse_frame("124#", "test")));
-    EXPECT_FALSE(door.put(parse_frame("125#", "test")));
+    Gateway gateway{"gateway", 2, {}};
+    bus.attach_gateway(gateway);
+    EXPECT_TRUE(gateway.put(parse_frame("123#", "test")));
+    EXPECT_TRUE(gateway.put(parse_frame("124#", "test")));
+    EXPECT_FALSE(gateway.put(parse_frame("125#", "test")));
     bus.advance(Instant{0});
-    EXPECT_TRUE(door.put(parse_frame("125#", "test")));
+    EXPECT_TRUE(gateway.put(parse_frame("125#", "test")));
     run_until(bus, Instant{0}, Instant{10000});
     EXPECT_THAT(node.heard, SizeIs(3));
 }
