@@ -129,7 +129,8 @@ class MisraCommand : Command {
     MisraCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("misra", "check the firmware against MISRA C++:2023, with tested checkers");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--build", options_.build, "folder with a built firmware; default: build/release");
+        command->add_option("--build", options_.build,
+                            "folder with a built firmware; default: build/release, else build/debug");
         command->add_option("--html", options_.out,
                             "folder for misra.html, misra.sarif, compliance.md; default: BUILD/misra");
         command->add_flag("--json", options_.json,
@@ -191,7 +192,7 @@ class MutateCommand : Command {
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
-                          "the firmware's code instead of generated cells: conditions, statements, variables …");
+                          "the code of the firmware, and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
             "record for each new or changed test the items whose mutants it notices (reports/kills.csv)");
