@@ -98,7 +98,7 @@ class AuditCommand : Command {
         command->add_flag("--json", options_.json, "the audit, the list or the story as JSON");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->callback([this, &chosen] { chosen = [this] { return audit(options_); }; });
     }
 
@@ -155,7 +155,7 @@ class EvidenceCommand : Command {
         command->add_option("--out", options_.out, "folder to write")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--coverage", options_.coverage,
                             "measurement of tests/coverage; default: build/coverage/coverage.json");
         command->add_option("--exhibits", options_.exhibits,
@@ -275,7 +275,7 @@ class DiffCommand : Command {
         command->add_option("REVISION", options_.revision, "a commit, branch or tag of git")->required();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--old-verdicts", options_.old_verdicts,
                             "test results of the revision, to list changed verdicts");
         command->add_flag("--json", options_.json, "changed items, files, verdicts and stale evidence as JSON");

@@ -130,7 +130,7 @@ class SpecCommands : Command {
         review->add_option("--role", review_.role, "author of the change, or independent of it")
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,
-                           "folder of test results; default: the newest of build/*/verdicts");
+                           "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         review->add_option("--date", review_.date, "YYYY-MM-DD; default: today");
         review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });

@@ -9,7 +9,7 @@ namespace canproof::host {
 struct EvidenceOptions {
     std::string root{"."};
     std::string out{"reports/out"};
-    std::string verdicts;  ///< folder of test results; empty: the newest of build/*/verdicts
+    std::string verdicts;  ///< folder of test results; empty: the newest of build/{release,debug,coverage}/verdicts
     std::string coverage;  ///< measurement of tests/coverage; empty: build/coverage/coverage.json
     std::string exhibits;  ///< folder of results of other tools; empty: build/exhibits
     std::string key;       ///< file of a private key that signs the manifest; empty: no signature
