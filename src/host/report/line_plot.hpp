@@ -27,8 +27,8 @@ struct LinePlot {
     std::vector<PlotMark> marks;
 };
 
-/// Returns the distance between the ticks of an axis from `low` to `high`. It is 1, 2 or 5 times a power of ten and
-/// gives four to ten ticks.
+/// Returns the distance between the ticks of an axis from `low` to `high`, which must be greater than `low`. It is 1, 2
+/// or 5 times a power of ten. The axis is 3.2 to 8 times as long as this distance.
 double tick_step(double low, double high);
 
 /// Returns title, axes and curves in a sentence, for readers who do not see the plot.

@@ -57,7 +57,10 @@ LinePlot output_plot(std::istream& csv, const std::string& name, const std::vect
         }
     }
     if (chosen.empty() || lines.back().time.us == 0) {
-        throw InputError{fmt::format("{}: no signal changes after 0 s, so there is nothing to draw", name)};
+        throw InputError{
+            fmt::format("{}: no signal has a second line, or no line is later than 0 s, so there is nothing to draw; "
+                        "use the --outputs of a run in which an output changes",
+                        name)};
     }
     LinePlot plot;
     plot.title = name;

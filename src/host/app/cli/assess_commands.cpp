@@ -98,7 +98,7 @@ class AuditCommand : Command {
         command->add_flag("--json", options_.json, "the audit, the list or the story as JSON");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->callback([this, &chosen] { chosen = [this] { return audit(options_); }; });
     }
 
@@ -129,7 +129,8 @@ class MisraCommand : Command {
     MisraCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("misra", "check the firmware against MISRA C++:2023, with tested checkers");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--build", options_.build, "folder with a built firmware; default: build/release");
+        command->add_option("--build", options_.build,
+                            "folder with a built firmware; default: build/release, else build/debug");
         command->add_option("--html", options_.out,
                             "folder for misra.html, misra.sarif, compliance.md; default: BUILD/misra");
         command->add_flag("--json", options_.json,
@@ -154,7 +155,7 @@ class EvidenceCommand : Command {
         command->add_option("--out", options_.out, "folder to write")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--coverage", options_.coverage,
                             "measurement of tests/coverage; default: build/coverage/coverage.json");
         command->add_option("--exhibits", options_.exhibits,
@@ -191,7 +192,7 @@ class MutateCommand : Command {
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
         command->add_flag("--code", options_.code,
-                          "the firmware's code instead of generated cells: conditions, statements, variables …");
+                          "the code of the firmware, and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
             "record for each new or changed test the items whose mutants it notices (reports/kills.csv)");
@@ -274,7 +275,7 @@ class DiffCommand : Command {
         command->add_option("REVISION", options_.revision, "a commit, branch or tag of git")->required();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
-                            "folder of test results; default: the newest of build/*/verdicts");
+                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--old-verdicts", options_.old_verdicts,
                             "test results of the revision, to list changed verdicts");
         command->add_flag("--json", options_.json, "changed items, files, verdicts and stale evidence as JSON");

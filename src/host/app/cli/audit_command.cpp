@@ -108,7 +108,8 @@ struct ConditionOfUse {
 /// of all manuals. Throws InputError for an unknown device.
 std::vector<ConditionOfUse> conditions_of(const Register& content, const std::string& device) {
     if (!device.empty() && content.part(device) == nullptr) {
-        throw InputError{fmt::format("`{}` is no device; `canproof devices` lists the devices", device)};
+        throw InputError{
+            fmt::format("`{}` is no device; name a folder of spec/devices, or leave the argument out", device)};
     }
     std::vector<ConditionOfUse> all;
     for (const Part& part : content.parts) {

@@ -16,7 +16,8 @@ struct AuditOptions {
     bool json{false};  ///< items, gaps, suspects and orphans as JSON instead of lines
 };
 
-/// Prints the audit. Returns the exit status: 1 when something is open.
+/// Prints the audit. Returns the exit status: 1 when something is open, suspect, failed or not shown; always 0 for a
+/// list of conditions of use.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

@@ -100,7 +100,7 @@ class CatalogueCommands : Command {
 class SpecCommands : Command {
   public:
     SpecCommands(CLI::App& app, Chosen& chosen) {
-        auto* spec = app.add_subcommand("spec", "the register");
+        auto* spec = app.add_subcommand("spec", "check, list and review the requirements register");
         spec->require_subcommand(1);
         auto* check =
             spec->add_subcommand("check", "list every fault and warning of a register, with file, line and fix");
@@ -130,7 +130,7 @@ class SpecCommands : Command {
         review->add_option("--role", review_.role, "author of the change, or independent of it")
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,
-                           "folder of test results; default: the newest of build/*/verdicts");
+                           "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         review->add_option("--date", review_.date, "YYYY-MM-DD; default: today");
         review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });
@@ -232,11 +232,13 @@ class ConformCommand : Command {
         command->add_option(
             "--arm", options_.arm,
             "build/target/bridged_NAME.elf: the slave's image on an STM32F405 in QEMU, in virtual time");
-        command->add_option("--node", options_.node, "node-ID of the slave");
+        command->add_option("--node", options_.node, "node-ID of the slave; default: that of the data sheet");
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; default: no bus, in virtual time");
         command->add_flag("--list", options_.list, "list all cases");
-        command->add_option("--only", options_.only, "services: sdo,lss")->delimiter(',')->allow_extra_args(false);
+        command->add_option("--only", options_.only, "only the cases of these services: sdo,lss")
+            ->delimiter(',')
+            ->allow_extra_args(false);
         command->add_option("--skip", options_.skip, "cases or services to leave out")
             ->delimiter(',')
             ->allow_extra_args(false);

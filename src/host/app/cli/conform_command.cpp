@@ -141,7 +141,8 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
         throw InputError{
-            "name a slave: `canproof conform ax188001`, or `canproof conform --eds box.eds --node 5 --bus …`"};
+            "name a slave, either by a device or by files: `canproof conform ax188001`, or "
+            "`canproof conform --eds box.eds --node 5 --bus …`"};
     }
     if (!options.arm.empty() && !options.bus.empty()) {
         throw InputError{

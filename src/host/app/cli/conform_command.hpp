@@ -12,7 +12,7 @@ struct ConformCommandOptions {
     std::string device;               ///< name in the catalogue; empty: `eds` or `arm` is given
     std::string eds;                  ///< path of an EDS, DCF or XDD; empty: `device` or `arm` is given
     std::string arm;                  ///< image of the slave for the emulated microcontroller; empty: no image
-    std::optional<std::string> node;  ///< node-ID; without it, the node-ID as shipped
+    std::optional<std::string> node;  ///< node-ID; without it, that of the data sheet
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
     std::vector<std::string> only;   ///< services to run; empty: all
@@ -29,8 +29,8 @@ struct ConformCommandOptions {
     double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
 };
 
-/// Prints the verdicts and writes the report. Returns the exit status: 0 all passed, 1 a case failed, 2 the run could
-/// not be done.
+/// Prints the verdicts and writes the report. Returns the exit status of the report: 0 when every case that applies
+/// passed. Throws InputError when the run is not possible.
 int run_conform(const ConformCommandOptions& options);
 
 }  // namespace canproof::host

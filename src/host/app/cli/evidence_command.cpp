@@ -62,8 +62,8 @@ struct Places {
     std::filesystem::path socketcan;
 };
 
-/// Returns the measured coverage; nothing when a source changed after the measurement, because the line numbers then no
-/// longer match the files.
+/// Returns the measured coverage; nothing when there is no measurement. Also returns nothing when a source has changed
+/// since the measurement, because its line numbers then do not match the file.
 std::optional<MeasuredCoverage> coverage_of(const std::filesystem::path& file, const std::filesystem::path& root) {
     if (!std::filesystem::exists(file) || !changed_source(root, covered_sources(root), file).empty()) {
         return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
     return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
 }
 
-/// Returns the measurements that are older than a source they depend on, each with that source.
+/// Returns the stale measurements, each with a source that has changed since the measurement.
 std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);
@@ -228,9 +228,9 @@ int verify_evidence(const VerifyOptions& options) {
         fmt::print("{}\n", fault);
     }
     if (faults.empty()) {
-        fmt::print("every file matches the manifest{}\n", options.key.empty()
-                                                              ? "; name a public key with --key to verify the signature"
-                                                              : ", and the key has signed it");
+        fmt::print("every file matches the manifest{}\n",
+                   options.key.empty() ? "; to verify a signature, name the public key with --key"
+                                       : ", and the key has signed it");
     }
     return faults.empty() ? 0 : 1;
 }

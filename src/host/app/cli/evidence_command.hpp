@@ -9,11 +9,11 @@ namespace canproof::host {
 struct EvidenceOptions {
     std::string root{"."};
     std::string out{"reports/out"};
-    std::string verdicts;  ///< folders and files of the evidence; empty: where the builds write them
-    std::string coverage;
-    std::string exhibits;
-    std::string key;   ///< file of a private key that signs the manifest; empty: no signature
-    bool full{false};  ///< first makes the evidence that is absent or stale
+    std::string verdicts;  ///< folder of test results; empty: the newest of build/{release,debug,coverage}/verdicts
+    std::string coverage;  ///< measurement of tests/coverage; empty: build/coverage/coverage.json
+    std::string exhibits;  ///< folder of results of other tools; empty: build/exhibits
+    std::string key;       ///< file of a private key that signs the manifest; empty: no signature
+    bool full{false};      ///< first makes the evidence that is absent or stale
     bool json{false};
 };
 
@@ -25,7 +25,8 @@ struct VerifyOptions {
 
 /// Writes the pack and replaces the folder `out` as a whole. Returns the exit status: 1 when a step of --full fails.
 int write_evidence(const EvidenceOptions& options);
-/// Compares a pack with its manifest and its signature. Returns the exit status: 1 when they differ.
+/// Compares a pack with its manifest and, when a key is given, with its signature. Returns the exit status: 1 when they
+/// differ.
 int verify_evidence(const VerifyOptions& options);
 
 }  // namespace canproof::host

@@ -157,9 +157,10 @@ FactoryValues FactoryOptions::for_device(const std::string& name, const Part& pa
 void FactoryOptions::check_used() const {
     for (const Given& one : given_) {
         if (!one.used && one.others.empty()) {
-            throw InputError{fmt::format(
-                "--factory {}: no device of this run with factory data has that name; correct the name of the device",
-                one.whole)};
+            throw InputError{
+                fmt::format("--factory {}: no device of this run takes it; correct the name before the point, or run a "
+                            "device with factory data (`canproof signals NAME` lists the keys)",
+                            one.whole)};
         }
         if (!one.used) {
             throw InputError{fmt::format("--factory {}: there is no {} in the factory data; use one of {}", one.whole,

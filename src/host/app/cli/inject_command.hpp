@@ -24,7 +24,8 @@ struct InjectOptions {
     std::string merge;
 };
 
-/// Prints the table, or JSON. Returns the exit status, which is always 0.
+/// Prints the result as a table or JSON. With `is_shard`, writes the result of the shard to a file in `out` and prints
+/// one line. Returns the exit status, which is always 0.
 int inject(const InjectOptions& options);
 
 }  // namespace canproof::host

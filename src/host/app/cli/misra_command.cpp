@@ -33,7 +33,9 @@ int run_program(const std::vector<std::string>& words) {
     arguments.push_back(nullptr);
     pid_t child = 0;
     if (const int error = posix_spawn(&child, arguments[0], nullptr, nullptr, arguments.data(), environ); error != 0) {
-        throw InputError{fmt::format("cannot start {}: {}", words.front(), std::strerror(error))};
+        throw InputError{
+            fmt::format("cannot start {}: {}; check that you may execute this file and that bash is installed",
+                        words.front(), std::strerror(error))};
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `mutate` command: makes one alteration at a time and checks whether a test notices it. It alters each generated
-// cell (a value in a generated table), or each operator and condition of the firmware and of the host's buses and
-// replay. It prints, by item, the survivors that have no recorded reason.
+// cell (a value in a generated table) or, with --code, the expressions and statements of the firmware and of the host's
+// buses and replay. It prints, by item or file, the survivors that have no recorded reason.
 #include "host/app/cli/mutate_command.hpp"
 
 #include <fmt/format.h>

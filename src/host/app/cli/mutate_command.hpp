@@ -15,7 +15,7 @@ struct MutateOptions {
     std::string root{"."};
     std::string programs;  ///< folder; empty: build/mutation below `root`
     std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
-    bool code{false};      ///< alters the code of the firmware instead of generated cells
+    bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
     /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
     bool kills{false};
     std::size_t sample{0};
@@ -28,7 +28,7 @@ struct MutateOptions {
 };
 
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
-/// or when a record is not needed. A shard reports no survivors.
+/// or when no alteration or no survivor matches a record; always 0 for a shard and for `kills`.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

@@ -36,7 +36,9 @@ std::vector<ChosenDevice> chosen_devices(const RunOptions& options) {
     std::set<std::string> names;
     for (const ChosenDevice& one : all) {
         if (!names.insert(one.name).second) {
-            throw InputError{fmt::format("{} is named twice; write NAME@NODE with different node-IDs", one.name)};
+            throw InputError{fmt::format(
+                "two devices of this run have the name {}; write NAME@NODE or FILE@NODE with different node-IDs",
+                one.name)};
         }
     }
     return all;
@@ -52,7 +54,8 @@ const ChosenDevice& target_of(const Stimulus& one, const std::vector<std::string
 }
 
 /// Checks each stimulus against the devices of the run. In `device.signal`, replaces a short device name by the
-/// complete name. Throws InputError when no device has the signal.
+/// complete name. Throws InputError when the named device lacks the signal or, without a device name, when all
+/// devices lack it.
 void check_targets(std::vector<Stimulus>& stimuli, const std::vector<ChosenDevice>& devices) {
     std::vector<const Part*> parts;
     std::vector<std::string> names;

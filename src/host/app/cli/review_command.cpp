@@ -43,7 +43,7 @@ void check(const ReviewOptions& options) {
         return;
     }
     if (options.by.empty() || options.role.empty()) {
-        throw InputError{"the reader is not named; write --by NAME --role author|independent"};
+        throw InputError{"a review needs the reader and the role; write --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
         throw InputError{"name either the ids or devices that were read, or --all"};

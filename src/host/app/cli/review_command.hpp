@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 struct ReviewOptions {
-    std::string spec{"spec"};           ///< path relative to the project's folder
+    std::string spec{"spec"};           ///< folder of the register; its parent is the project's folder
     std::vector<std::string> subjects;  ///< ids or devices
     bool all{false};
     std::string by;

@@ -22,7 +22,7 @@ void add_run_options(CLI::App& command, RunOptions& running) {
                     "socketcand-client:127.0.0.1:29536/can0 (joins such a server)")
         ->capture_default_str();
     command.add_option("--bus-faults", running.bus_faults,
-                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the in-process bus");
+                       "corrupted=0.01,lost=0.001,bus-off=0.0001,seed=1 on the bus inproc or socketcand");
     command.add_flag(
         "--control-interface", running.control_interface,
         "allow the run to set the interface's bit rate for LSS, and to restart the interface after bus-off");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `run` command: devices in real time on a bus. On a terminal it shows a live table, otherwise every frame as a
-// candump line. It sends lines `ID#DATA` from standard input on the bus.
+// The `run` command: devices in real time on a bus. On a terminal it shows a live table; otherwise, and with --plain,
+// it shows every frame as a candump line. It sends lines `ID#DATA` from standard input on the bus.
 #include "host/app/cli/run_command.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +69,9 @@ class Run {
         show_table(true);
         prepared_.finish();
         if (output_ended_ && std::cout) {
-            throw InputError{"standard output cannot be written, because its reader has ended"};
+            throw InputError{
+                "standard output cannot be written, because its reader has ended; let the reader run longer, or write "
+                "to a file"};
         }
     }
 

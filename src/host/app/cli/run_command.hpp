@@ -16,7 +16,7 @@ struct RunOptions {
     std::vector<std::string> factory;  ///< each KEY=VALUE or DEVICE.KEY=VALUE
     /// inproc, socketcan:INTERFACE, socketcand[:HOST:PORT], socketcand-client:HOST:PORT[/BUS]
     std::string bus{"inproc"};
-    std::string bus_faults;         ///< faults of the in-process bus; parse_bus_faults() describes the format
+    std::string bus_faults;         ///< faults of the bus inproc or socketcand; parse_bus_faults() describes the format
     bool control_interface{false};  ///< the run may set the bit rate of an interface and restart its controller
     bool plain{false};              ///< no table, even on a terminal
     /// log of all frames; the ending of its name selects the format: .pcapng, .pcap, otherwise candump

@@ -203,8 +203,8 @@ std::string manual_page(const std::vector<CommandWords>& commands, const std::ve
         }
     }
     text +=
-        ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or a missing "
-        "input.\n";
+        ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or an "
+        "input or output that cannot be read or written. `fuzz` also ends with 130 when interrupted.\n";
     return path.empty() ? text : text + ".SH SEE ALSO\n.BR canproof (1)\n";
 }
 

@@ -30,7 +30,8 @@ void finish_standard_output() {
     std::fflush(stdout);
     if (standard_output_failed()) {
         throw InputError{
-            "standard output cannot be written; check that its disk has space and that its reader has not ended"};
+            "standard output cannot be written; check that it is open, that its disk has space and that its reader has "
+            "not ended"};
     }
 }
 

@@ -35,7 +35,7 @@ class HttpFront {
     HttpFront& operator=(const HttpFront&) = delete;
 
     std::vector<Watch> watches() const;
-    /// Reads, answers and writes as much as possible without waiting. `now` never decreases.
+    /// Reads, answers and writes as much as possible without waiting. `now` must not be earlier than in the last call.
     void turn(Instant now);
     Instant next_deadline() const;
 

@@ -310,7 +310,7 @@ PanelResponse Panel::stimulate(const nlohmann::json& body) {
         value == body.end() || !value->is_number()) {
         return error_response(
             400,
-            R"(the request names no device, signal or value; send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
+            R"(the request needs the texts `device` and `signal` and the number `value`; send {"device": "ax188001", "signal": "tc1_celsius", "value": 25.0})");
     }
     std::vector<std::string> names;
     for (const Recorder::Device& one : recorder_.devices()) {

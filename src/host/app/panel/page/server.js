@@ -10,7 +10,7 @@ async function post(path, body) {
     if (answer.ok) return true;
     message((await answer.json()).error, true);
   } catch {
-    message('The program does not answer.', true);
+    message('The program does not answer; check that canproof is still running.', true);
   }
   return false;
 }
