@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzzes all four devices on one bus, as nodes 3 to 6. Frames of a master or of one device reach all other devices.
-// Inputs, memory failures and power cuts apply to one device; time passes for all of them. The records are those of
-// support/device_world.hpp; bits 4 and 5 of the first byte select the device.
+// Fuzzes all four devices on one bus, as nodes 3 to 6. Frames of a master reach all devices, frames of a device the
+// other devices with the same bit rate. Inputs, memory failures and power cuts apply to one device; time passes for all
+// of them. The records are those of support/device_world.hpp; bits 4 and 5 of the first byte select the device.
 #include <tuple>
 
 #include "fuzz/devices/ax060805/ax060805_unit.hpp"

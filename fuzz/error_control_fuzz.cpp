@@ -56,7 +56,7 @@ class Both {
     }
 
   private:
-    /// Sends a command, heartbeat or guarding frame of wrong length or format, which has no effect.
+    /// Sends an NMT command or a heartbeat with a wrong length or a 29-bit identifier, which has no effect.
     void meaningless(const naive::Event& event) {
         Frame frame = data_frame(event.kind % 2U == 0 ? 0U : 0x701U, static_cast<std::uint8_t>(event.b % 9U));
         frame.data = {static_cast<std::uint8_t>(naive::command_of(event)), naive::node_id};

@@ -28,7 +28,8 @@ using naive_pdo::Bytes;
 
 constexpr std::size_t record_size = 10;
 
-/// Returns whether a value is within its limits: 2200h from -100 to 100, 2202h from -10 to 10, a BOOLEAN 0 or 1.
+/// Returns whether a value is within its limits: 2200h from -100 to 100, 2202h from -10 to 10. Other entries have no
+/// limits.
 bool fits(const naive_pdo::Mappable& line, std::uint64_t value) {
     if (line.index == 0x2200) {
         const auto number = static_cast<std::int16_t>(static_cast<std::uint16_t>(value));

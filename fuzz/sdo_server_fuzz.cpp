@@ -77,7 +77,7 @@ class Both {
         ours_.pass(ms, answers_);
         require(answers_ == naive_.pass(now_ms_), naive::Message{});
     }
-    /// Sends requests until the transfer is over; starts a transfer when none is running.
+    /// Sends up to `wish.count` requests, until the transfer is over; starts a transfer when none is running.
     void obey(const Obedient& wish) {
         bool goes_on = true;
         for (unsigned i = 1; goes_on && i <= wish.count && obedient_ < most_obedient; ++i, ++obedient_) {

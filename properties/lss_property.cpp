@@ -160,7 +160,7 @@ Events history() {
     return events;
 }
 
-/// Removes PDOs, which a start also sends: 180h + node-ID.
+/// Removes TPDO1 and TPDO2 (180h and 280h + node-ID), which a start also sends.
 Frames without_pdos(Frames frames) {
     frames.erase(std::remove_if(frames.begin(), frames.end(),
                                 [](const std::string& frame) { return frame[0] == '1' || frame[0] == '2'; }),

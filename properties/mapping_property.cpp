@@ -113,8 +113,8 @@ class Happens : public rc::state::Command<Pdo, LoggedSlave> {
     Event event_;
 };
 
-/// Generates mapping entries, mostly valid ones; others are missing, not mappable, of the other direction or of another
-/// length.
+/// Generates mapping entries: valid ones, and some whose object is missing or not mappable, or which are of the other
+/// direction or of another length.
 rc::Gen<Mappable> lines(bool receives) {
     const unsigned odd = receives ? 0U : 1U;
     return rc::gen::elementOf(std::vector<Mappable>{{0x2000 + odd, 1, 8},

@@ -46,7 +46,7 @@ std::vector<Mappable> catalogue(bool receives) {
     return all;
 }
 
-/// Generates zero to eight mapping entries, which mostly fit into a PDO.
+/// Generates zero to eight mapping entries, which together fit into a PDO.
 rc::Gen<Mapping> mappings(bool receives) {
     return rc::gen::map(rc::gen::container<Mapping>(rc::gen::elementOf(catalogue(receives))), [](Mapping lines) {
         lines.resize(std::min<std::size_t>(lines.size(), 8));
@@ -195,8 +195,8 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
 }
 
-// For any changes at any times, transmissions are at least the inhibit time and at most the event timer apart, and the
-// last value is always sent.
+// For any changes at any times, transmissions are at least the inhibit time apart, and at most the event timer where it
+// is longer; a changed value is sent as soon as the inhibit time allows.
 RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_047, req::CO_PDO_048, req::CO_PDO_018>("property");
     SlaveBench bench;

@@ -124,7 +124,7 @@ struct Ask : SdoCommand {
     void show(std::ostream& os) const override { os << text("605", request); }
 };
 
-/// Sends many valid requests in a row, which complete a transfer of the whole DOMAIN. Some frames may be lost.
+/// Sends many valid requests in a row, which may complete a transfer of the whole DOMAIN. Some frames may be lost.
 struct Stream : SdoCommand {
     unsigned count{0};
     unsigned lost_every{0};  ///< every n-th request is lost; 0: none is lost

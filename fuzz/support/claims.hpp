@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names the requirements that a fuzz target shows, as C++ types, so that an unknown requirement does not compile. The
-// replay of its corpus writes them with its verdict.
+// Names the requirements that a fuzz target verifies, as C++ types, so that an unknown requirement does not compile.
+// The replay of its corpus writes them with its verdict.
 #pragma once
 
 #include <string>

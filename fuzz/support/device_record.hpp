@@ -32,7 +32,7 @@ inline Frame any_frame(unsigned how, const std::uint8_t* data) {
 }
 
 /// Returns an expedited write to any entry, of the right length, so that the fuzzer varies values rather than
-/// addresses.
+/// addresses. Returns nothing for an entry that does not have one to four bytes.
 inline std::optional<Frame> entry_write(const DictionaryTables& tables, std::uint32_t node_id,
                                         const std::uint8_t* data) {
     const std::size_t chosen = (data[0] + 256U * data[1]) % tables.entries.count;

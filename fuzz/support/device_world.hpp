@@ -30,7 +30,7 @@
 
 namespace canproof::fuzz {
 
-/// Longer inputs find nothing that shorter inputs do not find.
+/// Records of an input after these are ignored, so that each run is short.
 constexpr std::size_t most_device_records = 150;
 
 /// The circumstances of a run, which must not change the result.
@@ -67,7 +67,8 @@ class DeviceWorld {
             befall(record);
         }
     }
-    /// Returns the frame that a record of kind 0 to A puts on the bus, or nothing for the other kinds.
+    /// Returns the frame that a record of kind 0 to A puts on the bus. Returns nothing for the other kinds, and when
+    /// kind 4 selects an entry that has no expedited write.
     std::optional<Frame> frame_in(const std::uint8_t* record) const {
         const unsigned how = record[1];
         const std::uint8_t* const data = record + 2;
@@ -182,7 +183,7 @@ class DeviceWorld {
     /// Returns the frames that the device has sent since the last call.
     std::vector<Frame> take_sent() { return std::exchange(sent_, {}); }
 
-    /// Returns a hash of everything observable of the device, from its start until now.
+    /// Returns a hash of all frames that the device has sent, and of its present values, outputs and memory.
     std::uint64_t digest() {
         digest_.add(device_->objects().image());
         for_each_output(device_->outputs(), [this](const char*, const auto& value) { digest_.add(value); });

@@ -19,7 +19,7 @@ struct FrameProbe {
 inline FrameProbe frame_probe;
 
 /// Returns the time at which an input begins: 300 ms before the microseconds exceed 32 bits. Code that stores a time in
-/// fewer bits than Instant is then wrong within any input.
+/// 32 bits is then wrong in each input that lasts longer.
 inline Instant begin_input() {
     frame_probe.start = Instant{(std::uint64_t{1} << 32U) - 300'000U};
     return frame_probe.start;

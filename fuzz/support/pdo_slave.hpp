@@ -143,7 +143,7 @@ class PdoSlave {
         return true;
     }
 
-    /// Return the PDOs as of the last call of has_changed().
+    /// Returns an RPDO or TPDO, as it was at the last call of has_changed().
     const Pdo& rpdo(unsigned number) const { return receive_[number]->pdo; }
     const Pdo& tpdo(unsigned number) const { return transmit_[number]->pdo; }
     bool is_operational() { return device_.node().state() == NmtState::operational; }
@@ -177,8 +177,8 @@ class PdoSlave {
         return sent_;
     }
     void forget() { sent_.clear(); }
-    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: an emergency message that still waits keeps
-    /// the identifier of the time at which it was queued.
+    /// Returns whether `id` is or was the identifier of 1014h COB-ID EMCY: an emergency message in the transmit queue
+    /// keeps the identifier of the time at which it was queued.
     bool has_emcy_id(std::uint32_t id) {
         const std::uint32_t present = static_cast<std::uint32_t>(value(0x1014, 0)) & 0x7FF;
         if (std::find(emcy_ids_.begin(), emcy_ids_.end(), present) == emcy_ids_.end()) {

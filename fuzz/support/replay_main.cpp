@@ -50,7 +50,10 @@ int main(int argc, char** argv) {
         if (arguments[0] == "--xml") {
             xml = arguments[1];
         } else if (arguments[0] != "--frames" || !canproof::fuzz::begin_frame_log(arguments[1])) {
-            std::cerr << arguments[0] << " is no option of this target; --xml is, and --frames if it has frames\n";
+            std::cerr
+                << arguments[0] << ' ' << arguments[1]
+                << ": this is no option of this target, or the folder cannot be written; the options are --xml FILE, "
+                   "and --frames FOLDER if the target has frames\n";
             return 2;
         }
         arguments.erase(arguments.begin(), arguments.begin() + 2);

@@ -179,8 +179,8 @@ class Node {
             list_.pop_back();
         }
     }
-    /// Queues a message. At most two messages of an error wait: its first state and its present state. When the last
-    /// one is withdrawn, the other one remains and has the same content.
+    /// Queues a message. At most two messages of an error wait: its first state and its present state. When the newer
+    /// one is withdrawn, the older one remains and shows the present state.
     void announce(const Waiting& told) {
         if (!valid_) {
             return;
@@ -192,7 +192,7 @@ class Node {
             }
         }
         if (!same.empty() && waiting_[same.back()].cured == told.cured) {
-            return;  // a message waits already
+            return;  // the same message waits already
         }
         if (same.size() == 2) {
             waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(same.back()));

@@ -119,7 +119,7 @@ class Node {
     struct Consumer {
         unsigned node{0};
         unsigned ms{0};
-        std::uint64_t due{0};  ///< 0: no heartbeat has been received yet
+        std::uint64_t due{0};  ///< 0: no heartbeat has been received yet, or the consumer has failed
         bool failed{false};
 
         bool is_active() const { return ms != 0 && node >= 1 && node <= 127; }
@@ -165,7 +165,7 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures; the first failure changes the state by 1029h:1.
+    /// Evaluates failures; each failure that begins changes the state by 1029h:1.
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;
@@ -193,7 +193,7 @@ class Node {
     std::uint64_t heartbeat_from_{0};
     unsigned guard_ms_{0};
     unsigned life_factor_{0};
-    std::uint64_t guarded_until_{0};  ///< 0: no guarding request has been received yet
+    std::uint64_t guarded_until_{0};  ///< 0: life guarding does not run
     bool guarding_failed_{false};
     bool toggle_{false};
     unsigned error_behaviour_{0};

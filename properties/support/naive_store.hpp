@@ -107,7 +107,8 @@ class Format {
     std::size_t bank_size() const { return header_size + payload_ + 4; }
     std::size_t checked_size() const { return header_size + payload_; }
 
-    /// Returns whether the bank is committed and its CRC is right.
+    /// Returns whether the bank is neither void nor blank and its magic word, layout and CRC are right. Any marker but
+    /// void counts as committed.
     bool is_sound(const Bytes& image, unsigned bank) const {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(bank * bank_size());
         Bytes bytes(begin, begin + static_cast<std::ptrdiff_t>(bank_size()));
@@ -118,7 +119,7 @@ class Format {
         return number_at(bytes, 0) == magic && number_at(bytes, 4) == layout_ &&
                number_at(bytes, checked_size()) == crc32(bytes.data(), checked_size());
     }
-    /// Returns whether the bank was committed and has changed since.
+    /// Returns whether the bank is marked as committed but is not sound.
     bool is_damaged(const Bytes& image, unsigned bank) const {
         return image[bank * bank_size() + marker_at] == committed && !is_sound(image, bank);
     }
@@ -132,7 +133,8 @@ class Format {
         };
         return all(0x00) || all(0xFF);
     }
-    /// Returns the valid bank that was written last; sequence numbers continue from FFFFFFFFh at 0.
+    /// Returns the valid bank that was written last, or none when a bank is damaged. Sequence numbers continue from
+    /// FFFFFFFFh at 0.
     std::optional<unsigned> bank_in_use(const Bytes& image) const {
         if (is_damaged(image, 0) || is_damaged(image, 1)) {
             return std::nullopt;

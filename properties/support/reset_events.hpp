@@ -136,7 +136,8 @@ class Happening {
         }
     }
 
-    /// Performs an event that does not affect the application: no parameter of an RPDO, no heartbeat consumer.
+    /// Performs an event that does not affect the application. Skips events that would start a supervision, and
+    /// settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h.
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (would_start_supervision(unit, event.kind)) {
             return;

@@ -93,7 +93,8 @@ constexpr Footprint footprint{
     sizeof(Node) + sizeof(ObjectDictionary) + sizeof(PdoMemoryFor<Tables>) + sizeof(TransmitQueue),
     Tables.defaults.count};
 
-/// Powers the device on, then repeats: read inputs, receive frames, do what is due, send frames, write outputs.
+/// Powers the device on, then repeats: read inputs, receive at most one frame, do what is due, send at most one frame,
+/// write outputs.
 template <typename Device, typename Inputs, typename Outputs>
 [[noreturn]] void run(Device& device, TransmitQueue& queue) {
     auto& board = *reinterpret_cast<Window<Inputs, Outputs>*>(window);

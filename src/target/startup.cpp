@@ -50,7 +50,7 @@ void reset() {
     fault();
 }
 
-/// Stops the processor; the watchdog of the board then resets it. The images with drivers replace this function
+/// Stops the processor; only a reset starts it again. The images with drivers replace this function
 /// (image/interrupts.cpp), and so do the test images, which end QEMU (tests/semihosting.cpp).
 [[gnu::weak]] void fault() {
     for (;;) {

@@ -22,6 +22,6 @@ def answers_of(table, demangled, names):
         pattern = re.compile(rf"::(?:{'|'.join(table['answers'][function])})(?:<[^>]*>)?::{method}\(")
         answers = {one for one, name in names.items() if pattern.search(name)}
         if not answers:
-            raise ValueError(f"nothing answers {function}, which {caller} calls")
+            raise ValueError(f"nothing in the image answers {function}, which {caller} calls; correct virtual_calls.toml")
         found |= answers
     return found

@@ -66,7 +66,7 @@ struct Ax188001Unit {
         std::uint16_t factor;
         std::uint16_t offset;
         std::uint8_t sub;
-        bool gives_way;  ///< whether a value was moved away from -1 and -512, which are reserved
+        bool gives_way;  ///< whether a value of -1 or -512 is increased by one, because these are reserved
     };
     static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
         const auto real = [&](std::uint16_t index) {

@@ -69,7 +69,8 @@ class CbxAo412Unit {
     static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
         return device.objects().read(index, sub) & 0xFFFFU;
     }
-    /// Returns the voltage of the upper half of 6444h error value: steps of eight, 2.492 mV each (7.10.2.2, 7.10.4).
+    /// Returns the voltage of the upper half of 6444h error value: steps of eight codes, 2.492 mV each (7.10.2.2,
+    /// 7.10.4).
     static float error_volts(const Device& device, std::uint8_t number) {
         const auto code = static_cast<std::int16_t>(device.objects().read(0x6444, number) >> 16U);
         const float step = std::floor((static_cast<float>(code) + 4.0F) / 8.0F);

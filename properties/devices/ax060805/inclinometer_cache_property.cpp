@@ -91,11 +91,11 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Makes a device and sets every parameter to the value at this position of its list.
+    /// Makes a device and sets each parameter to the value whose position in the list of the parameter `choice` gives.
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);
-        power_on();  // the position counts from its first sample on
+        power_on();  // the unit has the new position from the first sample on
         for (std::size_t i = 0; i < choice.size(); ++i) {
             tell(i, choice[i]);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all readable values.
+// Compares the AX060805 with a naive model: for any configuration, any position and any errors, in all values that the
+// device measures or computes.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -17,7 +18,8 @@ int between(int low, int high) {
     return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
 
-/// Returns a position, rarely one of the edge cases: X upright, upside down, hardly any gravity.
+/// Returns a position, sometimes an edge case: X upright, upside down, hardly any gravity, or beyond the range of the
+/// sensor.
 NaiveVector any_acceleration() {
     if (between(0, 5) == 0) {
         return *rc::gen::element(NaiveVector{1.0, 0.0, 0.0}, NaiveVector{-1.0, 0.0, 0.0}, NaiveVector{0.0, 0.0, 1.0},
@@ -201,8 +203,8 @@ void set_what_the_topic_needs(TwoInclinometers& both, Topic topic) {
     }
 }
 
-/// Starts device and model with some angles and accelerations reversed. When the topic is functions, some functions
-/// also use these signals.
+/// Reverses some angles and accelerations of device and model, and sets a function block, or four when the topic is
+/// functions.
 void begin(TwoInclinometers& both, Topic topic) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {
         both.set({0x2011, sub, 1, static_cast<double>(between(0, 2))});

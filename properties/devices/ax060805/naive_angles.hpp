@@ -134,7 +134,7 @@ class NaiveAverage {
     bool is_doubtful() const { return doubt_; }
 
   private:
-    /// Returns the sample as the turn that is nearest to the previous sample.
+    /// Returns the sample plus the whole turns that bring it nearest to the previous sample.
     double nearest_turn(double degrees) {
         const double before = samples_.empty() ? last_of_block_ : samples_.back();
         const bool is_first = samples_.empty() && !block_is_whole_;

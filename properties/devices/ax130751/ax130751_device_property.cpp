@@ -92,7 +92,7 @@ Write some_write() {
     }
 }
 
-/// Returns the outputs and the process values of all blocks.
+/// Returns the outputs and the process values of all blocks except math block 4, which no write concerns.
 std::vector<double> observe(Ax130751Bench& bench) {
     std::vector<double> seen;
     generated::ax130751::for_each_output(bench.device->outputs(), [&seen](const char*, const auto& value) {

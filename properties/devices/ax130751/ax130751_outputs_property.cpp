@@ -158,7 +158,7 @@ RC_GTEST_PROP(OutputLaw, DelayedStateChangesExactlyAfterItsDelay, ()) {
             }
             now = now + milliseconds(1);
         }
-        // The next command may be the same: the pending delay then continues, so its time is not counted here.
+        // Cancels a pending change, so that the next command, which may be the same, begins a new delay.
         if (state.due() != never) {
             state.follow(is, on_delay, off_delay, now);
         }

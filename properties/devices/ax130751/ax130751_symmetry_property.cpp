@@ -30,7 +30,7 @@ std::vector<int> some_order(int first, int last) {
     return order;
 }
 
-/// Returns an order; extra values stay with the RPDO that sets them.
+/// Returns an order; extra received values stay with the RPDO that sets them.
 Order some_order() {
     Order order;
     order.extras = some_order(1, 3);

@@ -20,7 +20,7 @@ class DrivenDevice {
         collect();
     }
 
-    /// Writes by SDO; returns 0 or the abort code.
+    /// Writes by SDO; returns 0 or the abort code, FFFFFFFFh without an answer.
     std::uint32_t write(int index, int sub, std::uint32_t value, int bytes) {
         const auto byte = [](auto number, unsigned at) { return static_cast<int>(number >> (8U * at) & 0xFFU); };
         const auto address = static_cast<unsigned>(index);

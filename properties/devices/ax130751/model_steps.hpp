@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of an AX130751 and its model: configurations in which no two channels are equal, and steps.
+// Runs an AX130751 and its model: sets both up, mostly with other values for each channel, and performs random steps.
 #pragma once
 
 #include "properties/devices/ax130751/model_pair.hpp"
@@ -221,7 +221,8 @@ inline void wire(ModelPair& pair, const Focus& focus) {
     }
 }
 
-/// Sets up TPDOs of short periods, RPDO 2 and 3 and a heartbeat producer, and informs the model.
+/// Sets up four TPDOs with short periods, four RPDOs and the monitoring of four heartbeat producers, and informs the
+/// model.
 inline void set_up_network(ModelPair& pair) {
     constexpr std::uint32_t no_rtr = 0x40000000;
     const std::vector<std::uint32_t> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};
@@ -267,7 +268,8 @@ inline void send_some_rpdo(ModelPair& pair) {
     pair.rpdo(number, bytes);
 }
 
-/// Switches a block off or on, or between data and time response: values from before must not show when it is on again.
+/// Switches a block off or on, or a table between data and time response: values from before must not show when the
+/// block is on again. Without math blocks in the focus, changes the type of an output.
 inline void switch_a_block(ModelPair& pair, const Focus& focus) {
     if (is_about(focus, Group::math)) {
         const bool is_math = draw(rc::gen::inRange(0, 3)) != 0;

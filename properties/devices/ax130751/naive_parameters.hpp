@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every parameter of the AX130751 with its index, length and default, written from the pages of chapter 3 of its
-// manual. Shares no code with the firmware.
+// The parameters of the AX130751 that its naive model uses, with index, length and default, written from the pages of
+// chapter 3 of the manual. Shares no code with the firmware.
 #pragma once
 
 #include <array>

@@ -326,8 +326,8 @@ class Ax188001 {
         tpdo.mapped.assign(entries_.begin(), entries_.begin() + bits);
     }
 
-    /// Moves sent frames to the result: frames of one moment in the order of arbitration, but none before a boot-up
-    /// message.
+    /// Moves sent frames to the result: frames of one moment in the order of arbitration, but no frame passes a boot-up
+    /// message. In bus-off nothing is sent.
     void keep_sent() {
         std::multimap<std::string, std::string> waiting;
         for (const auto& text : sent_) {

@@ -62,8 +62,8 @@ class Scanner {
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}
 
-    /// Settles the converters on the voltage at the terminals: from the finest gain to the coarsest, four readings
-    /// each.
+    /// Settles the converters on the voltage at the terminals: one reading at the finest gain, and four after each of
+    /// at most two changes to a coarser gain.
     void restart(const Application& all, const Terminals& at) {
         *this = Scanner{observe_};
         for (int reading = 0; reading < 9; ++reading) {

@@ -20,7 +20,7 @@ struct TcsState {
     std::array<unsigned, 2> compensated{1, 1};
     std::array<int, 2> factor{16, 18};
     std::array<int, 2> offset{4368, 320};
-    std::array<int, 2> high_c{200, 300};  ///< 10 degC below the shutdown, at least 1 degC away from any temperature
+    std::array<int, 2> high_c{200, 300};  ///< 4010h high warning threshold; 4020h shutdown threshold is 1735 degC
     std::array<double, 2> uv{4000.0, 9000.0};
     std::array<unsigned, 2> open{0, 0};
     double cold_junction_c{25.0};

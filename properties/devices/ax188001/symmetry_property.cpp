@@ -32,8 +32,8 @@ std::string turned(const std::string& text, std::size_t from, std::size_t length
            text.substr(from + 2 * length);
 }
 
-/// Returns the frame that a device with exchanged channels sends. Exchanges byte 3 of their emergency messages, the
-/// halves of TPDO1 and TPDO3, the first two bytes of TPDO4, and the sub-index of an SDO answer.
+/// Returns the frame that a device with exchanged channels sends. Exchanges byte 3 in emergency messages of a channel,
+/// the halves of TPDO1 and TPDO3, the first two bytes of TPDO4, and the sub-index of an SDO answer.
 std::string exchanged(const std::string& frame) {
     const std::string id = frame.substr(0, 3);
     if (id == "0FF" && (frame.substr(4, 4) == "01F0" || frame.substr(4, 4) == "11F0")) {

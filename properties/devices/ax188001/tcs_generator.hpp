@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates actions for an AX188001 from any numbers, and a configuration in which the two channels differ in every
-// parameter.
+// Generates actions for an AX188001 from any numbers, and a configuration in which most parameters of the two channels
+// differ.
 #pragma once
 
 #include "properties/devices/ax188001/tcs_scenario.hpp"
@@ -102,8 +102,8 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns the writes of 5555h and 5556h, which act at the next boot-up, and a boot-up with all stored or the NMT
-/// command start.
+/// Returns the writes of 5555h and 5556h, which act at the next boot-up. After them, either 1010h stores all and the
+/// node is reset, or the NMT command start follows.
 inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
     if (setup.is_stored) {

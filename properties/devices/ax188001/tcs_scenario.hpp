@@ -20,7 +20,7 @@ struct TcsAction {
     int channel{1};     ///< channel of an action on heat, wire, voltage or hum
     double value{0.0};  ///< degC, uV or V; for wire and overrun 0 or 1; for a command its specifier
     int index{0};       ///< index of a write
-    int sub{0};         ///< sub-index of a write, or node of a command
+    int sub{0};         ///< sub-index of a write, node of a command, or mains of a hum (0: 50 Hz, 1: 60 Hz)
     int size{1};        ///< length of a write in bytes
     std::uint32_t bits{0};
     std::uint64_t wait_ms{0};

@@ -16,7 +16,7 @@ namespace canproof::test {
 struct Ao4Action {
     enum Kind { write, frame, remote, terminal, power_cycle };
     Kind kind{write};
-    unsigned id{0};              ///< identifier of a frame or remote frame; with `own` an offset to the node-ID
+    unsigned id{0};              ///< identifier of a frame or remote frame; with `own` the node-ID is added
     bool own{false};             ///< the identifier is that of the node itself
     std::vector<unsigned> data;  ///< data of a frame
     unsigned index{0};           ///< index of a write, or number of a terminal

@@ -15,7 +15,7 @@ namespace canproof::test {
 
 namespace {
 
-/// The output that takes the place of each output.
+/// The position of each output in the other device, both counted from 0.
 using Places = std::array<unsigned, 4>;
 
 bool has_outputs(unsigned index) {

@@ -123,7 +123,7 @@ class alignas(std::uint64_t) MutableBytes {
         }
     }
     /// Writes `value` to the `count` (0…8) bytes at `at`, as put_le() does, if they contain another number. Returns
-    /// whether they did. `value` must be below 2^(8 * count), and all bytes must lie within the view.
+    /// whether it wrote them. `value` must be below 2^(8 * count), and all bytes must lie within the view.
     bool exchange_le(const std::size_t at, const std::size_t count, const std::uint64_t value) noexcept {
         const bool fits = (at <= size_) && (count <= (size_ - at));
         switch (fits ? count : 0U) {

@@ -28,7 +28,7 @@ constexpr Duration hundreds_of_microseconds(const std::uint64_t count) noexcept 
     return Duration{count * 100U};
 }
 
-/// "At no time": later than every event. next_deadline() returns it when nothing is due.
+/// "At no time": later than every event. next_deadline() returns it when there is no deadline.
 constexpr Instant never{UINT64_MAX};
 
 constexpr bool operator==(const Instant a, const Instant b) noexcept {

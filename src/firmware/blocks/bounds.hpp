@@ -5,7 +5,7 @@
 namespace canproof {
 
 /// Returns the smaller of two numbers; `b` when one of them is NaN. Needs one comparison; std::fmin needs more, because
-/// it never returns a NaN for one NaN.
+/// it returns the other number when one of them is NaN.
 constexpr double lesser(const double a, const double b) noexcept {
     return (a < b) ? a : b;
 }

@@ -21,12 +21,12 @@ constexpr bool is_valid(const std::uint32_t entry) noexcept {
 }
 
 /// Returns whether no configurable object may use the identifier: CiA 301 (Table 40) restricts it, for example for NMT,
-/// SDO, error control or LSS, or it has more than 11 bits.
+/// SDO, error control or LSS, or it is above 7FFh. `identifier` must be at most FFFFh.
 bool is_restricted(std::uint32_t identifier) noexcept;
 
-/// Checks a new value of 1005h COB-ID SYNC, 1014h COB-ID EMCY, 14xxh:1 or 18xxh:1 COB-ID of a PDO. Returns 06090030h
-/// unless `wanted` holds only bits of `flags` beside an unrestricted 11-bit identifier. Returns 08000022h when `wanted`
-/// changes the identifier while the object is and stays in use. Returns AbortCode::none otherwise.
+/// Checks a new value of 1005h COB-ID SYNC or 1014h COB-ID EMCY. Returns 06090030h unless `wanted` holds only bits of
+/// `flags` beside an unrestricted 11-bit identifier. Returns 08000022h when `wanted` changes the identifier of an
+/// object in use, unless `wanted` also sets bit 31 and `flags` permits this bit. Returns AbortCode::none otherwise.
 AbortCode check_change(std::uint32_t current, std::uint32_t wanted, std::uint32_t flags, bool in_use) noexcept;
 
 }  // namespace canproof::cob_id

@@ -47,7 +47,8 @@ constexpr bool has_free_slot(const DictionaryTables& tables) noexcept {
     return (count > tables.objects.count) && ((count & (count - 1U)) == 0U);
 }
 
-/// Returns whether the index is a PDO of CiA 301 that the node does not serve: its objects would have no effect.
+/// Returns whether the index is the communication parameter object of a PDO that the node does not serve: the objects
+/// of this PDO would have no effect.
 constexpr bool is_unserved_pdo(const PdoDirection direction, const std::size_t index) noexcept {
     constexpr std::size_t most_of_cia_301{512U};
     const std::size_t first = communication_object(direction, 0U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors: the error register 1001h, the error list 1003h and the emergency messages that report changes of both (CiA
-// 301, 7.2.7).
+// Errors: the error register 1001h, the error list 1003h and the emergency messages that report when an error begins
+// and ends (CiA 301, 7.2.7).
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class ErrorList : std::uint8_t {
 /// The contents of an emergency message after the error register.
 enum class EmcyContent : std::uint8_t {
     listed_errors,  ///< byte 3: the number of errors in 1003h (CAN-CBX-AO412, 7.9.4)
-    detail          ///< bytes 3 and 4: the upper half of the error's entry in 1003h (Axiomatic)
+    detail          ///< bytes 3 and 4: the upper half of the error's entry in 1003h, 0 when the error ends (Axiomatic)
 };
 
 class Emcy {
@@ -49,8 +49,8 @@ class Emcy {
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
-    /// Permits or stops sending. The node permits it in pre-operational and operational only. The message of an error
-    /// that begins or ends in another state waits until one of these two is entered.
+    /// Permits or stops sending. The node permits it in pre-operational and operational only, and not in bus-off or
+    /// while LSS changes the bit rate. Until then messages wait.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {

@@ -28,12 +28,12 @@ class ErrorControl {
     Instant next_deadline() const noexcept { return earliest(next_heartbeat_, life_deadline_); }
 
     /// Returns whether life guarding has failed: after a first guarding request, no other one came for guard time ×
-    /// life time factor, and none has come since.
+    /// life time factor. The failure ends with the next guarding request, with a reset, and when guarding is switched
+    /// off or the heartbeat is switched on.
     bool life_guarding_failed() const noexcept { return life_failed_; }
 
-    /// Applies a change of 1017h producer heartbeat time, 100Ch guard time or 100Dh life time factor. The heartbeat
-    /// starts again with its new time; so does life guarding if it runs. A new 100Eh node guarding identifier is used
-    /// from the next message on.
+    /// Applies a write. 1017h producer heartbeat time restarts the heartbeat. 100Ch guard time and 100Dh life time
+    /// factor restart life guarding, if it runs. A new 100Eh node guarding identifier is used from the next message on.
     void after_write(const EntryRef& entry, Instant now) noexcept;
     AbortCode before_write(const EntryRef& entry, std::uint32_t wanted) const noexcept;
 

@@ -14,7 +14,7 @@ namespace canproof {
 
 class HeartbeatConsumer {
   public:
-    /// The AX devices watch up to four producers, the CAN-CBX-AO412 one.
+    /// The AX130751 and the AX188001 watch up to four producers, the AX060805 and the CAN-CBX-AO412 one.
     static constexpr std::size_t max_producers = 4U;
     static constexpr std::uint32_t index = generated::canopen::index::consumer_heartbeat_time;
 

@@ -181,8 +181,8 @@ void Node::switch_bit_rate(const Instant now) noexcept {
     admit_services(now);
 }
 
-/// Passes a frame to the service that it belongs to. Frames of no service have no effect, for example TIME and 29-bit
-/// identifiers.
+/// Passes a frame to the service that it belongs to. Frames of no service have no effect, for example frames with a
+/// 29-bit identifier, and TIME unless an RPDO or SYNC has its identifier.
 static_assert(implements<req::CO_FRAME_001> && implements<req::CO_TIME_001>);
 inline void Node::serve(const Frame& frame, const Instant now) noexcept {
     if (frame.id == generated::canopen::nmt_command_cob_id) {

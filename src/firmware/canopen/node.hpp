@@ -70,7 +70,8 @@ class Application : public LssApplication {
     virtual void put_factory_values(ParameterGroup group) = 0;
     /// Resets all states of the device after power-on or NMT reset node. The parameters are loaded already.
     virtual void restart(Instant now) = 0;
-    /// Notifies the device that the boot-up message was queued and the node is pre-operational.
+    /// Notifies the device that the node has queued the boot-up message and entered pre-operational. If it boots in
+    /// bus-off, the message is lost, and with 1029h:1 = 2 the node is already stopped.
     virtual void booted(Instant now) = 0;
     /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
     /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
@@ -156,8 +157,8 @@ class Node final : private ObjectAccess {
     /// self-start.
     void start_at(Instant at) noexcept;
 
-    /// Notifies the TPDOs of a new process value. A TPDO that this triggers is sent by the next advance() that its
-    /// inhibit time allows.
+    /// Notifies the TPDOs of a new process value. A TPDO of type 254 or 255 that this triggers is sent by the next
+    /// advance() that its inhibit time allows, a TPDO of type 0 at the next SYNC.
     void process_value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         tpdos_.value_changed(index, subindex, now);
     }

@@ -22,8 +22,9 @@ class ObjectAccess {
     ObjectAccess(ObjectAccess&&) = delete;
     ObjectAccess& operator=(ObjectAccess&&) = delete;
 
-    /// Returns the value as sent on the bus, or the abort code for an absent or write-only entry. For a DOMAIN entry
-    /// the bytes stay unchanged until that entry is written or the node is reset.
+    /// Returns the value as sent on the bus, or an abort code when the entry cannot be read, for example because it is
+    /// absent or write-only. For a DOMAIN entry the bytes stay unchanged until that entry is written or the node is
+    /// reset.
     virtual Result<ByteView, AbortCode> read(std::uint16_t index, std::uint8_t subindex) = 0;
     /// Writes all of `value` or nothing. Returns AbortCode::none on success. `value` may lie in the staging memory that
     /// writable() returned.

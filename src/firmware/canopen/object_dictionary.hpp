@@ -62,7 +62,7 @@ class ObjectDictionary {
 
     /// Returns all bytes of the entry, without copying them.
     ByteView bytes(const EntryRow& row) const noexcept { return pool(row).part(row.offset, row.size); }
-    /// Returns the entry's bytes as sent on the bus; a string ends before its first zero byte.
+    /// Returns the entry's bytes as sent on the bus; a VISIBLE_STRING ends before its first zero byte.
     ByteView value(const EntryRef& entry) const noexcept {
         const ByteView all = bytes(*entry.row);
         return (entry.row->type == DataType::visible_string) ? text_of(all) : all;

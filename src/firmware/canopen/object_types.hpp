@@ -26,7 +26,7 @@ enum class DataType : std::uint8_t {
     unsigned64 = 0x1BU
 };
 
-/// Rights of SDO and PDO to an entry, as bits of EntryRow::rights.
+/// Rights of SDO and PDO to an entry and further properties of it, as bits of EntryRow::rights.
 namespace rights {
 constexpr std::uint32_t read = 0x01U;
 constexpr std::uint32_t write = 0x02U;

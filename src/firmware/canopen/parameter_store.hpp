@@ -3,8 +3,9 @@
 // the new one (CiA 301, 7.5.2.13).
 //
 // Two banks alternate. A save marks the unused bank void and writes a whole new set into it, with the next sequence
-// number and a CRC. Then it commits the new bank by its marker and marks the other bank void. An interrupted save
-// leaves a void bank and has no effect. A committed bank with a wrong CRC is damaged; then no stored set is used.
+// number and a CRC. Then it commits the new bank by its marker and marks the other bank void. A save that is
+// interrupted before it commits the new bank leaves this bank void and has no effect. A committed bank with a wrong CRC
+// is damaged; then no stored set is used.
 #pragma once
 
 #include "firmware/base/commit_marker.hpp"
@@ -44,7 +45,8 @@ class ParameterStore {
     /// Sets a number, 0…31, that each later save of the manufacturer parameters stores with them. The device chooses
     /// its meaning.
     void tag_saves(const std::uint8_t tag) noexcept { tag_ = tag; }
-    /// Returns the tag of the stored manufacturer parameters; 0 when none are stored.
+    /// Returns the tag of the last save of the manufacturer parameters, also after a restore; 0 without such a save and
+    /// without a readable set.
     std::uint8_t saved_tag() const noexcept { return static_cast<std::uint8_t>(groups_ >> tag_shift); }
 
     /// Returns the bytes of memory that this dictionary needs.
@@ -105,7 +107,7 @@ class ParameterStore {
     std::uint8_t tag_{0U};      ///< tag of the next save
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
-    /// The saved groups in the low three bits, the tag above them; no_groups when nothing is stored.
+    /// The saved groups in the low three bits, the tag above them; 0 when there is no readable set.
     ParameterGroups groups_{no_groups};
     std::array<std::uint8_t, parameter_group_count> saved_node_ids_{};  ///< node-ID at the save of each group
     bool in_use_{false};

@@ -62,7 +62,7 @@ class ReceivePdos {
     /// Returns whether an RPDO is too short, refused or overdue: see has_short(), has_refused() and overdue().
     bool has_failed() const noexcept { return failed_ != 0U; }
     /// Returns the RPDOs that did not come within their event time and have not come with accepted values since: bit n
-    /// stands for RPDO n + 1.
+    /// stands for RPDO n + 1. A write to the parameters or the mapping of an RPDO ends this error.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
     /// Reads the RPDO again after a write to an entry of its 14xxh or 16xxh. Ignores other entries.

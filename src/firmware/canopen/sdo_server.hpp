@@ -73,8 +73,8 @@ class SdoServer {
         }
         return can_send_segment() ? last_progress_ : deadline();
     }
-    /// Returns the time until which only send_waiting() has work to do, even if requests of a running transfer come
-    /// earlier.
+    /// Returns a time before which only send_waiting() has work to do. A request of a running transfer moves the
+    /// time-out to a later time, but this value changes only in advance().
     Instant idle_until() const noexcept { return idle_until_; }
 
   private:
@@ -94,7 +94,7 @@ class SdoServer {
     void initiate_download(const sdo::Request& request, Instant now) noexcept;
     void download_in_segments(const sdo::Request& request, Instant now) noexcept;
     void download_expedited(const sdo::Request& request, Instant now) noexcept;
-    /// Returns the bytes of data in an expedited download.
+    /// Returns the number of data bytes in an expedited download.
     std::size_t expedited_length(std::uint8_t command) const noexcept;
     void download_segment(const sdo::Request& request, Instant now) noexcept;
     void initiate_upload(const sdo::Request& request, Instant now) noexcept;

@@ -49,8 +49,8 @@ class TransmitPdos {
     /// Leaves operational.
     void stop() noexcept;
 
-    /// Notes that a value may have changed; takes little time when no TPDO waits for it. The frame leaves with the next
-    /// advance(), so that values which change together leave together.
+    /// Notes that a value may have changed; takes little time when no TPDO waits for it. No frame leaves before the
+    /// next advance(), so that values which change together leave together.
     void value_changed(const std::uint16_t index, const std::uint8_t subindex, const Instant now) noexcept {
         const std::uint64_t mark = watch_mark(index, subindex);
         if ((watched_ & mark) != 0U) {

@@ -61,7 +61,7 @@ class TransmitQueue {
     bool goes_last(const std::uint32_t id) const noexcept {
         return open_ && (size() != capacity) && (empty() || (id_at(end_ - 1U) <= id));
     }
-    /// Queues a frame wherever it belongs.
+    /// Queues a frame at the place that its identifier demands.
     bool insert(Frame frame) noexcept;
     /// Moves every frame with an identifier of `bound` or higher back by one place. Returns the number of the free
     /// place.

@@ -17,7 +17,7 @@ class Bridge {
   public:
     Bridge(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Executes commands until the program has ended or sends a message that is no command.
+    /// Executes commands until the program has ended or sends a message that is no valid command.
     void serve() {
         bridge::Message message;
         bool goes_on{true};

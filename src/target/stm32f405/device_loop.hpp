@@ -28,8 +28,8 @@ class DeviceLoop {
                SelfTests& tests) noexcept
         : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog}, tests_{tests} {}
 
-    /// Tests the processor and powers the device on, unless a test fails. `may_join`: the clock is accurate enough for
-    /// the bus.
+    /// Starts the watchdog, tests processor and RAM, and powers the device on unless a test fails. `may_join`: the
+    /// clock is accurate enough for the bus.
     void power_on(const bool may_join) noexcept {
         may_join_ = may_join;
         static_assert(implements<req::CO_WATCHDOG_001>);

@@ -33,10 +33,10 @@ class ParameterJournal final : public NonVolatileMemory {
 
     /// Restores the last commit; call after power-on, before the first read.
     void open() noexcept;
-    /// Erases the unused sector if necessary, which takes half a second, so that no commit() needs to. Returns false
-    /// when the flash fails.
+    /// Erases the unused sector if necessary, which takes up to half a second, so that the next commit() that starts
+    /// this sector need not erase it. Returns false when the flash fails.
     bool prepare() noexcept;
-    /// Returns how many sectors were started so far; each of the two sectors was erased half as often.
+    /// Returns how many sectors were started so far; each of the two sectors was erased about half as often.
     std::uint32_t generation() const noexcept { return generation_; }
 
     std::size_t size() const override { return bytes_.size(); }

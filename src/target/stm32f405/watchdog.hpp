@@ -25,8 +25,8 @@ class Watchdog {
     explicit Watchdog(WatchdogRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
         : registers_{registers}, most_polls_{most_polls} {}
 
-    /// Starts the watchdog: from now on refresh() is due within period_ms. Returns false when the period was not
-    /// accepted: it is then the longest or the shortest of the hardware.
+    /// Starts the watchdog: from now on refresh() is due within 0.68 s, the shortest period. Returns false when the
+    /// hardware did not report that it accepted the period: it is then 0.125, 0.512, 1 or 4.096 s (nominal).
     bool start() noexcept;
     void refresh() noexcept;
 

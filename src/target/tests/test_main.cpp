@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the tests of an image. Options: those of GoogleTest, --verdicts=FILE, --frame-log=FILE, --work=FILE and
-// --every-work=FILE; --shard=I/N runs every Nth test, starting with the Ith.
+// --every-work=FILE; --shard=I/N runs every Nth test, starting with test I, counted from 0.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -18,8 +18,8 @@ void work_stops();
 void note_work(test::Work work, const std::string& what, const std::string& where);
 /// Gives a name to the work of a received frame, as note_work() does.
 void note_frame(const Frame& frame, const std::string& what, const std::string& where);
-/// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against the next such
-/// frame, its bits are added.
+/// Notes a frame that the device sent because of the last noted frame. If it wins arbitration against a frame with the
+/// identifier of the noted one, its bits are added to that work.
 void note_answer(const Frame& frame);
 /// Writes lines `kind count instructions bits what where` to `path`. For power-ons, frames, ticks and commands (frames
 /// that reset the node or store its parameters) a line shows the work with most instructions. For `share` it shows the

@@ -39,7 +39,7 @@ def evaluate(expression, names):
             return OPERATORS[type(node.op)](value(node.left), value(node.right))
         if isinstance(node, ast.Call) and node.func.id in ("min", "max"):
             return {"min": min, "max": max}[node.func.id](*map(value, node.args))
-        raise ValueError(f"bounds.toml: no arithmetic with known names: {expression}")
+        raise ValueError(f"bounds.toml or ways.toml: `{expression}` is no arithmetic with known names")
     return value(ast.parse(str(expression), mode="eval").body)
 
 
@@ -51,7 +51,7 @@ def constants(root, generated, table):
         path = generated.parent / file if file.startswith("generated/") else root / file
         match = re.search(rf"\b{name}\s*(?:=|\{{)\s*(0x[0-9A-Fa-f]+|\d+)", path.read_text())
         if match is None:
-            raise ValueError(f"bounds.toml: {file} has no number {name}")
+            raise ValueError(f"bounds.toml or ways.toml: {file} has no number {name}; correct the file in [constants]")
         found[name] = int(match.group(1), 0)
     return found
 
@@ -92,7 +92,7 @@ class Bounds:
         self.loops, self.limits, self.sizes = ([one for table in tables for one in table.get(key, [])] for key in ("loop", "limit", "size"))
         for one in self.loops + self.limits + self.sizes:
             if not one.get("reason"):
-                raise ValueError(f"bounds.toml: {one} has no reason")
+                raise ValueError(f"bounds.toml or ways.toml: {one} has no reason; add one")
         self.used = set()
 
     def of_loop(self, names, header, function, extra):

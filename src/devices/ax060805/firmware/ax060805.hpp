@@ -44,7 +44,8 @@ class Device final : private Application {
     /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Sets the physical inputs from `now` on; those of the sensor take effect with its next sample.
+    /// Sets the physical inputs from `now` on. The accelerations take effect with the next sample; temperatures and
+    /// supply with the next sample, or with an earlier write or reset that publishes all values again.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;

@@ -44,7 +44,7 @@ float apply_unary(std::uint8_t number, float x) noexcept;
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
 /// Evaluates the block by equation 4. The result is undefined when an input has neither a signal nor a default, when
-/// the operation is unknown, and when the result is NaN.
+/// the operation is 0 or unknown, and when an operand or the result is NaN.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
 }  // namespace canproof::ax060805

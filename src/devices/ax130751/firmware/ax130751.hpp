@@ -33,7 +33,7 @@ class Device final : private Application {
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
     /// Starts with the node-ID and bit rate that LSS stored, or that 1010h stored from 5B50h change baud rate and 5B51h
-    /// change node-ID.
+    /// change node-ID; with those as shipped when nothing is stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.

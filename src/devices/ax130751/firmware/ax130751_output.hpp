@@ -31,7 +31,8 @@ class UniversalOutput {
     /// Drives the output and sets 7330h output field value and 2370h feedback field value. Returns true when one of
     /// them changes or a ramp is in progress.
     bool advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept;
-    /// Returns when the output changes by itself with constant inputs.
+    /// Returns when the output changes by itself while advance() returns false: at the next change of a blinking
+    /// output.
     Instant next_change() const noexcept { return digital_.next_change(); }
 
     /// Writes the defaults of the type in 6310h output type to digits, scaling, override value and fault value. Does

@@ -23,8 +23,8 @@ struct LookupPoints {
 };
 
 /// Returns y for x; the x of the points must not decrease. Up to the first point y is that of the first point, and
-/// beyond the last one that is not ignored it is that of this last point. An interval between two points excludes its
-/// lower end.
+/// beyond the last point of the table (the one before the first ignored point) it is that of this last point. An
+/// interval between two points excludes its lower end.
 double lookup(double x, const LookupPoints& points) noexcept;
 
 /// Returns y of a profile after `running`; the x of the profile are intervals. With `repeat` the profile starts again

@@ -15,7 +15,9 @@ using EnableAction = generated::ax130751::EnableAction;
 using FaultAction = generated::ax130751::FaultAction;
 
 struct OutputConditions {
-    bool shutdown{false};        ///< a diagnostic fault, or an enable or override source without a value
+    /// A diagnostic fault, an NMT state other than operational, or an enable or override source without a value. For
+    /// the relay also an input in error, an unlatch source without a value, and a polarity that does not implement it.
+    bool shutdown{false};
     bool input_in_error{false};  ///< the control, enable or override input is in error
     FaultAction on_error{FaultAction::fault_value};
     bool overridden{false};                  ///< a valid override input is active

@@ -18,7 +18,8 @@ struct RelayPolarity {
     UnlatchEffect unlatch{UnlatchEffect::ignored};
 };
 
-/// The times of a relay; 0 when no delay is set or delays are disabled.
+/// The times of a relay. Both delays are 0 when delays are disabled. `blink` is the time between two changes of a
+/// blinking relay.
 struct RelayTimes {
     Duration on_delay{};
     Duration off_delay{};

@@ -115,7 +115,7 @@ void drive_by_table(Converter& converter, int output, int table) {
     converter.put16(0x2331, output, 0);
 }
 
-/// Sets a condition of a logic block: extra value 1 is less than extra value `border`.
+/// Sets a condition of a logic block: extra received value 1 is less than extra received value `border`.
 void ask_below(Converter& converter, int condition, int border) {
     constexpr int less_than = 4;
     converter.put8(condition, 1, canopen_source);

@@ -22,7 +22,7 @@ static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>)
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// Largest number of missed readings that a late call performs, the earliest ones; it skips the rest.
+// A late call performs at most so many of the missed readings, the earliest ones, and skips the rest.
 constexpr std::size_t most_late_scans = 8U;
 
 static_assert(implements<req::TCS_T4>);

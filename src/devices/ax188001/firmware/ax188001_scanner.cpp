@@ -109,7 +109,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
     static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007>);
     if (open) {
-        // Without a temperature 6150h status cannot be evaluated: reported faults stay, waiting ones are dropped.
+        // Without a temperature the limits cannot be evaluated: their reported faults stay, waiting ones are dropped.
         fault_of(channel, ChannelFault::high).drop();
         fault_of(channel, ChannelFault::low).drop();
         fault_of(channel, ChannelFault::shutdown).drop();

@@ -102,7 +102,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 }
 
 /// Reports internal faults. A stored set of parameters that could not be used also counts as an internal software error
-/// until the next reset (7.9.4).
+/// until the next NMT reset node (7.9.4).
 static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010> && implements<req::AO4_ERR_018>);
 void Device::watch_internal_faults(const Instant now) noexcept {
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The record of the self-test that failed before a reset: two words of RAM that the start-up code does not initialise.
-// A reset by the watchdog keeps RAM; after a loss of power its content is arbitrary, and the two words do not match.
+// A reset by the watchdog keeps RAM; after a loss of power its content is arbitrary, and the two words match only by a
+// very rare chance.
 #pragma once
 
 #include "target/stm32f405/register.hpp"
