@@ -160,6 +160,8 @@ TEST_F(Store, StoredCobIdsFollowTheSwitchesAfterSavesOfAnotherGroup) {
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
     for (int saves = 0; saves < 3; ++saves) {
         EXPECT_EQ(send("605#2310100373617665"), Frames{"585#6010100300000000"});  // application parameters only
+    }
+    for (int saves = 0; saves < 3; ++saves) {
         EXPECT_EQ(send("605#2310100473617665"), Frames{"585#6010100400000000"});  // manufacturer parameters only
     }
     EXPECT_EQ(power_on(), (Frames{"705#00"}));
