@@ -260,22 +260,6 @@ TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
     EXPECT_EQ(read(0x5032, 0), 91U);
 }
 
-TEST_F(Ax130751Storage, SaveOfOneGroupStoresNoOtherGroup) {
-    verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
-    for (const int group : {2, 3, 4}) {           // 1010h:2 communication, :3 application, :4 manufacturer
-        EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter; 0 as shipped
-        EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter; 1 as shipped
-        EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h, a manufacturer parameter; 25 as shipped
-        store(group);
-        power_on();
-        EXPECT_EQ(read(0x1017, 0), group == 2 ? 500U : 0U) << group;
-        EXPECT_EQ(read(0x6340, 1), group == 3 ? 0U : 1U) << group;
-        EXPECT_EQ(read(0x5033, 0), group == 4 ? 9U : 25U) << group;
-        EXPECT_EQ(write(0x1011, 1, 0x64616F6C, 4), "");  // 1011h:1 restore default parameters: "load"
-        power_on();
-    }
-}
-
 TEST_F(Ax130751Storage, CommandsReceivedByCanAreNotStored) {
     verifies<req::AOR_STORE_004, req::AOR_OD_6220, req::AOR_OD_7300, req::AOR_OD_2500>();
     for (int sub = 1; sub <= 3; ++sub) {
