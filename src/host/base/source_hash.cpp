@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "host/base/read_file.hpp"
 #include "host/base/sha256.hpp"
@@ -15,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> folders{"fuzz", "properties", "spec", "src", "tests"};
 constexpr std::array<std::string_view, 5> extensions{".cmake", ".cpp", ".hpp", ".py", ".toml"};
 
 bool is_source(const fs::path& file) {
@@ -26,22 +24,26 @@ bool is_source(const fs::path& file) {
 
 }  // namespace
 
-std::string source_hash(const fs::path& root) {
-    std::vector<std::string> names;
-    for (const std::string_view folder : folders) {
+FileHashes file_hashes(const fs::path& root, const std::vector<std::string>& folders,
+                       const std::function<bool(const fs::path&)>& accepts) {
+    FileHashes all;
+    for (const std::string& folder : folders) {
         if (!fs::is_directory(root / folder)) {
             continue;
         }
         for (const auto& one : fs::recursive_directory_iterator{root / folder}) {
-            if (one.is_regular_file() && is_source(one.path())) {
-                names.push_back(one.path().lexically_relative(root).generic_string());
+            if (one.is_regular_file() && accepts(one.path())) {
+                all[one.path().lexically_relative(root).generic_string()] = sha256(read_file(one.path()));
             }
         }
     }
-    std::sort(names.begin(), names.end());
+    return all;
+}
+
+std::string source_hash(const fs::path& root) {
     std::string all;
-    for (const std::string& name : names) {
-        all += name + '\n' + sha256(read_file(root / name)) + '\n';
+    for (const auto& [name, hash] : file_hashes(root, {"fuzz", "properties", "spec", "src", "tests"}, is_source)) {
+        all += name + '\n' + hash + '\n';
     }
     return sha256(all);
 }

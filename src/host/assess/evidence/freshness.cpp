@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/evidence/freshness.hpp"
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "host/base/read_file.hpp"
 #include "host/base/replace_file.hpp"
 #include "host/base/sha256.hpp"
+#include "host/base/source_hash.hpp"
 
 namespace canproof::host {
 
@@ -36,26 +36,9 @@ std::vector<std::string> with(std::vector<std::string> folders, const std::vecto
     return folders;
 }
 
-using Contents = std::map<std::string, std::string>;  ///< SHA-256 by path relative to the project's folder
-
-Contents contents_of(const fs::path& root, const std::vector<std::string>& folders) {
-    Contents all;
-    for (const auto& folder : folders) {
-        if (!fs::is_directory(root / folder)) {
-            continue;
-        }
-        for (const auto& one : fs::recursive_directory_iterator{root / folder}) {
-            if (one.is_regular_file() && measured_by(one.path())) {
-                all[one.path().lexically_relative(root).generic_string()] = sha256(read_file(one.path()));
-            }
-        }
-    }
-    return all;
-}
-
 /// Returns the first file that differs or is missing in `now` or `before`; returns an empty text when both
 /// are equal.
-std::string first_difference(const Contents& before, const Contents& now) {
+std::string first_difference(const FileHashes& before, const FileHashes& now) {
     for (const auto& [name, sum] : now) {
         const auto found = before.find(name);
         if (found == before.end() || found->second != sum) {
@@ -81,7 +64,7 @@ std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured
 
 /// Returns the recorded contents of the sources. Returns nothing when the record is missing, is not valid, or belongs
 /// to another measurement.
-std::optional<Contents> recorded(const fs::path& record, const std::string& measurement) {
+std::optional<FileHashes> recorded(const fs::path& record, const std::string& measurement) {
     if (!fs::exists(record)) {
         return std::nullopt;
     }
@@ -89,7 +72,7 @@ std::optional<Contents> recorded(const fs::path& record, const std::string& meas
     if (!json.is_object() || json.value("measurement", "") != measurement || !json.contains("sources")) {
         return std::nullopt;
     }
-    return json.at("sources").get<Contents>();
+    return json.at("sources").get<FileHashes>();
 }
 
 }  // namespace
@@ -141,7 +124,7 @@ std::string changed_source(const fs::path& root, const std::vector<std::string>&
         return newer_source(root, folders, measured);
     }
     const std::string measurement = sha256(read_file(measured));
-    const Contents now = contents_of(root, folders);
+    const FileHashes now = file_hashes(root, folders, measured_by);
     if (const auto before = recorded(*record, measurement)) {
         return first_difference(*before, now);
     }
