@@ -104,10 +104,11 @@ int prove(const Arguments& arguments, ProveOptions& options) {
     if (!arguments.faults.empty()) {
         return try_faults(arguments.faults, arguments.every, options);
     }
+    const std::string sources = options.shard ? source_hash(".") : "";
     const std::vector<TheoremResult> results = merge.empty() ? prove_all(options) : merge_shards(merge);
     std::cout << table_of(results);
     if (!json.empty()) {
-        write_file(json, options.shard ? shard_text(*options.shard, source_hash("."), results) : json_text(results));
+        write_file(json, options.shard ? shard_text(*options.shard, sources, results) : json_text(results));
     }
     if (!xml.empty()) {
         write_file(xml, verdict_xml(results));

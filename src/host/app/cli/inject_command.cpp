@@ -49,6 +49,9 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
 
 int inject(const InjectOptions& options) {
     InjectionOptions campaign_options = options.campaign;
+    if (options.is_shard) {
+        campaign_options.sources = source_hash(options.root);
+    }
     InjectionCampaign campaign;
     if (options.merge.empty()) {
         const ReplayInput input = workload(options, made_device(options));
@@ -59,7 +62,6 @@ int inject(const InjectOptions& options) {
         campaign = merge_injection_shards(options.merge, options.device, campaign_options);
     }
     if (options.is_shard) {
-        campaign_options.sources = source_hash(options.root);
         const auto file =
             std::filesystem::path{options.out} / injection_shard_name(options.device, campaign_options.shard);
         write_file(file, write_injection_shard(options.device, campaign_options, campaign));

@@ -154,10 +154,10 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
 /// Judges one shard of `cells` and writes its outcomes for `--merge`. `count` has the same meaning as in judge().
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
+    const std::string sources = source_hash(options.root);
     const auto share = share_of(cells, *options.shard);
     const auto file = programs / "shards" / mutation_shard_name(options.code, *options.shard);
-    write_file(file, write_mutation_shard(*options.shard, source_hash(options.root),
-                                          judge(options, programs, share, count, records)));
+    write_file(file, write_mutation_shard(*options.shard, sources, judge(options, programs, share, count, records)));
     if (options.json) {
         const nlohmann::ordered_json json{{"shard", options.shard->text()},
                                           {"judged", share.size()},
