@@ -132,7 +132,7 @@ SocketcandBus::~SocketcandBus() {
 std::vector<Watch> SocketcandBus::watches() const {
     std::vector<Watch> all{{listener_, true, false}};
     for (const Client& client : clients_) {
-        const bool writes = !client.session->output().empty() && !client.deaf;
+        const bool writes = !client.session->output().empty();
         if (client.reads() || writes) {
             all.push_back({client.descriptor, client.reads(), writes});
         }
@@ -259,12 +259,10 @@ void SocketcandBus::write_client(Client& client) {
     const std::string& text = client.session->output();
     if (!text.empty()) {
         const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
-        client.deaf = count < 0 && errno != EAGAIN;
-        client.session->sent(count > 0 ? static_cast<std::size_t>(count) : 0U);
+        const bool is_reset = count < 0 && errno != EAGAIN;  // the client receives nothing more
+        client.session->sent(is_reset ? text.size() : static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
-    if (client.deaf) {
-        client.session->sent(text.size());
-    } else if (client.leaves() && text.empty()) {
+    if (client.leaves() && text.empty()) {
         shutdown(client.descriptor, SHUT_WR);  // the client can still read the reason; then it closes the connection
     }
     if (client.session->is_dropped()) {

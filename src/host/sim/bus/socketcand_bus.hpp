@@ -71,7 +71,6 @@ class SocketcandBus final : public Bus {
         std::string arrived;       ///< text that has been read and becomes due at arrived_at
         Instant arrived_at{never};
         bool ended{false};  ///< whether the client sends no more; it is removed when the bus has sent its frames
-        bool deaf{false};   ///< whether the client receives nothing more
         bool gone{false};
 
         bool reads() const { return session->wants_input() && arrived.empty() && !ended; }
