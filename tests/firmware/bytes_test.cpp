@@ -87,6 +87,8 @@ TEST(Bytes, OffsetThatOverflowsIsBeyondTheEnd) {
             view.set_le(highest - below, count, 0xFFFFFFFFFFFFFFFFU);
             write_le(view, highest - below, count, 0xFFFFFFFFFFFFFFFFU);
             view.put_le<8U>(highest - below, 0xFFFFFFFFFFFFFFFFU);
+            const std::uint64_t ones = (count == 8U) ? 0xFFFFFFFFFFFFFFFFU : ((std::uint64_t{1} << (8U * count)) - 1U);
+            static_cast<void>(view.exchange_le(highest - below, count, ones));
             EXPECT_EQ(room, before) << count << " bytes at the highest place less " << below;
             EXPECT_EQ(read_le(view.view(), highest - below, count), 0U) << count << ' ' << below;
             EXPECT_EQ(get_le<8U>(view.view(), highest - below), 0U) << below;
