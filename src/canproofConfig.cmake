@@ -1,13 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(canproof): how an outside project gets its devices built, tested and proven as those of this one are.
+# find_package(canproof): how an outside project uses canproof.
+#
+# To get its devices built, tested and proven as those of this project are:
 #
 #   project(my_device LANGUAGES CXX)
 #   find_package(canproof REQUIRED)
 #   canproof_project()
 #
-# Its folders are those of this project: spec/, src/devices/NAME/, tests/, properties/, fuzz/. The same file serves the
-# installed package (share/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package has the host's libraries
-# compiled, a checkout compiles them in the outside build.
+# Its folders are those of this project: spec/, src/devices/NAME/, tests/, properties/, fuzz/.
+#
+# To use only the shared firmware, also for another processor with a toolchain file of its own:
+#
+#   find_package(canproof REQUIRED)
+#   target_link_libraries(my_firmware PRIVATE canproof::canopen)
+#
+# canproof::base has the time, bytes and checksums, canproof::canopen the node with its services, canproof::blocks the blocks of
+# several devices. They are compiled from their sources with the project's compiler and flags.
+#
+# The same file serves the installed package (lib/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package has the
+# host's libraries and the register's compiler in compiled form. With a checkout, canproof_project() compiles them in the
+# outside build, and the shared firmware alone needs -DCANPROOF_SPECCOMPILER=CHECKOUT/build/PRESET/speccompiler.
 get_filename_component(CANPROOF_HOME ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set(CANPROOF_PREBUILT "" CACHE PATH "Compiled libraries of the host; from the package when empty")
 if(NOT CANPROOF_PREBUILT AND EXISTS ${CANPROOF_HOME}/prebuilt/speccompiler)
@@ -21,3 +33,43 @@ macro(canproof_project)
   enable_testing()
   add_subdirectory(${CANPROOF_HOME} package)
 endmacro()
+
+# Adds the libraries of the shared firmware where canproof_project() has not. Their tables come from the register in spec/canopen.
+function(canproof_add_firmware)
+  if(TARGET canproof_firmware_base)
+    return()
+  endif()
+  set(CANPROOF_SPECCOMPILER "" CACHE FILEPATH "The compiler of the register; from the package when empty")
+  set(compiler ${CANPROOF_SPECCOMPILER})
+  if(NOT compiler)
+    set(compiler ${CANPROOF_PREBUILT}/speccompiler)
+  endif()
+  if(NOT EXISTS ${compiler})
+    message(FATAL_ERROR "no compiler of the register: build the target speccompiler in a checkout of canproof, "
+                        "and name it by -DCANPROOF_SPECCOMPILER=FILE")
+  endif()
+  set(generated_dir ${CMAKE_BINARY_DIR}/canproof/generated)
+  file(GLOB spec_files CONFIGURE_DEPENDS ${CANPROOF_HOME}/spec/canopen/*.toml)
+  set(headers ${generated_dir}/generated/canopen/requirements.hpp)
+  add_custom_command(
+    OUTPUT ${headers}
+    COMMAND ${compiler} --package ${CANPROOF_HOME}/spec --out ${generated_dir}/generated
+    COMMAND ${CMAKE_COMMAND} -E touch ${headers}
+    DEPENDS ${compiler} ${spec_files}
+    COMMENT "Compiling the tables of the shared firmware"
+    VERBATIM)
+  add_custom_target(generated DEPENDS ${headers})
+  add_library(canproof_options INTERFACE)
+  target_include_directories(canproof_options INTERFACE ${CANPROOF_HOME}/src)
+  target_compile_features(canproof_options INTERFACE cxx_std_17)
+  include(${CANPROOF_HOME}/src/firmware/CMakeLists.txt)  # a subfolder cannot be added so late
+endfunction()
+
+# The names exist from here on. What they stand for is added by canproof_project(), or at the end of this folder.
+foreach(layer base canopen blocks)
+  if(NOT TARGET canproof::${layer})
+    add_library(canproof::${layer} INTERFACE IMPORTED)
+    target_link_libraries(canproof::${layer} INTERFACE canproof_firmware_${layer})
+  endif()
+endforeach()
+cmake_language(DEFER CALL canproof_add_firmware)

@@ -66,11 +66,12 @@ FORBIDDEN = re.compile(
 
 
 def archives(build):
-    """Returns the libraries of the firmware: the shared one, one per device, and that of the drivers."""
+    """Returns the libraries of the firmware: those of the shared layers, one per device, and that of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
     source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # folder in canproof_project()
     drivers = [source / "target" / "stm32f405" / "libcanproof_stm32f405.a"] if ROOT == HOME else []
-    return [source / "firmware" / "libcanproof_firmware.a", *drivers,
+    shared = [source / "firmware" / f"libcanproof_firmware_{layer}.a" for layer in ("base", "canopen")]
+    return [*shared, *drivers,
             *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]
 
 
