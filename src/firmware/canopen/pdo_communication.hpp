@@ -7,6 +7,7 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
+#include "firmware/canopen/pdo_mapping.hpp"
 #include "generated/canopen/index.hpp"
 #include "generated/canopen/tables.hpp"
 
@@ -16,8 +17,6 @@ enum class PdoDirection : std::uint8_t { receive, transmit };
 
 /// PDO1…PDO8 of each direction: 1400h…1407h, 1800h…1807h. The devices here have at most four.
 constexpr std::size_t max_pdos = 8U;
-/// Most mapping entries of a PDO: 64 entries of one bit fill it (CiA 301, 7.5.2.36).
-constexpr std::size_t max_pdo_lines = 64U;
 
 /// Distance from the index of a PDO's communication parameters to that of its mapping: 14xxh to 16xxh, 18xxh to 1Axxh.
 constexpr std::uint32_t mapping_offset =

@@ -2,7 +2,6 @@
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "firmware/base/requirement.hpp"
-#include "firmware/canopen/pdo_communication.hpp"
 #include "generated/canopen/requirements.hpp"
 
 namespace canproof {

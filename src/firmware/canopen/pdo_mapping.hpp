@@ -21,6 +21,9 @@ AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t rig
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
                               std::uint32_t count) noexcept;
 
+/// Most mapping entries of a PDO: 64 entries of one bit fill it (CiA 301, 7.5.2.36).
+constexpr std::size_t max_pdo_lines = 64U;
+
 /// One line of a mapping object with the entry that it maps.
 struct PdoLine {
     const EntryRow* row{nullptr};  ///< nullptr: a gap (dummy entry)
