@@ -26,7 +26,7 @@ endforeach()
 install(DIRECTORY misra DESTINATION ${home} USE_SOURCE_PERMISSIONS
         PATTERN reviews.toml EXCLUDE PATTERN cache_check EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY spec/canopen DESTINATION ${home}/spec)
-install(FILES tests/CMakeLists.txt tests/apart.cmake DESTINATION ${home}/tests)
+install(FILES tests/CMakeLists.txt DESTINATION ${home}/tests)
 install(DIRECTORY tests/support DESTINATION ${home}/tests)
 install(FILES tests/bench/frame_cost_main.cpp DESTINATION ${home}/tests/bench)
 install(FILES tests/mutation/main.cpp DESTINATION ${home}/tests/mutation)

@@ -2,7 +2,8 @@
 # canproof_join(TARGET BELOW folder [APART regex]): compiles the sources of a folder in groups of about six, each group as one joined
 # file. This halves the time for their headers. The names of the sources determine the groups, so that a new source changes one group.
 # A joined file includes its sources by their path below BELOW, an include folder of TARGET, so that all copies of the project can
-# share one compiler cache. A source that matches APART is compiled alone; with -DCANPROOF_JOIN=OFF every source is.
+# share one compiler cache. A source that matches APART is compiled alone, and one that apart.cmake beside it names; with
+# -DCANPROOF_JOIN=OFF every source is.
 set(CANPROOF_JOIN ON CACHE BOOL "Compile several sources of one folder as one")
 function(canproof_join target)
   cmake_parse_arguments(PARSE_ARGV 1 join "" "BELOW;APART" "")
@@ -12,7 +13,11 @@ function(canproof_join target)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
     file(RELATIVE_PATH name ${join_BELOW} ${source})
-    if(name MATCHES "^\\.\\." OR source MATCHES "^${CMAKE_BINARY_DIR}/" OR (join_APART AND name MATCHES "${join_APART}"))
+    cmake_path(GET source PARENT_PATH beside)
+    cmake_path(GET source FILENAME file)
+    set(apart "")
+    include(${beside}/apart.cmake OPTIONAL)
+    if(name MATCHES "^\\.\\." OR file IN_LIST apart OR source MATCHES "^${CMAKE_BINARY_DIR}/" OR (join_APART AND name MATCHES "${join_APART}"))
       list(APPEND compiled ${source})
     else()
       get_filename_component(folder ${name} DIRECTORY)
