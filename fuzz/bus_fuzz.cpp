@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fuzzes all four devices on one bus, as nodes 3 to 6. Frames of a master reach all devices, frames of a device the
-// other devices with the same bit rate. Inputs, memory failures and power cuts apply to one device; time passes for all
-// of them. The records are those of support/device_world.hpp; bits 4 and 5 of the first byte select the device.
+// Fuzzes all devices on one bus, in the order of their `bus_node`. Frames of a master reach all devices, frames of a
+// device the other devices with the same bit rate. Inputs, memory failures and power cuts apply to one device; time
+// passes for all of them. The records are those of support/device_world.hpp; the upper half of the first byte selects
+// the device.
 #include <tuple>
 
-#include "fuzz/devices/ax060805/ax060805_unit.hpp"
-#include "fuzz/devices/ax130751/ax130751_unit.hpp"
-#include "fuzz/devices/ax188001/ax188001_unit.hpp"
-#include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/claims.hpp"
 #include "fuzz/support/device_world.hpp"
 #include "fuzz/support/record_mutator.hpp"
 #include "generated/canopen/requirements.hpp"
+#include "generated/every_unit.hpp"
 
 namespace {
 
@@ -22,25 +20,32 @@ constexpr std::size_t most_records = 60;
 constexpr unsigned most_frames_at_once = 1000;
 constexpr std::uint32_t bit_rate = 125000;
 
+/// Returns a memory in which LSS has stored the device's node-ID. A device without LSS gets an empty memory.
 template <typename Unit>
-fuzz::Image memory_with(std::uint8_t node_id) {
+fuzz::Image memory_of() {
     fuzz::JournalMemory memory{fuzz::Image(Unit::memory_size, 0xFF)};
-    LssStore{memory}.store({node_id, bit_rate});
+    if constexpr (Unit::has_lss) {
+        LssStore{memory}.store({Unit::bus_node, bit_rate});
+    }
     return memory.image();
 }
 
-class FourOnABus {
+template <typename Unit>
+struct Seat {
+    explicit Seat(const fuzz::Circumstances& circumstances) : world{circumstances, memory_of<Unit>()} {}
+    fuzz::DeviceWorld<Unit> world;
+};
+
+template <typename Units>
+class Bus;
+
+template <typename... Unit>
+class Bus<std::tuple<Unit...>> {
   public:
-    explicit FourOnABus(const fuzz::Circumstances& circumstances)
-        : cbx_{circumstances},
-          ax130751_{circumstances, memory_with<fuzz::Ax130751Unit>(4)},
-          ax188001_{circumstances, memory_with<fuzz::Ax188001Unit>(5)},
-          ax060805_{circumstances, memory_with<fuzz::Ax060805Unit>(6)} {
-        exchange();
-    }
+    explicit Bus(const fuzz::Circumstances& circumstances) : seats_{same<Unit>(circumstances)...} { exchange(); }
 
     void happen(const std::uint8_t* record) {
-        const unsigned whose = (record[0] >> 4U) & 3U;
+        const unsigned whose = (record[0] >> 4U) % sizeof...(Unit);
         std::optional<Frame> frame;
         unsigned number = 0;
         for_each([&](auto& world) {
@@ -73,10 +78,11 @@ class FourOnABus {
   private:
     template <typename Visit>
     void for_each(const Visit& visit) {
-        visit(cbx_);
-        visit(ax130751_);
-        visit(ax188001_);
-        visit(ax060805_);
+        std::apply([&visit](auto&... seat) { (visit(seat.world), ...); }, seats_);
+    }
+    template <typename>
+    static const fuzz::Circumstances& same(const fuzz::Circumstances& circumstances) {
+        return circumstances;
     }
     /// Delivers frames until the devices have stopped answering one another. Fails when they do not stop.
     void exchange() {
@@ -101,24 +107,23 @@ class FourOnABus {
         });
     }
     void pass(Duration time) {
-        const Instant end = cbx_.now() + time;
+        const Instant end = now() + time;
         for (Instant next{}; next < end;) {
             next = end;
             for_each([&next](auto& world) { next = earliest(next, world.device().next_deadline()); });
-            next = next < cbx_.now() ? cbx_.now() : next;
+            next = next < now() ? now() : next;
             for_each([next](auto& world) { world.run_until(next); });
             exchange();
         }
     }
 
-    fuzz::DeviceWorld<fuzz::CbxAo412Unit> cbx_;
-    fuzz::DeviceWorld<fuzz::Ax130751Unit> ax130751_;
-    fuzz::DeviceWorld<fuzz::Ax188001Unit> ax188001_;
-    fuzz::DeviceWorld<fuzz::Ax060805Unit> ax060805_;
+    Instant now() const { return std::get<0>(seats_).world.now(); }
+
+    std::tuple<Seat<Unit>...> seats_;
 };
 
 std::uint64_t run(const std::uint8_t* data, std::size_t size, const fuzz::Circumstances& circumstances) {
-    FourOnABus bus{circumstances};
+    Bus<fuzz::EveryUnit> bus{circumstances};
     const std::size_t count = std::min(size / fuzz::device_record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {
         bus.happen(data + i * fuzz::device_record_size);
