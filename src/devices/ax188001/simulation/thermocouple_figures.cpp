@@ -11,6 +11,8 @@
 #include "devices/ax188001/firmware/thermocouple_curves.hpp"
 #include "devices/ax188001/simulation/exact_reference.hpp"
 #include "devices/ax188001/simulation/simulation.hpp"
+#include "generated/ax188001/constants.hpp"
+#include "generated/ax188001/enumerations.hpp"
 #include "host/sim/replay/replay.hpp"
 
 namespace canproof::host {
@@ -74,22 +76,23 @@ class Bench {
     Instant now_{};
 };
 
-double to_celsius(std::uint16_t process_value) {
-    constexpr std::uint16_t open = 0xFE00;
-    constexpr std::uint16_t disabled = 0xFFFF;
-    return process_value == open || process_value == disabled
+double to_celsius(std::int16_t process_value) {
+    return process_value == generated::ax188001::process_value_open ||
+                   process_value == generated::ax188001::process_value_disabled
                ? std::numeric_limits<double>::quiet_NaN()
-               : (static_cast<double>(static_cast<std::int16_t>(process_value)) - offset) / sixteenths;
+               : (static_cast<double>(process_value) - offset) / sixteenths;
 }
 
 std::string emergency_word(const Frame& frame) {
+    using Code = generated::ax188001::EmergencyCode;
+    using Description = generated::ax188001::ErrorDescription;
     const std::uint16_t code = read_u16(frame.payload(), 0);
-    const int description = frame.data[4];
-    return code == 0             ? "cleared"
-           : code == 0xF001U     ? "open circuit"
-           : description == 0x10 ? "high warning"
-           : description == 0x20 ? "low warning"
-                                 : "shutdown";
+    const auto description = static_cast<Description>(frame.data[4]);
+    return code == 0                                                ? "cleared"
+           : code == static_cast<std::uint16_t>(Code::open_circuit) ? "open circuit"
+           : description == Description::positive_warning           ? "high warning"
+           : description == Description::negative_warning           ? "low warning"
+                                                                    : "shutdown";
 }
 
 /// Plots the error of `inversion`, which converts mV to °C, from `lowest(type)` to the end of each type's range.
@@ -172,7 +175,7 @@ LinePlot ramp_plot() {
     for (const LoggedFrame& one : read_candump_log(lines, "ramp")) {
         const double seconds = static_cast<double>(one.time.us) / 1e6;
         if (one.frame.id == 0x1FFU) {
-            shown.points.emplace_back(seconds, to_celsius(read_u16(one.frame.payload(), 0)));
+            shown.points.emplace_back(seconds, to_celsius(static_cast<std::int16_t>(read_u16(one.frame.payload(), 0))));
         } else if (one.frame.id == 0x0FFU) {
             plot.marks.push_back({seconds, fmt::format("{} {:.3f}", emergency_word(one.frame), seconds)});
         }
