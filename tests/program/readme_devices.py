@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/readme_devices.py PROGRAM: checks the tables of README and src/target/README.md whose first column is headed "device" or
-"image". Each has one row for every device of `canproof devices`, by its name, or by the title or first part number in its register, and no
-other row."""
+"""tests/program/readme_devices.py PROGRAM [--write]: compares the tables of devices of the pages with what the devices say.
+
+- README.md: every row equals the register of the device (device.toml), in the order of `canproof devices`. --write writes the rows.
+- src/target/README.md: each table whose first column is headed "device" has one row for every device and no other. Its figures are
+  measured: src/target/footprint and src/target/run_suites compare them, and write them with --write-readme."""
 import pathlib
 import re
 import subprocess
@@ -10,42 +12,45 @@ import sys
 import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "src/target/README.md")
-LEAST_TABLES = 3  # the list of devices, the memory of their images, and their work
+sys.dont_write_bytecode = True
+sys.path.append(str(ROOT / "src" / "target"))
+from readme_table import differences, row  # noqa: E402
+
+HEADING = "| device | maker | what it is | part numbers |"
+MEASURED = ROOT / "src" / "target" / "README.md"
+LEAST_MEASURED = 2  # the memory of the images, and their work
 
 
 def devices(program):
-    """Returns the terms by which a row may name each device, by device name. A line of `canproof devices` without a leading space begins
-    with a name."""
+    """Returns the names of the devices. A line of `canproof devices` without a leading space begins with a name."""
     lines = subprocess.run([program, "devices"], check=True, text=True, capture_output=True).stdout.splitlines()[1:]
-    known = {}
-    for name in (line.split()[0] for line in lines if not line.startswith(" ")):
-        register = tomllib.loads((ROOT / "spec" / "devices" / name / "device.toml").read_text())
-        known[name] = {name, register["title"], register["part_numbers"][0]}
-    return known
+    return [line.split()[0] for line in lines if not line.startswith(" ")]
 
 
-def device_tables(text):
+def row_of(name):
+    register = tomllib.loads((ROOT / "spec" / "devices" / name / "device.toml").read_text())
+    return row(f"`{name}`", register["vendor"], register["title"], ", ".join(register["part_numbers"]))
+
+
+def first_columns(text):
     """Returns, for each table of devices, the number of its first line and its first column."""
-    for table in re.finditer(r"^\| *(?:device|image) *\|.*\n\|[-| ]+\|\n((?:\|.*\n)+)", text, re.M):
-        rows = [row.split("|")[1].strip().strip("`") for row in table.group(1).splitlines()]
-        yield text.count("\n", 0, table.start()) + 1, rows
+    for table in re.finditer(r"^\| *device *\|.*\n\|[-| ]+\|\n((?:\|.*\n)+)", text, re.M):
+        yield text.count("\n", 0, table.start()) + 1, [one.split("|")[1].strip() for one in table.group(1).splitlines()]
 
 
 def main():
-    known = devices(sys.argv[1])
-    tables = [(page, *table) for page in PAGES for table in device_tables((ROOT / page).read_text())]
-    faults = [] if len(tables) >= LEAST_TABLES else [f"{' and '.join(PAGES)}: {len(tables)} tables of devices, there should be {LEAST_TABLES}"]
-    for page, line, rows in tables:
-        for name, words in known.items():
-            count = sum(row in words for row in rows)
-            faults += [f"{page}:{line}: {count} rows for {name}, there should be one"] if count != 1 else []
-        every_word = set().union(*known.values())
-        faults += [f"{page}:{line}: no device is called {row}" for row in rows if row not in every_word]
+    names = devices(sys.argv[1])
+    faults = differences(ROOT / "README.md", HEADING, [row_of(name) for name in names], "--write" in sys.argv[2:])
+    tables = list(first_columns(MEASURED.read_text()))
+    if len(tables) < LEAST_MEASURED:
+        faults.append(f"src/target/README.md: {len(tables)} tables of devices, there should be {LEAST_MEASURED}")
+    for line, rows in tables:
+        if sorted(rows) != sorted(f"`{name}`" for name in names):
+            faults.append(f"src/target/README.md:{line}: the rows are {', '.join(rows)}; they should be {', '.join(names)}")
     for fault in faults:
         print(fault)
-    print(f"{len(tables)} tables, {len(known)} devices, {len(faults)} fault(s)")
-    return 1 if faults or not known else 0
+    print(f"{len(tables) + 1} tables, {len(names)} devices, {len(faults)} fault(s)")
+    return 1 if faults or not names else 0
 
 
 sys.exit(main())
