@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""on_bus.py PROGRAM: runs the RC-22 on a bus in real time and talks to it as another program: a client of socketcand. The kernel chooses
+the port. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+
+PATIENCE = 60  # seconds; reached only by a broken program
+CONVERSATION = (  # a frame to the device, and the answer that is awaited: None where the data sheet names none
+    ("601", "4000100000000000", ("581", "4300100000000000")),  # 1000h: 0
+    ("601", "2F00200101000000", ("581", "6000200100000000")),  # relay 1 closes ...
+    ("000", "0101", None),                                     # ... in operational
+    ("601", "4000200100000000", ("581", "4F00200101000000")),
+    ("000", "0201", None),                                     # stopped: both contacts are open
+)
+
+
+class Client:
+    def __init__(self, port):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=PATIENCE)
+        self.text = ""
+        self.wait_for(r"< hi >")
+        self.ask("< open can0 >", r"< ok >")
+        self.ask("< rawmode >", r"< ok >")
+
+    def wait_for(self, pattern):
+        while not (found := re.search(pattern, self.text)):
+            piece = self.socket.recv(4096)
+            assert piece, f"the server ended; it did not say {pattern}: {self.text}"
+            self.text += piece.decode()
+        self.text = self.text[found.end():]
+
+    def ask(self, words, pattern):
+        self.socket.sendall(words.encode())
+        self.wait_for(pattern)
+
+    def send(self, identifier, data):
+        octets = re.findall("..", data)
+        self.socket.sendall(f"< send {identifier} {len(octets)} {' '.join(octets)} >".encode())
+
+
+def port_of(run):
+    for line in run.stderr:
+        if found := re.search(r"listens at port (\d+)", line):
+            return int(found.group(1))
+    raise AssertionError("the program ended before it named its port")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        outputs = f"{folder}/outputs.csv"
+        command = [sys.argv[1], "run", "relay-counter@1", "--bus", "socketcand:127.0.0.1:0", "--outputs", outputs]
+        run = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        try:
+            client = Client(port_of(run))
+            for identifier, data, answer in CONVERSATION:
+                client.send(identifier, data)
+                if answer:
+                    client.wait_for(rf"< frame {answer[0]} [0-9.]+ {answer[1]} >")
+            client.send("000", "8101")
+            client.wait_for(r"< frame 701 [0-9.]+ 00 >")  # boot-up: the device has obeyed all frames before it
+            run.send_signal(signal.SIGINT)
+            assert run.wait(PATIENCE) == 0, run.stderr.read()
+        finally:
+            run.kill()
+        with open(outputs, encoding="utf-8") as changes:
+            relay = [line.strip().split(",")[2] for line in changes if ",relay1," in line]
+    assert relay[-2:] == ["1", "0"], f"relay 1 was {relay}"
+    print("on a bus: asked, started, switched")
+
+
+main()
