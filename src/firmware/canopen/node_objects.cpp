@@ -150,6 +150,7 @@ void Node::forget_verification(const std::uint16_t changed_index) noexcept {
     }
 }
 
+static_assert(implements<req::CO_STORE_015>);
 AbortCode Node::store(const EntryRef& entry, const std::uint32_t value) noexcept {
     const bool wrong_state = profile_.saves_in_pre_operational_only && (state_ != NmtState::pre_operational);
     if (wrong_state && (entry.index == index::store_parameters)) {

@@ -99,6 +99,7 @@ void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
 
 /// Answers a remote frame on a receive PDO with the values that the PDO writes (CAN-CBX-AO412, 7.7.2). RPDOs outside
 /// answering_remote_ do not answer.
+static_assert(implements<req::CO_PDO_062> && implements<req::CO_PDO_063>);
 void ReceivePdos::answer(const Frame& request) noexcept {
     std::uint32_t answering{answering_remote_};
     for (const ReceivePdo& rpdo : rpdos_) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "firmware/canopen/transmit_queue.hpp"
 
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
 namespace canproof {
 
 bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
@@ -21,6 +24,7 @@ bool TransmitQueue::insert(const Frame frame) noexcept {
     return true;
 }
 
+static_assert(implements<req::CO_FRAME_002>);
 std::uint32_t TransmitQueue::make_room(const std::uint32_t bound) noexcept {
     const std::uint32_t first_free = boot_up_waits_ ? (first_ + 1U) : first_;
     std::uint32_t at{end_};

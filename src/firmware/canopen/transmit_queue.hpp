@@ -5,13 +5,10 @@
 #include <array>
 #include <cstddef>
 
-#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/frame.hpp"
-#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
-static_assert(implements<req::CO_FRAME_002>);
 /// A queue sorted by identifier, lowest first; only a boot-up message goes before all other frames. Frames of one
 /// identifier keep their order: a segment never overtakes the one before it.
 class TransmitQueue {

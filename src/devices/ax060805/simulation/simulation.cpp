@@ -42,10 +42,10 @@ SensorErrors sensor_errors(const FactoryValues& values) {
     return errors;
 }
 
-static_assert(implements<req::INC_PLANT_005>);
 class Ax060805Simulation final
     : public Simulation<ax060805::Device, ax060805::Inputs, ax060805::Outputs, ax060805::FactoryData> {
   public:
+    static_assert(implements<req::INC_PLANT_005>);
     explicit Ax060805Simulation(const FactoryValues& factory)
         : Simulation{memory_size, factory_data(factory)}, plant_{sensor_errors(factory)} {
         inputs_.noise_of = model_of(factory.part_number());

@@ -20,8 +20,6 @@ namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 namespace index = generated::ax188001::index;
 
-static_assert(implements<req::TCS_K_PV_DISABLED> && implements<req::TCS_K_PV_OPEN> &&
-              implements<req::TCS_K_FV_DISABLED>);
 const ReservedValues reserved{own::process_value_disabled, own::process_value_open};
 
 std::uint32_t bits_of(const float value) noexcept {

@@ -13,8 +13,6 @@ namespace {
 namespace own = generated::ax188001;
 using own::SensorType;
 
-static_assert(implements<req::TCS_K_EXPONENTIAL_A0> && implements<req::TCS_K_EXPONENTIAL_A1> &&
-              implements<req::TCS_K_EXPONENTIAL_A2>);
 const ExponentialTerm k_exponential =
     exponential_term(own::k_exponential_a0, own::k_exponential_a1, own::k_exponential_a2);
 

@@ -2,10 +2,12 @@
 #include "host/assess/trace/link_places.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
+#include "host/assess/source/cpp_text.hpp"
 #include "host/base/lines.hpp"
 
 namespace canproof::host {
@@ -42,10 +44,47 @@ bool can_do(const std::string& code) {
            std::none_of(others.begin(), others.end(), [&](const auto& other) { return begins(code, other); });
 }
 
+/// Returns whether this text, which begins a declaration and ends before its body or semicolon, declares a function.
+bool declares_function(const std::string& head) {
+    const auto first = head.find_first_of("(=");
+    return first != std::string::npos && (head[first] == '(' || head.find("operator") < first);
+}
+
+/// Returns for each line whether it begins inside the body of a function. `code` has neither comments nor literals.
+std::vector<bool> inside_functions(const std::vector<std::string>& code) {
+    std::vector<bool> inside;
+    std::vector<bool> blocks;  // the open blocks, outermost first: whether each one lies in a function
+    std::string head;          // the text of the declaration or statement that has begun
+    for (const auto& line : code) {
+        const bool in_function = !blocks.empty() && blocks.back();
+        inside.push_back(in_function);
+        for (const char c : line) {
+            if (c == '{') {
+                blocks.push_back((!blocks.empty() && blocks.back()) || declares_function(head));
+            } else if (c == '}' && !blocks.empty()) {
+                blocks.pop_back();
+            }
+            head = c == '{' || c == '}' || c == ';' ? "" : head + c;
+        }
+    }
+    return inside;
+}
+
+/// Returns whether a function begins at line `at`, outside of all functions.
+bool begins_function(const std::vector<std::string>& code, std::size_t at) {
+    std::string head;
+    for (; at < code.size() && head.find_first_of("{;") == std::string::npos; ++at) {
+        head += code[at] + " ";
+    }
+    return declares_function(head.substr(0, head.find_first_of("{;")));
+}
+
 }  // namespace
 
 std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines) {
     std::vector<std::string> all;
+    const std::vector<std::string> code_lines = split_lines(code_only(fmt::format("{}\n", fmt::join(lines, "\n"))));
+    const std::vector<bool> inside_function = inside_functions(code_lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (!begins(trimmed(lines[i]), link_start)) {
             continue;
@@ -69,6 +108,10 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
         if (i == lines.size() || !can_do(trimmed(lines[i]))) {
             all.push_back(fmt::format(
                 "{}:{}: no code that can implement the item follows the link; put the link directly above the code",
+                name, first));
+        } else if (!inside_function[i] && !begins_function(code_lines, i)) {
+            all.push_back(fmt::format(
+                "{}:{}: the code below the link is no function; put the link directly above the function that does it",
                 name, first));
         }
     }

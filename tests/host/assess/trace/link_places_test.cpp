@@ -31,8 +31,24 @@ TEST(LinkPlaces, CommentMayStandBetweenLinkAndFunction) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
 }
 
-TEST(LinkPlaces, LinkAboveAClassMemberIsAccepted) {
-    EXPECT_THAT(misplaced({"    static_assert(implements<req::A>);", "    bool member_{false};", "};"}), IsEmpty());
+TEST(LinkPlaces, LinkAboveAMemberFunctionIsAccepted) {
+    EXPECT_THAT(misplaced({"class X {", "    static_assert(implements<req::A>);",
+                           "    bool operator==(const X& other) const {", "        return true;", "    }", "};"}),
+                IsEmpty());
+}
+
+TEST(LinkPlaces, LinkAboveDataOrAClassIsMisplaced) {
+    for (const Lines& below : {Lines{"constexpr const NodeProfile& profile = own::profile;"}, Lines{"class X {", "};"},
+                               Lines{"const Circuit circuit{gain(1.0), steps};"}, Lines{"bool member_{false};"},
+                               Lines{"const Duration cycle =", "    milliseconds(1);"}}) {
+        for (const Lines& above : {Lines{}, Lines{"namespace a {", "void other() {", "    if (b) {", "    }", "}"},
+                                   Lines{"class Y {", "  public:"}}) {
+            Lines lines{above};
+            lines.emplace_back("static_assert(implements<req::A>);");
+            lines.insert(lines.end(), below.begin(), below.end());
+            EXPECT_THAT(misplaced(lines), ElementsAre(HasSubstr("the code below the link is no function")));
+        }
+    }
 }
 
 TEST(LinkPlaces, LinkAboveAStatementOfAFunctionIsAccepted) {
