@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates the firmware's NodeProfile from device.toml.
+// Generates the firmware's NodeProfile from device.toml, and its ErrorTable from the tables of errors.
 #include "host/codegen/write_profile.hpp"
 
 #include <fmt/format.h>
@@ -30,6 +30,47 @@ LssWords lss_words(const Part& part, Cells cells) {
         fmt::format("LssProfile{{lss_rates, {}}}", info.lss_reset)};
 }
 
+bool has_column(const Table& table, const std::string& name) {
+    return std::any_of(table.outputs.begin(), table.outputs.end(),
+                       [&](const Column& column) { return column.name == name; });
+}
+
+/// Returns the upper half of an error's entry in 1003h.
+std::string detail_of(const Table& table) {
+    if (has_column(table, "detail")) {
+        return "row.detail";
+    }
+    return has_column(table, "description")
+               ? "static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel)"
+               : "0U";
+}
+
+/// Returns the statements that put the rows of one table into the ErrorTable. A column that the table does not have
+/// stands for the generic error bit, for an error that is sent, and for one that is listed.
+std::string put_rows(const Table& table) {
+    const auto code = std::find_if(table.outputs.begin(), table.outputs.end(),
+                                   [](const Column& column) { return column.name == "code"; });
+    const bool named = code != table.outputs.end() && !code->enumeration.empty();
+    return fmt::format(
+        "    for (const {0}::Row& row : {0}::rows) {{\n"
+        "        put_error(table, row.{1}, ErrorRow{{{2}, {3}, {4}, {5}, {6}}});\n    }}\n",
+        table.name, table.errors, named ? "static_cast<std::uint16_t>(row.code)" : "row.code",
+        has_column(table, "register_bits") ? "row.register_bits" : "0x01U",
+        has_column(table, "sent") ? "row.sent" : "true", has_column(table, "listed") ? "row.listed" : "true",
+        detail_of(table));
+}
+
+std::string error_table(const Part& part, Cells cells) {
+    std::string rows;
+    for (const Table& table : part.tables) {
+        rows += table.errors.empty() ? "" : put_rows(table);
+    }
+    return fmt::format(
+        "/// Returns how the node reports each of its errors.\nconstexpr ErrorTable make_error_table() noexcept {{\n"
+        "    ErrorTable table{{}};\n{}    return table;\n}}\n{} ErrorTable error_table = make_error_table();\n\n",
+        rows, cells == Cells::constant ? "inline constexpr" : "inline const");
+}
+
 }  // namespace
 
 std::string write_profile(const Part& part, Cells cells) {
@@ -43,7 +84,9 @@ std::string write_profile(const Part& part, Cells cells) {
         "// Written by canproof's speccompiler from\n//   spec/devices/{}/device.toml\n"
         "// Do not edit: change the register.\n#pragma once\n\n",
         part.name);
-    text += "#include \"firmware/canopen/node.hpp\"\n#include \"generated/canopen/tables.hpp\"\n";
+    text +=
+        "#include \"firmware/canopen/error_table.hpp\"\n#include \"firmware/canopen/node.hpp\"\n#include "
+        "\"generated/canopen/tables.hpp\"\n";
     text += fmt::format("#include \"generated/{0}/tables.hpp\"\n\nnamespace canproof::generated::{0} {{\n\n",
                         part.cpp_name());
     text += lss.rates;
@@ -54,6 +97,7 @@ std::string write_profile(const Part& part, Cells cells) {
         "    {},\n    {},\n    {},\n    TpdoTrigger::{}}};\n\n",
         cells == Cells::constant ? "inline constexpr" : "inline const", info.limit_abort, info.error_list,
         info.emcy_content, remote, info.saves_in_pre_operational_only, info.block_sdo, lss.profile, info.tpdo_trigger);
+    text += error_table(part, cells);
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());
 }
 

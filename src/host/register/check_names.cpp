@@ -3,6 +3,7 @@
 #include "host/register/check_names.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -30,9 +31,10 @@ class NameCheck {
     }
 
     void check_tables() {
-        std::map<std::string, std::string> taken{{"tables", "the generated code"},  {"field", "the generated code"},
-                                                 {"index", "the generated code"},   {"error", "the generated code"},
-                                                 {"profile", "the generated code"}, {"compiled", "the generated code"}};
+        std::map<std::string, std::string> taken{
+            {"tables", "the generated code"},     {"field", "the generated code"},   {"index", "the generated code"},
+            {"error", "the generated code"},      {"profile", "the generated code"}, {"compiled", "the generated code"},
+            {"error_table", "the generated code"}};
         for (const Constant& constant : part_.constants) {
             taken.emplace(constant.name, constant.id);
         }
@@ -55,6 +57,32 @@ class NameCheck {
             (found == table.inputs.end() || found->kind != Column::Kind::words || !found->enumeration.empty())) {
             fault(table.place, fmt::format("{} errors {} is no input column of words", table.id, table.errors),
                   "name an input column that has its own words");
+        }
+        if (!table.errors.empty()) {
+            check_error_outputs(table);
+        }
+    }
+
+    /// Checks the columns from which the compiler makes the ErrorTable of the node.
+    void check_error_outputs(const Table& table) {
+        static const std::set<std::string> known{"code",   "register_bits", "sent",   "listed",
+                                                 "detail", "description",   "channel"};
+        std::set<std::string> names;
+        for (const Column& column : table.outputs) {
+            names.insert(column.name);
+            if (known.count(column.name) == 0) {
+                fault(table.place, fmt::format("{} column {} is no property of an error", table.id, column.name),
+                      fmt::format("use the columns {}", fmt::join(known, ", ")));
+            }
+        }
+        if (names.count("code") == 0) {
+            fault(table.place, fmt::format("{} has errors but no column code", table.id), "add the emergency codes");
+        }
+        if (names.count("description") != names.count("channel") ||
+            names.count("detail") + names.count("description") > 1) {
+            fault(table.place,
+                  fmt::format("{} does not say once what the upper half of an entry in 1003h is", table.id),
+                  "add both description and channel, or detail alone");
         }
     }
 

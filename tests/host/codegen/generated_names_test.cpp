@@ -102,6 +102,49 @@ TEST(GeneratedNames, ProfileOfADeviceWithoutSettingsHasTheDefaults) {
                 HasSubstr("canproof::lss_bit_rates(canopen::lss_bit_rates::rows);"));
 }
 
+TEST(GeneratedNames, ErrorTableHasTheRowsOfAllTablesOfErrors) {
+    const std::string whole =
+        "[[table]]\nid = \"AO4-T2\"\nname = \"faults\"\nerrors = \"fault\"\ntitle = \"Faults\"\nsource = [\"M1:Table "
+        "3\"]\n"
+        "inputs = [\"fault\"]\noutputs = [ { name = \"description\", type = \"UNSIGNED8\" }, { name = \"channel\", "
+        "type = "
+        "\"UNSIGNED8\" }, { name = \"code\", type = \"UNSIGNED16\" }, { name = \"register_bits\", type = \"UNSIGNED8\" "
+        "}, "
+        "\"sent\", \"listed\" ]\nrows = [ [\"hot\", 0x10, 2, 0x4200, 0x09, true, false] ]\n";
+    const Part part = box_with(table("id = \"AO4-T1\"\nname = \"codes\"\nerrors = \"error\"\ntitle = \"Codes\"\n",
+                                     "[\"can_overrun\", 0x8110]") +
+                               whole);
+    EXPECT_THAT(
+        write_profile(part),
+        HasSubstr(
+            "constexpr ErrorTable make_error_table() noexcept {\n    ErrorTable table{};\n"
+            "    for (const codes::Row& row : codes::rows) {\n"
+            "        put_error(table, row.error, ErrorRow{row.code, 0x01U, true, true, 0U});\n    }\n"
+            "    for (const faults::Row& row : faults::rows) {\n"
+            "        put_error(table, row.fault, ErrorRow{row.code, row.register_bits, row.sent, row.listed, "
+            "static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel)});\n    }\n"
+            "    return table;\n}\ninline constexpr ErrorTable error_table = make_error_table();\n"));
+    EXPECT_THAT(write_profile(part, Cells::changeable),
+                HasSubstr("inline const ErrorTable error_table = make_error_table();\n"));
+}
+
+TEST(GeneratedNames, TableOfErrorsHasOnlyPropertiesOfAnError) {
+    const auto faults_of = [](const std::string& outputs, const std::string& values) {
+        return all_faults(
+            load_register(with(items_file,
+                               "[[table]]\nid = \"AO4-T1\"\nname = \"codes\"\nerrors = \"error\"\ntitle = \"Codes\"\n"
+                               "source = [\"M1:Table 3\"]\ninputs = [\"error\"]\noutputs = [" +
+                                   outputs + "]\nrows = [ [\"hot\", " + values + "] ]\n")));
+    };
+    EXPECT_THAT(faults_of("\"code\", \"colour\"", "1, 2"),
+                HasSubstr("AO4-T1 column colour is no property of an error"));
+    EXPECT_THAT(faults_of("\"listed\"", "true"), HasSubstr("AO4-T1 has errors but no column code"));
+    EXPECT_THAT(faults_of("\"code\", \"channel\"", "1, 2"),
+                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+    EXPECT_THAT(faults_of("\"code\", \"detail\", \"description\", \"channel\"", "1, 2, 3, 4"),
+                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+}
+
 TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
     SpecFiles files = small_register();
     files[device_file] += "lss_bit_rates = \"AO4-T9\"\nrpdos_answering_remote = [0, 9]\n";

@@ -17,19 +17,6 @@ namespace field = generated::ax060805::field;
 constexpr std::uint32_t sensor_error_class = 2U;  // sub-index of 1029h error behaviour
 constexpr std::uint32_t no_state_change = 1U;     // value of 1029h error behaviour (4.2.13)
 
-static_assert(implements<req::INC_T21>);
-constexpr const NodeProfile& profile = own::profile;
-
-static_assert(implements<req::INC_T22> && implements<req::INC_ERR_001> && implements<req::INC_ERR_004>);
-constexpr ErrorTable make_error_table() noexcept {
-    ErrorTable table{};
-    for (const own::error_codes::Row& row : own::error_codes::rows) {
-        put_error(table, row.error, ErrorRow{row.code, row.register_bits, row.sent, row.listed, row.detail});
-    }
-    return table;
-}
-const ErrorTable error_table = make_error_table();
-
 /// Returns the value of 2000h CAN slew rate that suits a bit rate in bit/s: 1 (fast) from fast_slew_bit_rate on,
 /// otherwise 0.
 static_assert(implements<req::INC_SLEW_002> && implements<req::INC_K_FAST_SLEW>);
@@ -53,9 +40,9 @@ constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : Application{},
-      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
       lss_store_{memory},
-      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      node_{objects_, memory, queue, *this, own::error_table, own::profile, pdos_.memory()},
       factory_{factory} {}
 
 static_assert(implements<req::INC_LSS_001> && implements<req::INC_LSS_007> && implements<req::INC_LSS_006>);

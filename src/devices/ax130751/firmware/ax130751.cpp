@@ -16,32 +16,7 @@ namespace own = generated::ax130751;
 constexpr std::array<ErrorId, 4U> heartbeat_errors{
     {ErrorId::heartbeat_1, ErrorId::heartbeat_2, ErrorId::heartbeat_3, ErrorId::heartbeat_4}};
 
-static_assert(implements<req::AOR_K_CYCLE>);
 const Duration cycle_time = milliseconds(own::cycle_ms);
-
-static_assert(implements<req::AOR_T22>);
-constexpr const NodeProfile& profile = own::profile;
-
-static_assert(implements<req::AOR_ERR_011>);
-constexpr ErrorTable make_error_table() noexcept {
-    ErrorTable table{};
-    static_assert(implements<req::AOR_T23>);
-    for (const own::error_field_codes::Row& row : own::error_field_codes::rows) {
-        const auto detail =
-            static_cast<std::uint16_t>((static_cast<std::uint32_t>(row.description) << 8U) | row.channel);
-        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, detail});
-    }
-    static_assert(implements<req::AOR_T_FAULT_CODES>);
-    for (const own::fault_codes::Row& row : own::fault_codes::rows) {
-        put_error(table, row.fault, ErrorRow{row.code, row.register_bits, true, true, 0U});
-    }
-    static_assert(implements<req::AOR_T_NODE_ERRORS>);
-    for (const own::node_error_codes::Row& row : own::node_error_codes::rows) {
-        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true, 0U});
-    }
-    return table;
-}
-const ErrorTable error_table = make_error_table();
 
 /// Returns `deadline` when it is later than `done`, otherwise never.
 constexpr Instant if_later(const Instant deadline, const Instant done) noexcept {
@@ -53,9 +28,9 @@ constexpr Instant if_later(const Instant deadline, const Instant done) noexcept 
 static_assert(implements<req::AOR_ID_001>);
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : Application{},
-      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
       lss_store_{memory},
-      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      node_{objects_, memory, queue, *this, own::error_table, own::profile, pdos_.memory()},
       factory_{factory},
       sources_{objects_},
       universal_{{UniversalOutput{objects_, sources_, 1U}, UniversalOutput{objects_, sources_, 2U}}},

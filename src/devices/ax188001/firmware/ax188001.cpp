@@ -17,16 +17,11 @@ namespace {
 namespace own = generated::ax188001;
 namespace field = generated::ax188001::field;
 
-constexpr std::uint32_t generic_error = 0x01U;  // bit of 1001h error register; the only one in use (3.2.2)
-static_assert(implements<req::TCS_K_NODE_ID> && implements<req::TCS_K_BIT_RATE>);
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
 // A late call performs at most so many of the missed readings, the earliest ones, and skips the rest.
 constexpr std::size_t most_late_scans = 8U;
-
-static_assert(implements<req::TCS_T4>);
-constexpr const NodeProfile& profile = own::profile;
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {
     const std::size_t offset = (static_cast<std::size_t>(fault) * channel_count) + channel;
@@ -46,23 +41,6 @@ constexpr ErrorId unit_error(const UnitFault fault) noexcept {
 static_assert((unit_error(UnitFault::over_voltage) == own::error::fd2_over_voltage) &&
               (unit_error(UnitFault::under_voltage) == own::error::fd3_under_voltage));
 
-static_assert(implements<req::TCS_T5> && implements<req::TCS_E_EMCY_CODE> && implements<req::TCS_E_DESCRIPTION>);
-constexpr ErrorTable make_error_table() noexcept {
-    ErrorTable table{};
-    for (const auto& row : own::error_codes::rows) {
-        const std::uint32_t description = static_cast<std::uint32_t>(row.description);
-        ErrorRow told{};
-        told.code = static_cast<std::uint16_t>(row.code);
-        told.register_bits = generic_error;
-        told.sent = true;
-        told.listed = row.error != ErrorId::bus_off_recovered;  // a bus-off is over when it is reported
-        told.detail = static_cast<std::uint16_t>((description << 8U) | row.channel);
-        put_error(table, row.error, told);
-    }
-    return table;
-}
-const ErrorTable error_table = make_error_table();
-
 static_assert(implements<req::TCS_T_REACTION>);
 /// Returns the sub-index of 1029h error behaviour for a class of errors. The node itself handles communication errors.
 constexpr std::uint8_t reaction_to(const own::error_reaction::Errors errors) noexcept {
@@ -73,10 +51,10 @@ constexpr std::uint8_t reaction_to(const own::error_reaction::Errors errors) noe
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : Application{},
-      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
+      objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
       queue_{queue},
       lss_store_{memory},
-      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      node_{objects_, memory, queue, *this, own::error_table, own::profile, pdos_.memory()},
       scanner_{objects_},
       factory_{factory} {}
 

@@ -22,24 +22,9 @@ using own::IndicatorState;
 constexpr std::uint32_t autostart_enabled = 8U;  // value of 1F80h NMT startup (7.9.22)
 constexpr std::uint32_t max_node_id = 0x7FU;
 
-static_assert(implements<req::AO4_PDO_004> && implements<req::AO4_PDO_005> && implements<req::AO4_STORE_001>);
-constexpr const NodeProfile& profile = own::profile;
-
 // Full scale: the reference times the gain of the differential amplifier (4.3.1).
-static_assert(implements<req::AO4_AOUT_001>);
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
                                    own::dac_steps, own::codes_per_step};
-
-static_assert(implements<req::AO4_T_ERRORS> && implements<req::AO4_ERR_005>);
-constexpr ErrorTable make_error_table() noexcept {
-    namespace errors = own::error_codes;
-    ErrorTable table{};
-    for (const errors::Row& row : errors::rows) {
-        put_error(table, row.error, ErrorRow{row.code, row.register_bits, row.sent, row.listed});
-    }
-    return table;
-}
-const ErrorTable error_table = make_error_table();
 
 static_assert(implements<req::AO4_T5> && implements<req::AO4_LED_005> && implements<req::AO4_LED_008>);
 IndicatorPattern pattern_of(const IndicatorState state) noexcept {
@@ -67,8 +52,8 @@ IndicatorState led_of(const Row* const row) noexcept {
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept
     : Application{},
-      objects_{own::tables, MutableBytes{image_}, profile.limit_abort},
-      node_{objects_, memory, queue, *this, error_table, profile, pdos_.memory()},
+      objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
+      node_{objects_, memory, queue, *this, own::error_table, own::profile, pdos_.memory()},
       factory_{factory} {}
 
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
@@ -242,7 +227,7 @@ void Device::command_output(const std::uint8_t number, const std::int16_t value)
 /// Computes the voltage of an output and stores it in outputs_. The voltage depends only on driven_, 2404h calibration
 /// offset and 2405h calibration gain. Every change of one of these, including the loading of a stored set, must call
 /// this function.
-static_assert(implements<req::AO4_AOUT_004>);
+static_assert(implements<req::AO4_AOUT_001> && implements<req::AO4_AOUT_004>);
 void Device::drive_output(const std::uint8_t number) noexcept {
     const Driven driven = driven_[number - 1U];
     if (!driven.on) {

@@ -55,26 +55,43 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The id of the item to which each generated name of a part belongs.
-using Names = std::map<std::string, std::string>;
+/// The ids of the items to which each generated name of a part belongs.
+using Names = std::map<std::string, std::vector<std::string>>;
+
+/// Adds the items that the compiler hands to the node by itself: the tables of errors with their enumerations in
+/// `error_table`, and the table of bit rates in `profile`.
+void add_names_of_node(const Part& part, Names& names) {
+    for (const auto& table : part.tables) {
+        if (table.id == part.info.lss_bit_rates) {
+            names["profile"].push_back(table.id);
+        }
+        if (table.errors.empty()) {
+            continue;
+        }
+        names["error_table"].push_back(table.id);
+        for (const auto& column : table.outputs) {
+            if (!column.enumeration.empty()) {
+                names["error_table"].push_back(column.enumeration);
+            }
+        }
+    }
+}
 
 Names generated_names(const Part& part) {
     Names names;
-    for (const auto& table : part.tables) {
-        names["t_" + snake_case(table.id)] = table.id;
-    }
+    add_names_of_node(part, names);
     for (const auto& constant : part.constants) {
-        names[constant.name] = constant.id;
+        names[constant.name].push_back(constant.id);
     }
     for (const auto& enumeration : part.enumerations) {
-        names[enumeration.name] = enumeration.id;
+        names[enumeration.name].push_back(enumeration.id);
     }
     for (const auto& signal : part.signals) {
         std::string name = signal.name;
         if (const auto at = name.find("{n}"); at != std::string::npos) {
             name.erase(at, 3);
         }
-        names[name] = signal.id;
+        names[name].push_back(signal.id);
     }
     return names;
 }
@@ -97,19 +114,19 @@ void for_each_name(const std::string& line, const Visit& visit) {
     }
 }
 
-/// Returns the id of an object by its field in the dictionary: `o2340_…` belongs to 2340h. Returns an empty text for
-/// any other name.
-std::string object_of(const std::string& name, const Part& part) {
+/// Returns the id of an object by its field in the dictionary: `o2340_…` belongs to 2340h. Returns nothing for any
+/// other name.
+std::vector<std::string> object_of(const std::string& name, const Part& part) {
     if (name.size() < 6 || name[0] != 'o' || name[5] != '_') {
-        return "";
+        return {};
     }
     const std::string index = name.substr(1, 4);
     for (const auto& object : part.objects) {
         if (fmt::format("{:04x}", object.index) == index) {
-            return object.id;
+            return {object.id};
         }
     }
-    return "";
+    return {};
 }
 
 }  // namespace
@@ -180,10 +197,11 @@ std::map<std::string, std::vector<std::string>> generated_uses(const fs::path& r
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 for_each_name(lines[i], [&](const std::string& word) {
                     const auto found = names[part.cpp_name()].find(word);
-                    const std::string id =
-                        found == names[part.cpp_name()].end() ? object_of(word, part) : found->second;
-                    if (!id.empty() && seen.insert(id).second) {
-                        uses[id].push_back(fmt::format("{}:{}", name, i + 1));
+                    const auto ids = found == names[part.cpp_name()].end() ? object_of(word, part) : found->second;
+                    for (const std::string& id : ids) {
+                        if (seen.insert(id).second) {
+                            uses[id].push_back(fmt::format("{}:{}", name, i + 1));
+                        }
                     }
                 });
             }

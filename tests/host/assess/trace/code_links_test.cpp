@@ -71,5 +71,23 @@ TEST_F(CodeLinks, NamesInADeviceFolderReferToThatDevice) {
     EXPECT_THAT(generated_uses(root_, content), IsEmpty());
 }
 
+TEST_F(CodeLinks, TablesThatTheCompilerHandsToTheNodeAreUsedWhereTheDeviceDoesSo) {
+    Part part;
+    part.name = "d-1";
+    part.info.lss_bit_rates = "D-T2";
+    Column code;
+    code.enumeration = "D-E";
+    part.tables.resize(2);
+    part.tables[0].id = "D-T1";
+    part.tables[0].errors = "error";
+    part.tables[0].outputs = {code};
+    part.tables[1].id = "D-T2";
+    Register content;
+    content.parts = {part};
+    write("src/devices/d-1/firmware/d.cpp", "\nNode node{own::error_table, own::profile};\n");
+    const auto here = ElementsAre("src/devices/d-1/firmware/d.cpp:2");
+    EXPECT_THAT(generated_uses(root_, content), ElementsAre(Pair("D-E", here), Pair("D-T1", here), Pair("D-T2", here)));
+}
+
 }  // namespace
 }  // namespace canproof::host

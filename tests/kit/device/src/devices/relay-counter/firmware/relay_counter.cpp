@@ -20,23 +20,13 @@ constexpr std::uint32_t relay_count = 2U;
 
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
-static_assert(implements<req::RC_T_ERRORS>);
-constexpr ErrorTable make_error_table() noexcept {
-    ErrorTable table{};
-    for (const own::error_codes::Row& row : own::error_codes::rows) {
-        put_error(table, row.error, ErrorRow{row.code, row.register_bits, true, true});
-    }
-    return table;
-}
-const ErrorTable error_table = make_error_table();
-
 }  // namespace
 
 Device::Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData&) noexcept
     : Application{},
       objects_{own::tables, MutableBytes{image_}, own::profile.limit_abort},
       lss_store_{memory},
-      node_{objects_, memory, queue, *this, error_table, own::profile, pdos_.memory()} {}
+      node_{objects_, memory, queue, *this, own::error_table, own::profile, pdos_.memory()} {}
 
 static_assert(implements<req::RC_BOOT_001> && implements<req::RC_LSS_001>);
 void Device::power_on(const Inputs& inputs, const Instant now) noexcept {
