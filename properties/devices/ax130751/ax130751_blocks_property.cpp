@@ -21,7 +21,8 @@ namespace {
 using namespace ax130751;
 
 PointResponse some_response() {
-    return static_cast<PointResponse>(*rc::gen::weightedElement<int>({{1, 0}, {6, 1}, {6, 2}}));
+    return *rc::gen::weightedElement<PointResponse>(
+        {{1, PointResponse::ignore}, {6, PointResponse::ramp}, {6, PointResponse::jump}});
 }
 
 /// Returns points in ascending order, some of them equal.

@@ -22,6 +22,13 @@ std::string own_enumeration(const Column& column) {
     return fmt::format("enum class {} : std::uint8_t {{ {} }};\n", pascal_case(column.name), fmt::join(words, ", "));
 }
 
+/// Returns an alias that gives the enumeration of a column the name of the column, as a column with its own words has.
+std::string alias_of(const TableCode& code, const Column& column) {
+    const std::string name = pascal_case(column.name);
+    return code.enumeration_of(column) == name ? ""
+                                               : fmt::format("using {} = {};\n", name, code.enumeration_of(column));
+}
+
 std::string row_type(const TableCode& code, const Table& table) {
     std::string out = "struct Row {\n";
     for (const auto& column : table.inputs) {
@@ -103,8 +110,8 @@ std::string table_text(const Register& content, const Part& part, const Table& t
     out += fmt::format("namespace {} {{\n\n", code.space());
     for (const auto* columns : {&table.inputs, &table.outputs}) {
         for (const auto& column : *columns) {
-            if (column.kind == Column::Kind::words && column.enumeration.empty() && !code.is_errors(column)) {
-                out += own_enumeration(column);
+            if (column.kind == Column::Kind::words && !code.is_errors(column)) {
+                out += column.enumeration.empty() ? own_enumeration(column) : alias_of(code, column);
             }
         }
     }

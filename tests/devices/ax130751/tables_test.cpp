@@ -231,6 +231,19 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     }
 }
 
+TEST(Ax130751Tables, Tables1And10HaveTheSameDrives) {
+    verifies<req::AOR_E_SWITCH_DRIVE>();
+    using D = own::SwitchDrive;
+    // value in Table 1, value in Table 10, drive for a state that changes to ON: normal, inverse, latched, blinking
+    const std::array<std::tuple<std::uint8_t, std::uint8_t, D>, 4> shared{
+        {{0, 1, D::on}, {1, 2, D::off}, {2, 3, D::change}, {3, 5, D::blink}}};
+    for (const auto& [digital, relay, drive] : shared) {
+        EXPECT_EQ(own::digital_polarity::find(digital, false, true)->drive, drive) << int{digital};
+        EXPECT_EQ(own::relay_polarity::find(relay, false, true)->drive, drive) << int{relay};
+    }
+    EXPECT_EQ(own::relay_polarity::find(0, false, true)->drive, D::none);
+}
+
 TEST(Ax130751Tables, Table11RelayEnableResponseFollowsTheManual) {
     verifies<req::AOR_T11, req::AOR_E_ENABLE_ACTION>();
     using A = own::EnableAction;

@@ -16,20 +16,8 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T14>);
 PointResponse point_response(const std::uint8_t value) noexcept {
-    using Meaning = own::point_response::Meaning;
-    switch (cell_or(own::point_response::find(value, own::point_response::Point::other),
-                    &own::point_response::Row::meaning, Meaning::ignore)) {
-        case Meaning::ramp:
-            return PointResponse::ramp;
-        case Meaning::jump:
-            return PointResponse::jump;
-        case Meaning::ignore:
-        case Meaning::data:
-        case Meaning::time:
-        case Meaning::not_allowed:
-        default:
-            return PointResponse::ignore;
-    }
+    namespace table = own::point_response;
+    return cell_or(table::find(value, table::Point::other), &table::Row::meaning, PointResponse::ignore);
 }
 
 /// Returns an interval in microseconds. A point that was set for data response may be below the shortest interval, and

@@ -13,29 +13,15 @@ namespace own = generated::ax130751;
 
 static_assert(implements<req::AOR_T10>);
 SwitchDrive switch_drive(const std::uint8_t value, const bool before, const bool control) noexcept {
-    using Drive = own::relay_polarity::Drive;
-    switch (cell_or(own::relay_polarity::find(value, before, control), &own::relay_polarity::Row::drive, Drive::off)) {
-        case Drive::on:
-            return SwitchDrive::on;
-        case Drive::keep:
-            return SwitchDrive::keep;
-        case Drive::change:
-            return SwitchDrive::change;
-        case Drive::blink:
-            return SwitchDrive::blink;
-        case Drive::off:
-        case Drive::none:
-        default:
-            return SwitchDrive::off;
-    }
+    namespace table = own::relay_polarity;
+    return cell_or(table::find(value, before, control), &table::Row::drive, SwitchDrive::off);
 }
 
 /// Returns whether `value` in 2242h relay polarity implements the relay. With 0 or an unknown value the relay is not
 /// implemented and stays OFF.
 bool is_implemented(const std::uint8_t value) noexcept {
-    using Drive = own::relay_polarity::Drive;
-    return cell_or(own::relay_polarity::find(value, false, false), &own::relay_polarity::Row::drive, Drive::none) !=
-           Drive::none;
+    namespace table = own::relay_polarity;
+    return cell_or(table::find(value, false, false), &table::Row::drive, SwitchDrive::none) != SwitchDrive::none;
 }
 
 UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {

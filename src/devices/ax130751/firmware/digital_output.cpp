@@ -64,6 +64,7 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
         case SwitchDrive::keep:
             break;
         case SwitchDrive::off:
+        case SwitchDrive::none:
         default:
             memory_ = false;
             break;

@@ -6,13 +6,15 @@
 
 #include "devices/ax130751/firmware/digital_reading.hpp"
 #include "firmware/base/time.hpp"
+#include "generated/ax130751/tables.hpp"
 
 namespace canproof::ax130751 {
 
 constexpr std::size_t lookup_points = 11U;
 
-/// The response between a point and the one before it. `ignore` ends the table at the point before it.
-enum class PointResponse : std::uint8_t { ignore, ramp, jump };
+/// The response between a point and the one before it: `ramp` or `jump`. `ignore` ends the table at the point before
+/// it. The other words belong to point 1.
+using PointResponse = generated::ax130751::point_response::Meaning;
 
 /// The points of a table. `x` is in the unit of the source, or in microseconds since the point before; `response` of
 /// the first point has no meaning.

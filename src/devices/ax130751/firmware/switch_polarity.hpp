@@ -5,11 +5,12 @@
 #include <array>
 #include <cstdint>
 
-#include "generated/ax130751/tables.hpp"
+#include "generated/ax130751/enumerations.hpp"
 
 namespace canproof::ax130751 {
 
-using SwitchDrive = generated::ax130751::digital_polarity::Drive;
+/// The drive of an output; `none` is that of a relay that is not implemented, and counts as OFF.
+using SwitchDrive = generated::ax130751::SwitchDrive;
 
 /// The drive of an output by its logic state in the cycle before and its present one. Position 0 of each array is for a
 /// present OFF, position 1 for a present ON.
