@@ -70,6 +70,15 @@ TEST(Ax188001Tables, OverdueRpdoHasTheErrorCodeOfTheManual) {
     EXPECT_EQ(row->channel, 0);
 }
 
+// 3.2.4: 1003h lists the active errors. A bus-off is over when it is reported.
+TEST(Ax188001Tables, EveryErrorIsListedExceptTheEndOfABusOff) {
+    verifies<req::TCS_T5>();
+    EXPECT_EQ(own::error_codes::rows.size(), 17U);
+    for (const auto& row : own::error_codes::rows) {
+        EXPECT_EQ(row.listed, row.error != ErrorId::bus_off_recovered) << static_cast<int>(row.error);
+    }
+}
+
 // Appendix A: the frequency of the filter is damped by 110 dB, 10 to the power of -110/20. The values of the other
 // frequency are those of the converter.
 TEST(Ax188001Tables, HumRejectionTableFollowsTheManual) {
