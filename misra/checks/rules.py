@@ -19,9 +19,10 @@ def records_of(name):
 
 
 def firmware_files(sources, pattern):
-    """Returns the firmware's files that match `pattern` below `sources`: in firmware/**, devices/NAME/firmware/** and
-    target/stm32f405/**, the drivers of the microcontroller."""
-    folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware")), sources / "target" / "stm32f405"]
+    """Returns the firmware's files that match `pattern` below `sources`: in firmware/**, devices/NAME/firmware/**, and
+    target/stm32f405/** and target/zynqmp/**, the drivers of both ports."""
+    drivers = [sources / "target" / port for port in ("stm32f405", "zynqmp")]
+    folders = [sources / "firmware", *sorted(sources.glob("devices/*/firmware")), *drivers]
     return [path for folder in folders for path in sorted(folder.rglob(pattern))]
 
 

@@ -18,7 +18,8 @@ LAYERS = {
 def may_include(path, name):
     """Returns whether a firmware file may include a header; both paths are relative to the folder of sources.
 
-    `canopen` and `blocks` may include `base`; devices may include all three; drivers may include `base` and `canopen`. A device
+    `canopen` and `blocks` may include `base`; devices may include all three; drivers may include `base` and `canopen`, and those of
+    the second port the first port's. A device
     includes no other device and nothing outside the firmware. Blocks include no object dictionary and no device. In a device's
     folder, the files with the device's name are the device, and every other file is a block of it."""
     parts = path.split("/")
@@ -26,7 +27,7 @@ def may_include(path, name):
     if parts[0] == "firmware":
         return name.startswith(LAYERS.get(parts[1], ())) and not (parts[1] == "blocks" and dictionary)
     if parts[0] == "target":
-        return name.startswith(("firmware/base/", "firmware/canopen/", "generated/canopen/", "target/stm32f405/"))
+        return name.startswith(("firmware/base/", "firmware/canopen/", "generated/canopen/", "target/stm32f405/", f"target/{parts[1]}/"))
     device = parts[1].replace("-", "_")
     own = f"devices/{parts[1]}/firmware/"
     if parts[-1].startswith(device):
@@ -36,7 +37,7 @@ def may_include(path, name):
 
 
 def against_the_layers(folder):
-    """Returns includes against the layers in folder/firmware, folder/devices/*/firmware and folder/target/stm32f405."""
+    """Returns includes against the layers in folder/firmware, folder/devices/*/firmware and the drivers' folders."""
     for path in firmware_files(folder, "*.?pp"):
         for at, text in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*"([^"]+)"', text)
@@ -66,10 +67,11 @@ FORBIDDEN = re.compile(
 
 
 def archives(build):
-    """Returns the libraries of the firmware: those of the shared layers, one per device, and that of the drivers."""
+    """Returns the libraries of the firmware: those of the shared layers, one per device, and those of the drivers."""
     devices = sorted(folder.parent.name for folder in (ROOT / "src").glob("devices/*/firmware"))
     source = pathlib.Path(build) / ("src" if ROOT == HOME else "package/src")  # folder in canproof_project()
-    drivers = [source / "target" / "stm32f405" / "libcanproof_stm32f405.a"] if ROOT == HOME else []
+    ports = ("stm32f405", "zynqmp") if ROOT == HOME else ()
+    drivers = [source / "target" / port / f"libcanproof_{port}.a" for port in ports]
     shared = [source / "firmware" / f"libcanproof_firmware_{layer}.a" for layer in ("base", "canopen")]
     return [*shared, *drivers,
             *(source / "devices" / name / f"libcanproof_{name.replace('-', '_')}_firmware.a" for name in devices)]

@@ -4,12 +4,16 @@
 
 namespace canproof::target {
 
-/// Sends a request to the debugger by Arm semihosting 2.0: BKPT ABh with the operation in r0 and the address of its
-/// arguments in r1.
+/// Sends a request to the debugger by Arm semihosting 2.0 in Thumb state, with the operation in r0 and the address of
+/// its arguments in r1: BKPT ABh on a microcontroller (M profile), SVC ABh on other cores.
 inline int semihost(const int operation, const void* const block) {
     register int r0 asm("r0") = operation;
     register const void* r1 asm("r1") = block;
+#if defined(__ARM_ARCH_PROFILE) && (__ARM_ARCH_PROFILE == 'M')
     asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+#else
+    asm volatile("svc 0xAB" : "+r"(r0) : "r"(r1) : "memory", "lr");
+#endif
     return r0;
 }
 

@@ -17,7 +17,7 @@ def layer_of(unit):
     if own:
         name = own.group(1)
         return name if own.group(2).startswith(name.replace("-", "_")) else f"blocks of {name}"
-    return "drivers" if unit.startswith("src/target/stm32f405/") else None
+    return "drivers" if unit.startswith(("src/target/stm32f405/", "src/target/zynqmp/")) else None
 
 
 def is_downward(upper, lower):

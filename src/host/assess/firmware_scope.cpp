@@ -13,6 +13,7 @@ const std::string shared = "src/firmware/";
 const std::string devices = "src/devices/";
 const std::string part = "/firmware/";
 const std::string drivers = "src/target/stm32f405/";
+const std::string second_drivers = "src/target/zynqmp/";
 const std::string host_bus = "src/host/sim/bus/";
 const std::string host_replay = "src/host/sim/replay/";
 const std::string device_tests = "tests/devices/";
@@ -20,7 +21,7 @@ const std::string simulation = "/simulation/";
 
 /// Returns whether a path relative to the project's folder names a file of the firmware.
 bool is_firmware(const std::string& path) {
-    for (const std::string& folder : {shared, drivers}) {
+    for (const std::string& folder : {shared, drivers, second_drivers}) {
         if (path.rfind(folder, 0) == 0) {
             return path.size() > folder.size();
         }
@@ -73,8 +74,10 @@ std::vector<std::string> firmware_folders(const fs::path& root) {
     if (fs::is_directory(root / "src" / "firmware")) {
         folders.insert(folders.begin(), "src/firmware");
     }
-    if (fs::is_directory(root / drivers)) {
-        folders.push_back("src/target/stm32f405");
+    for (const std::string& folder : {drivers, second_drivers}) {
+        if (fs::is_directory(root / folder)) {
+            folders.push_back(folder.substr(0, folder.size() - 1));
+        }
     }
     return folders;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Defines which files are firmware: src/firmware/**, src/devices/NAME/firmware/** and the drivers in
-// src/target/stm32f405. All assessments use this definition. Coverage and mutation also assess the host's buses and
-// replay.
+// src/target/stm32f405 and src/target/zynqmp. All assessments use this definition. Coverage and mutation also assess
+// the host's buses and replay.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ std::string firmware_path(const std::string& file);
 std::string judged_host_path(const std::string& file);
 
 /// Returns the existing folders of the firmware: `src/firmware`, each `src/devices/NAME/firmware` in alphabetical order
-/// of the devices, and `src/target/stm32f405`.
+/// of the devices, `src/target/stm32f405` and `src/target/zynqmp`.
 std::vector<std::string> firmware_folders(const std::filesystem::path& root);
 
 /// Returns whether this file contains a test, property or fuzz target of the firmware, which must claim what it shows.

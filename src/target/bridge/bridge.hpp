@@ -10,6 +10,34 @@
 
 namespace canproof::target {
 
+/// Takes the time of a command, and then the inputs.
+template <typename Inputs>
+Instant take_time_and_inputs(bridge::Message& command, Inputs& inputs) {
+    const Instant now{command.take<std::uint64_t>()};
+    for_each_input(inputs, [&command](const char*, auto& input) {
+        input = static_cast<std::decay_t<decltype(input)>>(command.take<double>());
+    });
+    return now;
+}
+
+/// Makes the message that answers a command. `waiting` are the frames that wait to be sent.
+template <typename Device>
+bridge::Message make_state(const Device& device, TransmitQueue waiting, const std::uint32_t bit_rate) {
+    bridge::Message message{bridge::Kind::state};
+    message.put(device.next_deadline().us);
+    message.put(device.node_id());
+    message.put(device.state());
+    message.put(bit_rate);
+    message.put(static_cast<std::uint8_t>(waiting.boot_up_waits() ? 1U : 0U));
+    message.put(static_cast<std::uint8_t>(waiting.size()));
+    while (!waiting.empty()) {
+        message.put_frame(waiting.pop());
+    }
+    for_each_output(device.outputs(),
+                    [&message](const char*, const auto& output) { message.put(static_cast<double>(output)); });
+    return message;
+}
+
 /// The image's side of the connection. `Inputs` and `Outputs` are the generated signal groups of the device; their
 /// functions for_each_input() and for_each_output() are found in their namespace.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
@@ -24,7 +52,7 @@ class Bridge {
         while (goes_on) {
             goes_on = channel_.receive(message) && obey(message);
             if (goes_on) {
-                message = state();
+                message = make_state(device_, queue_, device_.bit_rate());
                 goes_on = channel_.send(message);
             }
         }
@@ -37,12 +65,12 @@ class Bridge {
         }
         switch (command.kind()) {
             case bridge::Kind::power_on: {
-                const Instant now = time_and_inputs(command);
+                const Instant now = take_time_and_inputs(command, inputs_);
                 device_.power_on(inputs_, now);
                 break;
             }
             case bridge::Kind::set_inputs: {
-                const Instant now = time_and_inputs(command);
+                const Instant now = take_time_and_inputs(command, inputs_);
                 device_.set_inputs(inputs_, now);
                 break;
             }
@@ -62,31 +90,6 @@ class Bridge {
         return command.is_sound();
     }
 
-    Instant time_and_inputs(bridge::Message& command) {
-        const Instant now{command.take<std::uint64_t>()};
-        for_each_input(inputs_, [&command](const char*, auto& input) {
-            input = static_cast<std::decay_t<decltype(input)>>(command.take<double>());
-        });
-        return now;
-    }
-
-    bridge::Message state() const {
-        bridge::Message message{bridge::Kind::state};
-        message.put(device_.next_deadline().us);
-        message.put(device_.node_id());
-        message.put(device_.state());
-        message.put(device_.bit_rate());
-        message.put(static_cast<std::uint8_t>(queue_.boot_up_waits() ? 1U : 0U));
-        message.put(static_cast<std::uint8_t>(queue_.size()));
-        TransmitQueue waiting = queue_;
-        while (!waiting.empty()) {
-            message.put_frame(waiting.pop());
-        }
-        for_each_output(device_.outputs(),
-                        [&message](const char*, const auto& output) { message.put(static_cast<double>(output)); });
-        return message;
-    }
-
     Channel& channel_;
     HostMemory memory_;
     TransmitQueue queue_;
@@ -96,7 +99,7 @@ class Bridge {
 
 /// Makes the first message of an image. `name` is the name of the device, at most 32 characters.
 template <typename Inputs, typename Outputs>
-bridge::Message greeting(const char* const name) {
+bridge::Message greeting(const char* const name, const std::uint32_t protocol) {
     std::uint8_t inputs{0U};
     std::uint8_t outputs{0U};
     const Inputs any_inputs{};
@@ -105,7 +108,7 @@ bridge::Message greeting(const char* const name) {
     for_each_output(any_outputs, [&outputs](const char*, const auto&) { ++outputs; });
     const std::size_t length = std::strlen(name);
     bridge::Message message{bridge::Kind::greeting};
-    message.put(bridge::protocol);
+    message.put(protocol);
     message.put(inputs);
     message.put(outputs);
     message.put(static_cast<std::uint8_t>(length));
@@ -115,13 +118,20 @@ bridge::Message greeting(const char* const name) {
     return message;
 }
 
-/// Runs the image: sends the greeting, takes the size of the parameter memory, and serves commands until the program
-/// has ended.
+/// Sends the greeting and waits for its answer. Returns the size of the parameter memory; 0 when no answer came.
+template <typename Inputs, typename Outputs>
+std::size_t greet(Channel& channel, const char* const name, const std::uint32_t protocol) {
+    bridge::Message message = greeting<Inputs, Outputs>(name, protocol);
+    const bool answered = channel.send(message) && channel.receive(message) && (message.kind() == bridge::Kind::begin);
+    return answered ? message.take<std::uint32_t>() : std::size_t{0U};
+}
+
+/// Runs the image: greets, and serves commands until the program has ended.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 void serve(Channel& channel, const char* const name) {
-    bridge::Message message = greeting<Inputs, Outputs>(name);
-    if (channel.send(message) && channel.receive(message) && (message.kind() == bridge::Kind::begin)) {
-        Bridge<Device, Inputs, Outputs, FactoryData> bridge{channel, message.take<std::uint32_t>()};
+    const std::size_t memory_size = greet<Inputs, Outputs>(channel, name, bridge::protocol);
+    if (memory_size != 0U) {
+        Bridge<Device, Inputs, Outputs, FactoryData> bridge{channel, memory_size};
         bridge.serve();
     }
 }

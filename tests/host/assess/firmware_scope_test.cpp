@@ -32,6 +32,8 @@ TEST(FirmwareScope, ScopeHasTheSharedFirmwareAndThatOfEachDevice) {
 
 TEST(FirmwareScope, ScopeHasTheDriversOfTheMicrocontroller) {
     EXPECT_EQ(firmware_path("src/target/stm32f405/flash.cpp"), "src/target/stm32f405/flash.cpp");
+    EXPECT_EQ(firmware_path("src/target/zynqmp/can.cpp"), "src/target/zynqmp/can.cpp");
+    EXPECT_EQ(firmware_path("src/target/zynqmp_image/relay.hpp"), "");
     EXPECT_EQ(firmware_path("src/target/startup.cpp"), "");
     EXPECT_EQ(firmware_path("src/target/stm32f405/"), "");
     EXPECT_TRUE(tests_the_firmware("tests/target/flash_test.cpp"));

@@ -39,17 +39,20 @@ class ImageDevice final : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
 
   private:
-    /// Removes as many frames from the twin's queue as have left the image's queue.
+    /// Removes as many frames from the twin's queue as have left the image's queue; all of them when the image has its
+    /// own clock.
     void follow_queue() const;
     /// Sends the twin's inputs to the image if a call has changed them; `before` are the inputs before the call.
     void follow_inputs(const std::vector<double>& before, Instant now);
-    /// Throws ImageFailed when the states of image and twin differ.
+    /// Throws ImageFailed when the states of image and twin differ. An image with its own clock is not compared,
+    /// because it does everything a little later than the twin.
     void compare(Instant now) const;
     /// Returns a description of the first difference between image and twin; empty when there is none.
     std::string difference() const;
 
     std::unique_ptr<SimulatedDevice> twin_;
     std::unique_ptr<ImageCalls> calls_;
+    bool has_own_clock_;
 };
 
 }  // namespace canproof::host

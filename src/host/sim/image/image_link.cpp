@@ -41,10 +41,12 @@ bridge::Message ImageLink::receive() {
 
 ImageGreeting ImageLink::greeting() {
     bridge::Message message = receive();
-    if (message.kind() != bridge::Kind::greeting || message.take<std::uint32_t>() != bridge::protocol) {
+    const auto protocol = message.take<std::uint32_t>();
+    ImageGreeting greeting;
+    greeting.has_own_clock = protocol == bridge::protocol_of_own_clock;
+    if (message.kind() != bridge::Kind::greeting || !(greeting.has_own_clock || protocol == bridge::protocol)) {
         refuse();
     }
-    ImageGreeting greeting;
     greeting.inputs = message.take<std::uint8_t>();
     greeting.outputs = message.take<std::uint8_t>();
     const ByteView name = message.take_bytes(message.take<std::uint8_t>());

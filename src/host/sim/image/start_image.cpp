@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "host/base/child_process.hpp"
@@ -23,38 +24,77 @@ Pipe open_pipe() {
     return {Descriptor{ends[0]}, Descriptor{ends[1]}};
 }
 
-/// Returns the words of the command that starts QEMU. By semihosting, the image uses the standard streams of that
-/// process.
-std::vector<std::string> command_line(const std::string& path) {
-    return {"qemu-system-arm",
-            "-nodefaults",
-            "-no-user-config",
-            "-machine",
-            "netduinoplus2",
-            "-display",
-            "none",
-            "-monitor",
-            "none",
-            "-serial",
-            "none",
-            "-parallel",
-            "none",
-            "-semihosting-config",
-            "enable=on,target=native",
-            "-kernel",
-            path};
+/// Returns whether a file is an ELF image that starts in the flash of an STM32F405. Any other file is for the Zynq
+/// UltraScale+, where it fails when it is no image at all.
+bool starts_in_flash(const std::string& path) {
+    constexpr std::size_t entry = 24;  // of e_entry in the header of a 32-bit ELF file
+    constexpr std::size_t high_byte = entry + 3;
+    std::ifstream file{path, std::ios::binary};
+    std::string head(high_byte + 1, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    return !file || head[high_byte] == '\x08';
+}
+
+/// The words of both commands that start QEMU. By semihosting, the image uses the standard streams of that process.
+const std::vector<std::string>& common_words() {
+    static const std::vector<std::string> words{"-nodefaults",
+                                                "-no-user-config",
+                                                "-display",
+                                                "none",
+                                                "-monitor",
+                                                "none",
+                                                "-serial",
+                                                "none",
+                                                "-parallel",
+                                                "none",
+                                                "-semihosting-config",
+                                                "enable=on,target=native"};
+    return words;
+}
+
+std::vector<std::string> stm32f405_command(const std::string& path) {
+    std::vector<std::string> words{"qemu-system-arm", "-machine", "netduinoplus2", "-kernel", path};
+    words.insert(words.end(), common_words().begin(), common_words().end());
+    return words;
+}
+
+/// Both CAN controllers are on one bus. The clock of the machine counts instructions, so that every run is the same,
+/// and does not wait while the core sleeps.
+std::vector<std::string> zynqmp_command(const std::string& path) {
+    std::string file;
+    for (const char c : path) {
+        file += c == ',' ? std::string{",,"} : std::string{c};  // QEMU separates options by single commas
+    }
+    std::vector<std::string> words{"qemu-system-aarch64",
+                                   "-object",
+                                   "can-bus,id=bus",
+                                   "-machine",
+                                   "xlnx-zcu102,virtualization=on,canbus0=bus,canbus1=bus",
+                                   "-icount",
+                                   "shift=0,sleep=off",
+                                   "-device",
+                                   "loader,cpu-num=0,file=" + file,
+                                   "-audiodev",
+                                   "none,id=silent"};
+    for (int port = 0; port < 4; ++port) {  // without a peer, each of the Ethernet ports causes a warning
+        words.insert(words.end(), {"-nic", "user,restrict=on,model=cadence_gem"});
+    }
+    words.insert(words.end(), common_words().begin(), common_words().end());
+    return words;
 }
 
 }  // namespace
 
 std::unique_ptr<ImageLink> start_image(const std::string& path) {
     if (!std::filesystem::is_regular_file(path)) {
-        throw InputError{
-            fmt::format("there is no image {}; `cmake --build --preset target` makes bridged_NAME.elf", path)};
+        throw InputError{fmt::format(
+            "there is no image {}; `cmake --build --preset target` makes bridged_NAME.elf, preset zynq zynqmp_NAME.elf",
+            path)};
     }
     Pipe to = open_pipe();
     Pipe from = open_pipe();
-    Emulator emulator{start_process(command_line(path), {}, {to.reads.number(), from.writes.number(), true})};
+    const auto command = starts_in_flash(path) ? stm32f405_command(path) : zynqmp_command(path);
+    Emulator emulator{start_process(command, {}, {to.reads.number(), from.writes.number(), true})};
     return std::make_unique<ImageLink>(std::move(to.writes), std::move(from.reads),
                                        std::filesystem::path{path}.filename().string(), std::move(emulator));
 }

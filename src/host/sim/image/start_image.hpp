@@ -9,8 +9,9 @@
 
 namespace canproof::host {
 
-/// Starts an STM32F405 with this image in QEMU. The process ends with the link. Throws InputError when QEMU or the file
-/// does not exist. If the file has any other defect, no greeting comes.
+/// Starts the microcontroller of this image in QEMU: an STM32F405, or a Zynq UltraScale+ with both CAN controllers on
+/// one bus. The process ends with the link. Throws InputError when QEMU or the file does not exist. If the file has any
+/// other defect, no greeting comes.
 std::unique_ptr<ImageLink> start_image(const std::string& path);
 
 }  // namespace canproof::host

@@ -27,6 +27,15 @@ void be_ao412(target::Channel& channel) {
                                                                                                     "cbx-ao412");
 }
 
+/// The same device, with the greeting of an image that has its own clock.
+void be_ao412_by_its_own_clock(target::Channel& channel) {
+    using Image = target::Bridge<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::Outputs, cbx_ao412::FactoryData>;
+    const std::size_t memory_size =
+        target::greet<cbx_ao412::Inputs, cbx_ao412::Outputs>(channel, "cbx-ao412", bridge::protocol_of_own_clock);
+    Image image{channel, memory_size};
+    image.serve();
+}
+
 void be_ax188001(target::Channel& channel) {
     target::serve<ax188001::Device, ax188001::Inputs, ax188001::Outputs, ax188001::FactoryData>(channel, "ax188001");
 }
@@ -156,6 +165,19 @@ TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
     Bridged ao412{be_ao412, other};
     ao412.power_on(3);
     EXPECT_THROW(ao412.send("603#4018100400000000"), ImageFailed);  // 1018h:4 has the serial number
+}
+
+// 1018h:4 has the serial number: that of the image differs from that of the host's firmware.
+TEST(ImageDevice, ImageWithItsOwnClockIsNotComparedWithTheHostFirmware) {
+    FactoryValues other;
+    other.set_number("serial_number", 7.0);
+    Bridged ao412{be_ao412_by_its_own_clock, other};
+    EXPECT_EQ(ao412.power_on(3), Frames{"703#00"});
+    const Frames answer = ao412.send("603#4018100400000000");
+    ASSERT_EQ(answer.size(), 1U);
+    EXPECT_EQ(answer[0].substr(0, 12), "583#43181004");
+    EXPECT_NE(answer[0].substr(12), "07000000");
+    EXPECT_EQ(ao412.device().node_id(), 3);
 }
 
 TEST(ImageDevice, ImageWithAnotherNumberOfOutputsIsRefused) {

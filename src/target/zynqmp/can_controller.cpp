@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "target/zynqmp/can_controller.hpp"
+
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
+
+namespace canproof::zynqmp {
+
+namespace {
+
+constexpr std::uint32_t first_filter = bit(0U);  // UAF1 of AFR
+
+}  // namespace
+
+/// The reset also drops the frame in the transmit buffer: configuration mode alone would keep it (UG1085, "TX
+/// Messages"), and it would be sent at the new rate.
+static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_002> && implements<req::CO_ZCAN_003>);
+void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
+    bit_rate_ = bit_rate;
+    reset(now);
+    const Result<BitTiming, BitTimingError> found = bit_timing(clock_hz_, bit_rate);
+    if (found.ok()) {
+        timing_ = found.value();
+    } else {
+        phase_ = Phase::off;
+        state_ = CanState::bus_off;
+    }
+}
+
+void CanController::reset(const Instant now) noexcept {
+    registers_.software_reset.write(srr::reset);
+    begin(Phase::resetting, now);
+}
+
+void CanController::begin(const Phase phase, const Instant now) noexcept {
+    phase_ = phase;
+    since_ = now;
+}
+
+/// A filter may be written when it is not used and ACFBSY is 0: this is why its use ends before it is written.
+static_assert(implements<req::CO_ZCAN_005>);
+void CanController::advance(const Instant now) noexcept {
+    const std::uint32_t status = registers_.status.read();
+    bool goes_on{false};
+    switch (phase_) {
+        case Phase::resetting:
+            goes_on = (status & sr::configuration) != 0U;
+            if (goes_on) {
+                registers_.filters_used.write(0U);
+                begin(Phase::filtering, now);
+            }
+            break;
+        case Phase::filtering:
+            goes_on = (status & sr::filters_busy) == 0U;
+            if (goes_on) {
+                configure();
+                begin(Phase::joining, now);
+            }
+            break;
+        case Phase::joining:
+            goes_on = (status & sr::normal) != 0U;
+            if (goes_on) {
+                begin(Phase::on_bus, now);
+                state_ = state_of(status);
+            }
+            break;
+        case Phase::on_bus:
+            goes_on = true;
+            state_ = state_of(status);
+            break;
+        case Phase::off:
+        default:
+            goes_on = true;  // the controller does nothing until the next bit rate is set
+            break;
+    }
+    if (!goes_on) {
+        give_up_waiting(now);
+    }
+}
+
+/// Handles hardware that does not take its next step: resets it again and reports bus-off. Only a controller that waits
+/// for an idle bus is left alone, because it joins when the bus is idle.
+static_assert(implements<req::CO_ZCAN_004>);
+void CanController::give_up_waiting(const Instant now) noexcept {
+    if (elapsed(since_, now).us < most_wait.us) {
+        return;
+    }
+    state_ = CanState::bus_off;
+    if (phase_ != Phase::joining) {
+        reset(now);
+    }
+}
+
+/// Writes bit timing and filter, and leaves the configuration mode, in which alone both may be written. One filter
+/// compares IDE only: every 11-bit identifier passes, because the dictionary can change at any time which of them the
+/// node uses.
+static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_006>);
+void CanController::configure() noexcept {
+    registers_.prescaler.write(prescaler_register(timing_));
+    registers_.bit_timing.write(segments_register(timing_));
+    registers_.filters[0U].mask.write(idr::extended);
+    registers_.filters[0U].identifier.write(0U);
+    registers_.filters_used.write(first_filter);
+    registers_.mode.write(0U);  // neither loop-back nor sleep nor snoop
+    registers_.software_reset.write(srr::enable);
+}
+
+/// The controller counts the 128 times 11 recessive bits of its recovery by itself and shows bus-off until then.
+static_assert(implements<req::CO_ZCAN_007>);
+CanState CanController::state_of(const std::uint32_t status) noexcept {
+    if ((status & sr::error_state) == sr::bus_off) {
+        return CanState::bus_off;
+    }
+    if ((status & sr::error_state) == sr::error_passive) {
+        return CanState::error_passive;
+    }
+    return ((status & sr::warning) != 0U) ? CanState::warning : CanState::error_active;
+}
+
+}  // namespace canproof::zynqmp

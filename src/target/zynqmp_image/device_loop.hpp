@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The main loop's pass of a device on a port that has no watchdog and no self-tests.
+#pragma once
+
+#include "firmware/base/time.hpp"
+#include "firmware/canopen/frame.hpp"
+#include "target/zynqmp/can.hpp"
+
+namespace canproof::zynqmp {
+
+template <typename Device>
+class DeviceLoop {
+  public:
+    /// A pass takes at most this many waiting frames.
+    static constexpr std::uint32_t frames_a_pass = 8U;
+
+    DeviceLoop(Device& device, Can& can) noexcept : device_{device}, can_{can} {}
+
+    /// Does each step once. Frames of `queue` go to the controller.
+    void pass(TransmitQueue& queue, const Instant now) noexcept {
+        if (can_.bit_rate() != device_.bit_rate()) {
+            can_.set_bit_rate(device_.bit_rate(), now);
+        }
+        can_.advance(queue, now);
+        Frame frame{};
+        bool any{true};
+        for (std::uint32_t count = 0U; count < frames_a_pass; ++count) {
+            if (any) {
+                any = can_.receive(frame);
+            }
+            if (any) {
+                device_.receive(frame, now);
+            }
+        }
+        if (device_.next_deadline() <= now) {
+            device_.advance(now);
+        }
+    }
+
+  private:
+    Device& device_;
+    Can& can_;
+};
+
+}  // namespace canproof::zynqmp
