@@ -21,20 +21,9 @@ struct Frame {
     alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};
 
     /// Returns whether this is a data frame with an 11-bit identifier.
-    bool is_plain() const noexcept;
+    bool is_plain() const noexcept { return (std::uint32_t{extended} | std::uint32_t{remote}) == 0U; }
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };
-
-inline bool Frame::is_plain() const noexcept {
-    // The members as they lie in memory, so that one comparison tests `extended` and `remote`.
-    struct Layout {
-        std::uint32_t id;
-        std::uint16_t kind;
-        std::uint16_t length;
-        std::uint64_t data;
-    };
-    return std::uint32_t{bit_cast<Layout>(*this).kind} == 0U;
-}
 
 /// Returns a data frame with `length` (0…8) zero bytes.
 inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexcept {

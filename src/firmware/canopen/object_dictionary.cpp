@@ -44,8 +44,7 @@ constexpr bool has_zero_byte(const Word word) noexcept {
 
 /// Returns the entry whose row may be before the place of its sub-index, because earlier ones are absent. Sub-indices
 /// ascend from 0.
-[[gnu::noinline]] EntryRef search(const DictionaryTables& tables, const ObjectRow& object,
-                                  const std::uint8_t subindex) noexcept {
+EntryRef search(const DictionaryTables& tables, const ObjectRow& object, const std::uint8_t subindex) noexcept {
     const std::size_t first = object.first_entry;
     const std::size_t wanted = subindex;
     std::size_t place = first + ((wanted < object.count) ? wanted : (object.count - std::size_t{1U}));

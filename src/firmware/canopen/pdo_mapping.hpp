@@ -71,7 +71,7 @@ class PdoMapping {
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, const Instant now) const noexcept {
         const std::uint64_t packed = packed_values(frame);
         const bool is_simple = all_free_ && (run_ != nullptr);
-        const bool stays = is_simple && (((packed ^ load_le<max_frame_length>(run_)) & mapped_) == 0U);
+        const bool stays = is_simple && (((packed ^ values(objects)) & mapped_) == 0U);
         if (!stays) {
             apply_lines(packed, objects, access, now);
         }
