@@ -152,8 +152,9 @@ class alignas(std::uint64_t) MutableBytes {
         }
         return differs;
     }
-    void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
-    bool exchange_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
+    // Not inlined: they are the rare cases of functions that are.
+    [[gnu::noinline]] void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
+    [[gnu::noinline]] bool exchange_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
 
     std::uint8_t* data_{nullptr};
     std::size_t size_{0U};
@@ -161,7 +162,7 @@ class alignas(std::uint64_t) MutableBytes {
 
 /// Returns `count` (0…8) bytes from `at` on as a number, least significant byte first; bytes beyond the view read as
 /// zero. Works for every `at`, because it reads byte by byte.
-std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
+[[gnu::noinline]] std::uint64_t join_each(ByteView bytes, std::size_t at, std::size_t count) noexcept;
 
 /// Returns N (1…8) bytes from `at` on as a number, as join_each() does; in one access where all of them lie in the
 /// view.

@@ -32,14 +32,15 @@ class Crc16 {
     }
     /// Returns the remainder of message * x^16 divided by P = x^16 + x^12 + x^5 + 1, without a table. The quotient is
     /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is (1 + f)(1 + f^2)(1 +
-    /// f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero. The low 16 bits of
-    /// quotient * P are the remainder, because the low 16 bits of message * x^16 are zero.
+    /// f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero. Each sum is nested,
+    /// as a + (a + (a + ax^-5)x^-7)x^-4 for a + ax^-4 + ax^-11 + ax^-16. The low 16 bits of quotient * P are the
+    /// remainder, because the low 16 bits of message * x^16 are zero.
     static constexpr std::uint32_t remainder_of(const std::uint64_t message) noexcept {
-        std::uint64_t quotient = message ^ (message >> 4U) ^ (message >> 11U) ^ (message >> 16U);
-        quotient ^= (quotient >> 8U) ^ (quotient >> 22U) ^ (quotient >> 32U);
-        quotient ^= (quotient >> 16U) ^ (quotient >> 44U);
+        std::uint64_t quotient = message ^ ((message ^ ((message ^ (message >> 5U)) >> 7U)) >> 4U);
+        quotient ^= (quotient ^ ((quotient ^ (quotient >> 10U)) >> 14U)) >> 8U;
+        quotient ^= (quotient ^ (quotient >> 28U)) >> 16U;
         const auto low = static_cast<std::uint32_t>((quotient ^ (quotient >> 32U)) & 0xFFFFFFFFU);
-        return (low ^ (low << 5U) ^ (low << 12U)) & 0xFFFFU;
+        return (low ^ ((low ^ (low << 7U)) << 5U)) & 0xFFFFU;
     }
 
     std::uint32_t remainder_{0U};

@@ -20,6 +20,8 @@ struct Frame {
     /// Aligned, so that the data are moved as one word.
     alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};
 
+    /// Returns whether this is a data frame with an 11-bit identifier.
+    bool is_plain() const noexcept { return (std::uint32_t{extended} | std::uint32_t{remote}) == 0U; }
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };
 
@@ -30,11 +32,20 @@ inline Frame data_frame(const std::uint32_t id, const std::uint8_t length) noexc
     frame.length = length;
     return frame;
 }
-/// Returns a data frame with the low `length` (0…8) bytes of `data`; the lowest byte is sent first. The other bytes of
-/// `data` must be zero.
-inline Frame data_frame(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
-    Frame frame = data_frame(id, length);
+/// Makes `frame` a data frame with the low `length` (0…8) bytes of `data`; the lowest byte is sent first. The other
+/// bytes of `data` must be zero.
+inline void set_data_frame(Frame& frame, const std::uint32_t id, const std::uint8_t length,
+                           const std::uint64_t data) noexcept {
+    frame.id = id;
+    frame.extended = false;
+    frame.remote = false;
+    frame.length = length;
     set_field_le<0U, max_frame_length>(frame.data, data);
+}
+/// Returns such a data frame.
+inline Frame data_frame(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
+    Frame frame{};
+    set_data_frame(frame, id, length, data);
     return frame;
 }
 

@@ -194,10 +194,12 @@ inline void Node::serve(const Frame& frame, const Instant now) noexcept {
     }
     if (allowed_.has(NmtService::sync) && sync_.is_sync(frame)) {
         serve_sync(frame, now);
+    } else if (frame.is_plain()) {
+        serve_data(frame, now);
     } else if (frame.remote) {
         serve_remote(frame, now);
     } else {
-        serve_data(frame, now);
+        // no service has a 29-bit identifier
     }
 }
 
@@ -223,14 +225,12 @@ void Node::serve_remote(const Frame& request, const Instant now) noexcept {
 /// Passes a data frame to the heartbeat consumer and to the PDOs: both may use the same identifier.
 inline void Node::serve_data(const Frame& frame, const Instant now) noexcept {
     if (heartbeats_.receive(frame, now)) {
-        idle_until_ = earliest(idle_until_, heartbeats_.next_deadline());
+        wake_at(heartbeats_.next_deadline());
     }
     if (allowed_.has(NmtService::pdo)) {
         static_assert(implements<req::CO_PDO_003>);
         rpdos_.receive(frame, now);
-        if (rpdos_.next_deadline() < idle_until_) {
-            idle_until_ = rpdos_.next_deadline();
-        }
+        wake_at(rpdos_.next_deadline());
     }
 }
 
@@ -288,7 +288,7 @@ void Node::act(const Instant now) noexcept {
     emcy_.advance(now);
     watch_communication(now);
     send_events(now);
-    idle_until_ = earliest(next_of_others(), sdo_.idle_until());
+    idle_until_ = next_of_others();
 }
 
 void Node::tell_register(const Instant now) noexcept {

@@ -126,7 +126,7 @@ class Node final : private ObjectAccess {
     void receive(const Frame& frame, Instant now) noexcept;
     /// Does what is due at `now`.
     void advance(const Instant now) noexcept {
-        if (idle_until_ <= now) {
+        if ((idle_until_ <= now) || (sdo_.idle_until() <= now)) {
             act(now);
         } else {
             sdo_.send_waiting(now);
@@ -185,8 +185,8 @@ class Node final : private ObjectAccess {
         if (entry.row->service != Service::none) {
             take_effect(entry, now);
         }
-        if (changes && entry.may(rights::tpdo)) {
-            process_value_changed(entry.index, entry.row->subindex, now);
+        if (changes) {
+            note_change(entry, now);
         }
     }
 
@@ -194,13 +194,12 @@ class Node final : private ObjectAccess {
     Instant next_of_others() const noexcept;
     /// Ends the idle time: a service may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
+    /// Ends the idle time at `at` at the latest: a service has work then.
+    void wake_at(const Instant at) noexcept { idle_until_ = earliest(idle_until_, at); }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;
     void serve_sdo(const Frame& frame, const Instant now) noexcept {
         sdo_.receive(frame, now);
-        if (sdo_.idle_until() < idle_until_) {
-            idle_until_ = sdo_.idle_until();
-        }
         if (idle_until_ <= now) {  // a write had effects beyond its value
             watch_communication(now);
             send_events(now);
@@ -248,13 +247,16 @@ class Node final : private ObjectAccess {
         after_write(entry, now);
         wake();
     }
-    /// Notifies the TPDOs of a value that an SDO has changed. Clears 1020h verify configuration if the value is part of
-    /// the configuration.
-    static_assert(implements<req::CO_PDO_042> && implements<req::CO_VERIFY_005>);
+    /// Notifies the TPDOs of a value that has changed.
+    static_assert(implements<req::CO_PDO_042>);
     void note_change(const EntryRef& entry, const Instant now) noexcept {
         if (entry.may(rights::tpdo)) {
             process_value_changed(entry.index, entry.row->subindex, now);
         }
+    }
+    /// Clears 1020h verify configuration if an SDO has changed a value that is part of the configuration.
+    static_assert(implements<req::CO_VERIFY_005>);
+    void note_configuration(const EntryRef& entry) noexcept {
         if (entry.may(rights::stored) && !entry.may(rights::rpdo)) {
             forget_verification(entry.index);
         }
@@ -327,7 +329,7 @@ class Node final : private ObjectAccess {
     bool overrun_{false};
     bool switching_{false};  ///< LSS changes the bit rate: the node is silent
     Instant start_at_{never};
-    Instant idle_until_{};  ///< until then only TPDOs and SDO segments can be due; wake() sets it to 0
+    Instant idle_until_{};  ///< until then only TPDOs and SDO can be due; wake() sets it to 0
 };
 
 }  // namespace canproof

@@ -79,27 +79,24 @@ AbortCode Node::write_domain(const EntryRef& entry, const ByteView value, const 
 static_assert(implements<req::CO_SDO_016>);
 AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, const ByteView value, const Instant now) {
     const EntryRef entry = objects_.lookup(index, subindex);
-    const bool is_plain =
-        entry.exists() && (entry.row->service == Service::none) && !has_variable_length(entry.row->type);
+    const bool is_plain = entry.exists() && entry.may(rights::write) && (entry.row->service == Service::none) &&
+                          !has_variable_length(entry.row->type) && (value.size() == entry.row->size);
     if (!is_plain) {
         return write_special(entry, value, now);
     }
-    AbortCode code = objects_.check_length(*entry.row, value.size());
-    if (code != AbortCode::none) {
-        return code;
-    }
     const std::uint64_t number = number_in(value);
-    code = objects_.check_bits(*entry.row, number);
+    const AbortCode code = objects_.check_bits(*entry.row, number);
     if (code != AbortCode::none) {
         return code;
     }
     if (objects_.put_bits(*entry.row, number)) {
         note_change(entry, now);
+        note_configuration(entry);
     }
     return AbortCode::none;
 }
 
-/// Writes an entry that a service or the device owns, or that has a variable length, or returns why it cannot be
+/// Writes an entry that a service or the device owns, or that has a variable length, or returns why an entry cannot be
 /// written.
 AbortCode Node::write_special(const EntryRef entry, const ByteView value, const Instant now) noexcept {
     AbortCode code = check_access(entry);
@@ -126,11 +123,9 @@ AbortCode Node::write_special(const EntryRef entry, const ByteView value, const 
         }
     }
     const bool changes = is_number ? objects_.put_bits(*entry.row, number) : objects_.put(entry, value);
-    if (entry.row->service != Service::none) {
-        take_effect(entry, now);
-    }
+    after_put(entry, changes, now);
     if (changes) {
-        note_change(entry, now);
+        note_configuration(entry);
     }
     return AbortCode::none;
 }

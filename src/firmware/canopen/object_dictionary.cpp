@@ -42,6 +42,19 @@ constexpr bool has_zero_byte(const Word word) noexcept {
     return ((word - lowest_bits) & ~word & highest_bits) != 0U;
 }
 
+/// Returns the entry whose row may be before the place of its sub-index, because earlier ones are absent. Sub-indices
+/// ascend from 0.
+EntryRef search(const DictionaryTables& tables, const ObjectRow& object, const std::uint8_t subindex) noexcept {
+    const std::size_t first = object.first_entry;
+    const std::size_t wanted = subindex;
+    std::size_t place = first + ((wanted < object.count) ? wanted : (object.count - std::size_t{1U}));
+    while ((place != first) && (std::uint32_t{tables.entries[place].subindex} > subindex)) {
+        --place;
+    }
+    const EntryRow& row = tables.entries[place];
+    return EntryRef{(std::uint32_t{row.subindex} == subindex) ? &row : nullptr, object.index};
+}
+
 }  // namespace
 
 ParameterGroup parameter_group(const std::uint16_t index) noexcept {
@@ -69,16 +82,14 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
     if (position == no_object) {
         return EntryRef{nullptr, index};
     }
-    // Sub-indices ascend from 0 and few are absent: the row of sub-index n is row n or an earlier one.
     const ObjectRow& object = tables.objects[position];
-    const std::size_t first = object.first_entry;
-    const std::size_t wanted = subindex;
-    std::size_t place = first + ((wanted < object.count) ? wanted : (object.count - std::size_t{1U}));
-    while ((place != first) && (std::uint32_t{tables.entries[place].subindex} > subindex)) {
-        --place;
+    if (std::uint32_t{subindex} < object.count) {
+        const EntryRow& row = tables.entries[object.first_entry + std::size_t{subindex}];
+        if (std::uint32_t{row.subindex} == subindex) {
+            return EntryRef{&row, index};
+        }
     }
-    const EntryRow& row = tables.entries[place];
-    return EntryRef{(std::uint32_t{row.subindex} == subindex) ? &row : nullptr, index};
+    return search(tables, object, subindex);
 }
 
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
@@ -95,10 +106,11 @@ Result<EntryRef, AbortCode> ObjectDictionary::find(const std::uint16_t index,
 
 ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     constexpr std::size_t step = sizeof(Word);
-    std::size_t length{0U};
-    while (((bytes.size() - length) >= step) && !has_zero_byte(static_cast<Word>(get_le<step>(bytes, length)))) {
-        length += step;
+    ByteView rest{bytes};
+    while ((rest.size() >= step) && !has_zero_byte(static_cast<Word>(load_le<step>(rest.data())))) {
+        rest = rest.part(step, rest.size() - step);
     }
+    std::size_t length = bytes.size() - rest.size();
     while ((length < bytes.size()) && (bytes[length] != 0U)) {
         ++length;
     }

@@ -41,7 +41,10 @@ ParameterGroup parameter_group(std::uint16_t index) noexcept;
 
 /// Returns whether a type is a string or domain, whose values may be shorter than the capacity.
 constexpr bool has_variable_length(const DataType type) noexcept {
-    return (type == DataType::visible_string) || (type == DataType::octet_string) || (type == DataType::domain);
+    constexpr std::uint32_t such = (std::uint32_t{1U} << static_cast<std::uint32_t>(DataType::visible_string)) |
+                                   (std::uint32_t{1U} << static_cast<std::uint32_t>(DataType::octet_string)) |
+                                   (std::uint32_t{1U} << static_cast<std::uint32_t>(DataType::domain));
+    return ((such >> static_cast<std::uint32_t>(type)) & 1U) != 0U;
 }
 
 class ObjectDictionary {

@@ -73,7 +73,8 @@ class PdoMapping {
     /// Writes the mapped values of an accepted frame.
     void apply(const Frame& frame, ObjectDictionary& objects, ObjectAccess& access, const Instant now) const noexcept {
         const std::uint64_t packed = packed_values(frame);
-        const bool stays = all_free_ && (((packed ^ values(objects)) & mapped_) == 0U);
+        const bool is_simple = all_free_ && (run_ != nullptr);
+        const bool stays = is_simple && (((packed ^ values(objects)) & mapped_) == 0U);
         if (!stays) {
             apply_lines(packed, objects, access, now);
         }

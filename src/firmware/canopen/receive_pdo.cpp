@@ -86,9 +86,6 @@ inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instan
 }
 
 void ReceivePdos::receive(const Frame& frame, const Instant now) noexcept {
-    if (frame.extended) {
-        return;
-    }
     for (ReceivePdo& rpdo : rpdos_) {
         static_assert(implements<req::CO_PDO_059>);
         if (rpdo.identifier == frame.id) {

@@ -39,7 +39,7 @@ class ReceivePdos {
     /// Leaves operational: no frame waits for a SYNC, and no RPDO is expected. Errors of RPDOs remain until a correct
     /// reception ends them.
     void stop() noexcept;
-    /// Processes a data frame in operational; ignores one that is no RPDO of this node.
+    /// Processes a data frame with an 11-bit identifier in operational; ignores one that is no RPDO of this node.
     void receive(const Frame& frame, Instant now) noexcept;
     /// Processes a remote frame in operational; ignores one that no RPDO of this node answers.
     void answer(const Frame& request) noexcept;

@@ -36,39 +36,38 @@ void SdoBlockUpload::start(const ByteView value, const std::uint8_t block_size, 
     has_crc_ = has_crc;
 }
 
-/// Adds the bytes of a segment that begins at `from` to the CRC. A repeated segment does not count again.
-inline void SdoBlockUpload::check_full(const std::size_t from, const std::uint64_t frame) noexcept {
-    if (from >= checked_) {
-        crc_.add_segment(frame);
-        checked_ = from + sdo::segment_capacity;
-    }
-}
-inline void SdoBlockUpload::check_last(const std::size_t from) noexcept {
-    if (from >= checked_) {
-        crc_.add(value_.part(from, sdo::segment_capacity));
-        checked_ = value_.size();
-    }
-}
-
 void SdoBlockUpload::send(TransmitQueue& queue, const std::uint32_t id) noexcept {
+    constexpr std::size_t capacity = sdo::segment_capacity;
     const std::size_t left = std::size_t{block_size_} - sent_;
     const std::size_t room = generated::canopen::sdo_block_queued - queue.size();
-    const std::size_t turns = (left < room) ? left : room;
-    std::size_t from = base_ + (sent_ * sdo::segment_capacity);
-    for (std::size_t turn = 0U; (turn < turns) && !last_sent_; ++turn) {
-        ++sent_;
-        static_assert(implements<req::CO_SDO_048>);
-        last_sent_ = (value_.size() - from) <= sdo::segment_capacity;
-        const std::uint64_t frame = (get_le<max_frame_length>(value_, from) << 8U) | sent_;
-        if (last_sent_) {
-            check_last(from);
-            static_cast<void>(queue.push(id, max_frame_length, frame | sdo::block_last_segment_flag));
-        } else {
-            check_full(from, frame);
-            static_cast<void>(queue.push(id, max_frame_length, frame));
+    const std::size_t end = sent_ + ((left < room) ? left : room);
+    const ByteView value{value_};
+    Crc16 crc{crc_};
+    std::size_t from = base_ + (sent_ * capacity);
+    std::size_t sequence{sent_};
+    while ((sequence != end) && ((value.size() - from) > capacity)) {
+        ++sequence;
+        const std::uint64_t frame = (get_le<max_frame_length>(value, from) << 8U) | sequence;
+        if (from >= checked_) {  // a repeated segment does not count again
+            crc.add_segment(frame);
+            checked_ = from + capacity;
         }
-        from += sdo::segment_capacity;
+        static_cast<void>(queue.push_segment(id, frame));
+        from += capacity;
     }
+    if (sequence != end) {
+        static_assert(implements<req::CO_SDO_048>);
+        ++sequence;
+        last_sent_ = true;
+        if (from >= checked_) {
+            crc.add(value.part(from, capacity));
+            checked_ = value.size();
+        }
+        const std::uint64_t frame = (get_le<max_frame_length>(value, from) << 8U) | sequence;
+        static_cast<void>(queue.push(id, max_frame_length, frame | sdo::block_last_segment_flag));
+    }
+    sent_ = static_cast<std::uint8_t>(sequence);
+    crc_ = crc;
 }
 
 static_assert(implements<req::CO_SDO_022>);

@@ -29,8 +29,10 @@ class SdoBlockDownload {
     /// Processes one segment frame of eight bytes.
     Step take(const sdo::Request& segment) noexcept {
         static_assert(implements<req::CO_SDO_026> && implements<req::CO_SDO_027>);
-        const bool last = (segment[0] & sdo::block_last_segment_flag) != 0U;
-        const std::uint32_t sequence = segment[0] & ~sdo::block_last_segment_flag;
+        const std::uint64_t frame = field_le<0U, max_frame_length>(segment);
+        const auto head = static_cast<std::uint32_t>(frame & 0xFFU);
+        const bool last = (head & sdo::block_last_segment_flag) != 0U;
+        const std::uint32_t sequence = head & ~sdo::block_last_segment_flag;
         if (sequence == 0U) {
             return Step::invalid_sequence;
         }
@@ -38,19 +40,23 @@ class SdoBlockDownload {
             if (size_ > place_.size()) {
                 return Step::too_long;  // the segment before this one was not the last, so it was full
             }
-            const std::uint64_t frame = field_le<0U, max_frame_length>(segment);
-            if (checks_crc_ && !last) {
+            if (last) {
+                complete_ = true;
+            } else if (checks_crc_) {
                 crc_.add_segment(frame);
+            } else {
+                // the client has not asked for a CRC
             }
             // One access writes eight bytes, and the next segment overwrites the eighth. Bytes beyond the place may be
             // unused ones of the last segment; finish() checks that.
             place_.put_le<max_frame_length>(size_, frame >> 8U);
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
-            complete_ = last;
         }
+        // The flag of the last segment makes `head` greater than every sequence number.
+        static_assert(sdo::block_last_segment_flag > generated::canopen::sdo_block_size);
         static_assert(implements<req::CO_SDO_050>);
-        return (last || (sequence == generated::canopen::sdo_block_size)) ? Step::acknowledge : Step::none;
+        return (head >= generated::canopen::sdo_block_size) ? Step::acknowledge : Step::none;
     }
     /// Ends the sub-block. Returns the sequence number of the last segment received in order, 0 when there is none. The
     /// client continues after that segment.
@@ -104,9 +110,6 @@ class SdoBlockUpload {
     std::uint16_t crc() const noexcept { return has_crc_ ? crc_.value() : std::uint16_t{0U}; }
 
   private:
-    void check_full(std::size_t from, std::uint64_t frame) noexcept;
-    void check_last(std::size_t from) noexcept;
-
     ByteView value_{};
     std::size_t base_{0U};     ///< bytes before the present sub-block
     std::size_t checked_{0U};  ///< bytes in the CRC: a repeated segment does not count again

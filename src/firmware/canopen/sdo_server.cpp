@@ -29,7 +29,7 @@ static_assert(implements<req::CO_SDO_035>);
 static_assert(implements<req::CO_SDO_006>);
 static_assert(implements<req::CO_SDO_013>);
 void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcept {
-    switch (static_cast<ClientCommand>(std::uint32_t{request[0]} >> 5U)) {
+    switch (command_of(request)) {
         case ClientCommand::download_segment:
             download_segment(request, now);
             break;
@@ -40,7 +40,7 @@ void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcep
             initiate_upload(request, now);
             break;
         case ClientCommand::upload_segment:
-            upload_segment(request, now);
+            refuse_command();  // receive() has passed on the segments of an upload
             break;
         case ClientCommand::abort:
             abandon();
@@ -200,10 +200,6 @@ void SdoServer::upload_in_segments(const ByteView value, const Instant now) noex
 static_assert(implements<req::CO_SDO_002>);
 static_assert(implements<req::CO_SDO_019>);
 void SdoServer::upload_segment(const sdo::Request& request, const Instant now) noexcept {
-    if (state_ != State::uploading) {
-        refuse_command();
-        return;
-    }
     const std::uint8_t command = request[0];
     if (!toggle_fits(command)) {
         return;

@@ -39,7 +39,7 @@ class SdoServer {
 
     bool is_request(const Frame& frame) const noexcept {
         static_assert(implements<req::CO_SDO_015>);
-        return (frame.id == request_id_) && !frame.extended && !frame.remote;
+        return (frame.id == request_id_) && frame.is_plain();
     }
     /// Processes one request and answers it where the protocol demands an answer. Ignores frames without eight bytes.
     void receive(const Frame& frame, const Instant now) noexcept {
@@ -49,6 +49,8 @@ class SdoServer {
         }
         if (state_ == State::block_downloading) {
             block_download_segment(frame.data, now);
+        } else if ((state_ == State::uploading) && (command_of(frame.data) == sdo::ClientCommand::upload_segment)) {
+            upload_segment(frame.data, now);
         } else {
             dispatch(frame.data, now);
         }
@@ -89,6 +91,9 @@ class SdoServer {
         block_upload_ending     ///< the CRC is sent; the server waits for the confirmation
     };
 
+    static sdo::ClientCommand command_of(const sdo::Request& request) noexcept {
+        return static_cast<sdo::ClientCommand>(std::uint32_t{request[0]} >> 5U);
+    }
     void proceed(Instant now) noexcept;
     void dispatch(const sdo::Request& request, Instant now) noexcept;
     void initiate_download(const sdo::Request& request, Instant now) noexcept;

@@ -49,10 +49,6 @@ void SdoServer::initiate_block_download(const sdo::Request& request, const Insta
 
 static_assert(implements<req::CO_SDO_030>);
 void SdoServer::block_download_segment(const sdo::Request& request, const Instant now) noexcept {
-    if (request[0] == sdo::aborted) {
-        abandon();
-        return;
-    }
     last_progress_ = now;
     const SdoBlockDownload::Step step = received_.take(request);
     if (step == SdoBlockDownload::Step::none) {
@@ -65,7 +61,11 @@ void SdoServer::block_download_segment(const sdo::Request& request, const Instan
             state_ = received_.complete() ? State::block_download_ending : State::block_downloading;
             break;
         case SdoBlockDownload::Step::invalid_sequence:
-            abort(AbortCode::invalid_sequence_number);
+            if (request[0] == sdo::aborted) {
+                abandon();
+            } else {
+                abort(AbortCode::invalid_sequence_number);
+            }
             break;
         case SdoBlockDownload::Step::too_long:
             abort(AbortCode::too_long);

@@ -74,7 +74,7 @@ bool TransmitPdos::waits_for_changes(const TransmitPdo& tpdo) const noexcept {
 static_assert(implements<req::CO_PDO_015>);
 void TransmitPdos::note_change(const std::uint64_t mark, const std::uint16_t index, const std::uint8_t subindex,
                                const Instant now) noexcept {
-    for (TransmitPdo& tpdo : tpdos_) {
+    for (TransmitPdo& tpdo : tpdos_.part(0U, active_)) {
         static_assert(implements<req::CO_PDO_041>);
         if (((tpdo.watched & mark) != 0U) && tpdo.mapping.maps(index, subindex)) {
             tpdo.pending = true;
@@ -146,7 +146,7 @@ void TransmitPdos::answer(const Frame& request, const Instant now) noexcept {
 
 void TransmitPdos::send_due(const Instant now) noexcept {
     Instant next{never};
-    for (TransmitPdo& tpdo : tpdos_) {
+    for (TransmitPdo& tpdo : tpdos_.part(0U, active_)) {
         if (tpdo.due <= now) {
             send_event(tpdo, now);
         }
@@ -188,7 +188,11 @@ void TransmitPdos::send(const TransmitPdo& tpdo, const std::uint64_t values) noe
 void TransmitPdos::schedule() noexcept {
     watched_ = 0U;
     next_ = never;
+    active_ = 0U;
+    std::uint8_t number{0U};
     for (TransmitPdo& tpdo : tpdos_) {
+        ++number;
+        active_ = tpdo.usable ? number : active_;
         tpdo.watched = (running_ && waits_for_changes(tpdo)) ? tpdo.mapping.watch_marks() : 0U;
         watched_ |= tpdo.watched;
         tpdo.due = never;

@@ -90,6 +90,7 @@ class TransmitPdos {
     TransmitQueue& queue_;
     TpdoTrigger trigger_;
     bool running_{false};
+    std::uint8_t active_{0U};    ///< the number of TPDOs up to the last one that is usable
     std::uint64_t watched_{0U};  ///< `watched` of all TPDOs together
     Instant next_{never};
 };

@@ -7,12 +7,7 @@
 namespace canproof {
 
 bool TransmitQueue::push(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
-    if (!goes_last(id)) {
-        return insert(data_frame(id, length, data));
-    }
-    place(end_) = data_frame(id, length, data);
-    ++end_;
-    return true;
+    return append(id, length, data);
 }
 
 bool TransmitQueue::insert(const Frame frame) noexcept {
