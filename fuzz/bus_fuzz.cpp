@@ -42,8 +42,15 @@ class Bus;
 template <typename... Unit>
 class Bus<std::tuple<Unit...>> {
   public:
-    explicit Bus(const fuzz::Circumstances& circumstances) : seats_{same<Unit>(circumstances)...} { exchange(); }
+    explicit Bus(const fuzz::Circumstances& circumstances) : seats_{same<Unit>(circumstances)...} {
+        for_each([](auto& world) { world.keep_start(); });
+    }
 
+    /// Switches all devices on again, with the memory that they were made with.
+    void restart() {
+        for_each([](auto& world) { world.restart(); });
+        exchange();
+    }
     void happen(const std::uint8_t* record) {
         const unsigned whose = (record[0] >> 4U) % sizeof...(Unit);
         std::optional<Frame> frame;
@@ -122,8 +129,8 @@ class Bus<std::tuple<Unit...>> {
     std::tuple<Seat<Unit>...> seats_;
 };
 
-std::uint64_t run(const std::uint8_t* data, std::size_t size, const fuzz::Circumstances& circumstances) {
-    Bus<fuzz::EveryUnit> bus{circumstances};
+std::uint64_t run(const std::uint8_t* data, std::size_t size, Bus<fuzz::EveryUnit>& bus) {
+    bus.restart();
     const std::size_t count = std::min(size / fuzz::device_record_size, most_records);
     for (std::size_t i = 0; i < count; ++i) {
         bus.happen(data + i * fuzz::device_record_size);
@@ -138,6 +145,8 @@ CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    require(run(data, size, {}) == run(data, size, fuzz::late_and_dirty), "two runs are equal");
+    static Bus<fuzz::EveryUnit> first{fuzz::Circumstances{}};  // made once, because a device takes longer than an input
+    static Bus<fuzz::EveryUnit> second{fuzz::late_and_dirty};
+    require(run(data, size, first) == run(data, size, second), "two runs are equal");
     return 0;
 }

@@ -165,9 +165,11 @@ CANPROOF_FUZZ_REPLAYS_AS_PART(part(), "--node 255")
 CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    host::Memory memory{64};
-    TransmitQueue queue;
-    host::GenericDevice device{part(), memory, queue};
+    static host::Memory memory{64};
+    static TransmitQueue queue;
+    static host::GenericDevice device{part(), memory, queue};  // made once, because this takes longer than an input
+    queue = TransmitQueue{};
+    std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
     Instant now = fuzz::begin_input();
     Watch watch;
     device.power_on(LssConfiguration{255, 125000}, now);

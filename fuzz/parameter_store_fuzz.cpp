@@ -72,7 +72,7 @@ class World {
         fuzz::Image image = memory_.image();
         change(image);
         tampering_.note_edit(memory_.image(), image);
-        memory_.replace(std::move(image));
+        memory_.replace(image);
         power_on();
     }
     void damage(std::size_t at, std::size_t count, const std::uint8_t* bytes) {

@@ -19,11 +19,13 @@
 
 #include "firmware/canopen/lss_store.hpp"
 #include "firmware/canopen/transmit_queue.hpp"
+#include "fuzz/support/circumstances.hpp"
 #include "fuzz/support/device_record.hpp"
 #include "fuzz/support/digest.hpp"
 #include "fuzz/support/entries.hpp"
 #include "fuzz/support/frame_probe.hpp"
 #include "fuzz/support/journal_memory.hpp"
+#include "fuzz/support/limit_watch.hpp"
 #include "fuzz/support/own_identifiers.hpp"
 #include "fuzz/support/require.hpp"
 #include "fuzz/support/sdo_legal.hpp"
@@ -32,12 +34,6 @@ namespace canproof::fuzz {
 
 /// Records of an input after these are ignored, so that each run is short.
 constexpr std::size_t most_device_records = 150;
-
-/// The circumstances of a run, which must not change the result.
-struct Circumstances {
-    std::uint64_t begins_us{0};  ///< the time at power-on
-    std::uint8_t garbage{0};     ///< the byte that fills the RAM of the device before its start
-};
 
 template <typename Unit>
 class DeviceWorld {
@@ -48,16 +44,28 @@ class DeviceWorld {
     explicit DeviceWorld(const Circumstances& circumstances, Image memory = Image(Unit::memory_size, 0xFF))
         : DeviceWorld{circumstances, std::move(memory), usual_inputs()} {}
     DeviceWorld(const Circumstances& circumstances, Image memory, const Inputs& inputs)
-        : memory_{std::move(memory)},
-          inputs_{inputs},
-          garbage_{circumstances.garbage},
-          start_{circumstances.begins_us},
-          now_{circumstances.begins_us} {
+        : memory_{std::move(memory)}, garbage_{circumstances.garbage}, start_{circumstances.begins_us} {
+        state_.inputs = inputs;
+        state_.now = Instant{circumstances.begins_us};
         power_on();
     }
     ~DeviceWorld() { device_->~Device(); }
     DeviceWorld(const DeviceWorld&) = delete;
     DeviceWorld& operator=(const DeviceWorld&) = delete;
+
+    /// Checks the present state and keeps it for restart().
+    void keep_start() {
+        check();
+        kept_ = std::make_unique<Kept>(Kept{storage_->bytes, memory_.image(), state_});
+    }
+    /// Returns to the state that was kept. This costs less than a new device and its power-on: the firmware has no heap
+    /// and its objects stay where they are, so that their bytes are their state.
+    void restart() {
+        storage_->bytes = kept_->device;
+        memory_.heal();
+        memory_.replace(kept_->memory);
+        state_ = kept_->state;
+    }
 
     void happen(const std::uint8_t* record) {
         const std::optional<Frame> frame = frame_in(record);
@@ -122,13 +130,13 @@ class DeviceWorld {
     /// Checks what must hold after any record.
     void check() {
         check_values();
-        unit_.check(*device_, inputs_, false);
+        state_.unit.check(*device_, state_.inputs, false);
     }
     /// Lets enough time pass for the device to act on all events, and checks again.
     void settle() {
         pass(milliseconds(5));
         check_values();
-        unit_.check(*device_, inputs_, true);
+        state_.unit.check(*device_, state_.inputs, true);
     }
 
     /// Advances time to `end` and keeps every deadline on the way.
@@ -136,59 +144,59 @@ class DeviceWorld {
         constexpr unsigned most_at_once = 4;  // a block upload fills the queue at most this often
         unsigned at_once = 0;
         while (device_->next_deadline() <= end) {
-            at_once = device_->next_deadline() > now_ ? 1 : at_once + 1;
+            at_once = device_->next_deadline() > state_.now ? 1 : at_once + 1;
             require(at_once <= most_at_once);
-            now_ = device_->next_deadline() > now_ ? device_->next_deadline() : now_;
+            state_.now = device_->next_deadline() > state_.now ? device_->next_deadline() : state_.now;
             advance();
             drain(nullptr);
         }
-        now_ = end;
+        state_.now = end;
     }
-    void pass(Duration time) { run_until(now_ + time); }
+    void pass(Duration time) { run_until(state_.now + time); }
     /// Advances time as with a late driver: no deadline on the way is kept.
     void pass_unattended(Duration time) {
-        now_ = now_ + time;
+        state_.now = state_.now + time;
         advance();
         drain(nullptr, true);
-        run_until(now_);
+        run_until(state_.now);
     }
 
     void receive(const Frame& frame) {
         if (start_ == 0) {
-            deliver(*device_, frame, now_);
+            deliver(*device_, frame, state_.now);
         } else {  // the log shows only one of the two runs
-            device_->receive(frame, now_);
+            device_->receive(frame, state_.now);
         }
         drain(&frame);
-        run_until(now_);
+        run_until(state_.now);
     }
 
-    Instant now() const { return now_; }
+    Instant now() const { return state_.now; }
     const Device& device() const { return *device_; }
-    const Inputs& inputs() const { return inputs_; }
+    const Inputs& inputs() const { return state_.inputs; }
     const Image& memory() const { return memory_.image(); }
     /// Makes the memory and the CAN controller work again.
     void recover() {
         memory_.heal();
-        for_each_input(inputs_, [](const char* name, auto& input) {
+        for_each_input(state_.inputs, [](const char* name, auto& input) {
             if (std::strncmp(name, "can_", 4) == 0) {
                 input = std::decay_t<decltype(input)>{};
             }
         });
-        device_->set_inputs(inputs_, now_);
+        device_->set_inputs(state_.inputs, state_.now);
         drain(nullptr, true);
-        run_until(now_);
+        run_until(state_.now);
     }
-    bool has_sent() const { return !sent_.empty(); }
+    bool has_sent() const { return !state_.sent.empty(); }
     /// Returns the frames that the device has sent since the last call.
-    std::vector<Frame> take_sent() { return std::exchange(sent_, {}); }
+    std::vector<Frame> take_sent() { return std::exchange(state_.sent, {}); }
 
     /// Returns a hash of all frames that the device has sent, and of its present values, outputs and memory.
     std::uint64_t digest() {
-        digest_.add(device_->objects().image());
-        for_each_output(device_->outputs(), [this](const char*, const auto& value) { digest_.add(value); });
-        digest_.add(ByteView{memory_.image().data(), memory_.image().size()});
-        return digest_.value();
+        state_.digest.add(device_->objects().image());
+        for_each_output(device_->outputs(), [this](const char*, const auto& value) { state_.digest.add(value); });
+        state_.digest.add(ByteView{memory_.image().data(), memory_.image().size()});
+        return state_.digest.value();
     }
 
   private:
@@ -198,8 +206,8 @@ class DeviceWorld {
         return inputs;
     }
     void advance() {
-        device_->advance(now_);
-        require(device_->next_deadline() > now_, "what is due gets done");
+        device_->advance(state_.now);
+        require(device_->next_deadline() > state_.now, "what is due gets done");
     }
     std::uint32_t node() const { return device_->node_id() & 0x7FU; }
     std::uint32_t current_id(std::uint32_t index, std::uint8_t sub) const {
@@ -223,29 +231,28 @@ class DeviceWorld {
 
     void set_input(unsigned which, const std::uint8_t* data) {
         unsigned count = 0;
-        for_each_input(inputs_, [&count](const char*, auto&) { ++count; });
+        for_each_input(state_.inputs, [&count](const char*, auto&) { ++count; });
         unsigned number = 0;
-        for_each_input(inputs_, [&](const char*, auto& input) {
+        for_each_input(state_.inputs, [&](const char*, auto& input) {
             if (number++ == which % count) {
                 input = value_of<std::decay_t<decltype(input)>>(data);
             }
         });
-        device_->set_inputs(inputs_, now_);
+        device_->set_inputs(state_.inputs, state_.now);
         drain(nullptr);
     }
 
     void power_on() {
-        storage_ = std::make_unique<Storage>();
         std::fill(storage_->bytes.begin(), storage_->bytes.end(), garbage_);
-        queue_ = TransmitQueue{};
-        unasked_ = 0;
-        unit_ = Unit{};
-        device_ = new (storage_->bytes.data()) Device{memory_, queue_, typename Unit::FactoryData{}};
-        known_.reset();
-        known_for_.clear();
-        device_->power_on(inputs_, now_);
+        state_.queue = TransmitQueue{};
+        state_.unasked = 0;
+        state_.unit = Unit{};
+        device_ = new (storage_->bytes.data()) Device{memory_, state_.queue, typename Unit::FactoryData{}};
+        state_.known.reset();
+        state_.known_for.clear();
+        device_->power_on(state_.inputs, state_.now);
         drain(nullptr);
-        run_until(now_);
+        run_until(state_.now);
     }
     void power_cycle() {
         device_->~Device();
@@ -294,13 +301,15 @@ class DeviceWorld {
         return true;
     }
     /// Checks that every value is within its limits. Exceptions: 1003h:0 (number of errors), whose limits apply to
-    /// writes only, and the entries that Unit::shows_beyond_limits() names. Does nothing when no value has changed.
+    /// writes only, and the entries that Unit::shows_beyond_limits() names, by their own value. An entry that has not
+    /// changed since the last check, and whose limits have not, is not checked again.
     void check_values() {
         const ObjectDictionary& objects = device_->objects();
-        if (!Unit::has_values(*device_) || !differs_from(checked_)) {
+        if (!Unit::has_values(*device_)) {
             return;
         }
-        for_each_entry(objects, [&](const EntryRef& entry) {
+        static const LimitIndex index{objects};
+        state_.checked.visit_changed(index, objects, [&objects](const EntryRef& entry) {
             require(entry.is(0x1003, 0) || Unit::shows_beyond_limits(objects, entry) ||
                         objects.check_value(entry, objects.value(entry)) == AbortCode::none,
                     "limits of", (entry.index * 0x100UL) + entry.row->subindex);
@@ -311,18 +320,19 @@ class DeviceWorld {
     /// Unit::may_also_send() permits, and at most one SDO answer. The queue must not be full, because then a frame may
     /// be lost; only after a long time without emptying it may be full.
     void drain(const Frame* cause, bool may_be_full = false) {
-        require(may_be_full || queue_.size() < TransmitQueue::capacity, "room in the queue");
-        const Identifiers before = known_;
+        require(may_be_full || state_.queue.size() < TransmitQueue::capacity, "room in the queue");
         const std::uint8_t node_id = device_->node_id();
-        const bool moved = std::exchange(known_node_, node_id) != node_id;
-        if (differs_from(known_for_) || moved) {
-            known_ = own_identifiers(device_->objects(), node_id, Unit::answers_remote);
+        const bool moved = std::exchange(state_.known_node, node_id) != node_id;
+        const bool changed = differs_from(state_.known_for) || moved;
+        const Identifiers before = changed ? state_.known : Identifiers{};
+        if (changed) {
+            state_.known = own_identifiers(device_->objects(), node_id, Unit::answers_remote);
         }
         int answers = 0;
-        while (!queue_.empty()) {
-            const Frame frame = queue_.pop();
+        while (!state_.queue.empty()) {
+            const Frame frame = state_.queue.pop();
             require(!frame.extended && !frame.remote && frame.length <= max_frame_length && frame.id <= 0x7FF);
-            require(before.test(frame.id) || known_.test(frame.id) || Unit::may_also_send(frame),
+            require(before.test(frame.id) || state_.known.test(frame.id) || Unit::may_also_send(frame),
                     "the device owns the identifier", frame.id);
             if (frame.id >= 0x580U && frame.id < 0x600U) {
                 ++answers;
@@ -339,45 +349,52 @@ class DeviceWorld {
     void check_answer(const Frame* cause, const Frame& answer) {
         constexpr std::uint32_t timed_out = 0x05040000;
         if (cause == nullptr) {
-            require(is_abort(answer) && read_u32(answer.payload(), 4) == timed_out && unasked_ == 0);
-            ++unasked_;
+            require(is_abort(answer) && read_u32(answer.payload(), 4) == timed_out && state_.unasked == 0);
+            ++state_.unasked;
             return;
         }
-        unasked_ = 0;
+        state_.unasked = 0;
         require(cause->id == answer.id + 0x80U && !cause->remote && !cause->extended);
         require(is_legal_answer(*cause, answer));
     }
     void remember(const Frame& frame) {
-        digest_.add(now_.us - start_);
-        digest_.add(frame.id);
-        digest_.add(frame.payload());
-        sent_.push_back(frame);
+        state_.digest.add(state_.now.us - start_);
+        state_.digest.add(frame.id);
+        state_.digest.add(frame.payload());
+        state_.sent.push_back(frame);
     }
 
+    using DeviceBytes = std::array<std::uint8_t, sizeof(Device)>;
     struct Storage {
-        alignas(Device) std::array<std::uint8_t, sizeof(Device)> bytes;
+        alignas(Device) DeviceBytes bytes;
+    };
+    /// Everything that changes besides the device and its memory.
+    struct State {
+        TransmitQueue queue;
+        Inputs inputs{};
+        Unit unit;
+        Instant now{};
+        Identifiers known;
+        Image known_for;  ///< the values and the node-ID that gave these identifiers
+        std::uint8_t known_node{0};
+        LimitWatch checked;
+        unsigned unasked{0};
+        std::vector<Frame> sent;
+        Digest digest;
+    };
+    struct Kept {
+        DeviceBytes device;
+        Image memory;
+        State state;
     };
 
     JournalMemory memory_;
-    TransmitQueue queue_;
-    Inputs inputs_{};
-    Unit unit_;
+    State state_;
     std::uint8_t garbage_;
     std::uint64_t start_;
-    Instant now_;
-    std::unique_ptr<Storage> storage_;
+    const std::unique_ptr<Storage> storage_{std::make_unique<Storage>()};
     Device* device_{nullptr};
-    Identifiers known_;
-    Image known_for_;  ///< the values and the node-ID that gave these identifiers
-    std::uint8_t known_node_{0};
-    Image checked_;  ///< the values that were last checked against their limits
-    unsigned unasked_{0};
-    std::vector<Frame> sent_;
-    Digest digest_;
+    std::unique_ptr<const Kept> kept_;
 };
-
-/// Starts at a multiple of 24 s, which every LED pattern divides without remainder, and 1.28 s before the low 32 bits
-/// of the microseconds become 0.
-constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
 
 }  // namespace canproof::fuzz

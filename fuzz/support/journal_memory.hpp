@@ -61,8 +61,8 @@ class JournalMemory final : public NonVolatileMemory {
     }
     const Image& image() const { return bytes_; }
     /// Replaces the content without recording it.
-    void replace(Image image) {
-        bytes_ = std::move(image);
+    void replace(const Image& image) {
+        bytes_ = image;
         journal_.clear();
     }
 

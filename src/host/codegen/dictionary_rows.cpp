@@ -47,7 +47,11 @@ std::uint32_t limit_bits(const std::string& type, const Value& value) {
         return *truth ? 1U : 0U;
     }
     // The entry's value keeps only the bits of its type: -1 of an INTEGER16 becomes FFFFh.
-    const auto bits = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
+    const std::int64_t number = std::get<std::int64_t>(value);
+    const auto bits = static_cast<std::uint64_t>(number);
+    if (number >= 0) {
+        return static_cast<std::uint32_t>(bits);
+    }
     const std::uint64_t mask = (std::uint64_t{1} << (8U * type_size(type))) - 1U;
     return static_cast<std::uint32_t>(bits & mask);
 }
@@ -175,21 +179,23 @@ void find_slots(DictionaryRows& rows) {
 
 DataType data_type(const std::string& cia_type) {
     using Row = std::pair<std::string_view, DataType>;
-    constexpr std::array<Row, 14> types{{{"BOOLEAN", DataType::boolean},
-                                         {"INTEGER8", DataType::integer8},
-                                         {"INTEGER16", DataType::integer16},
-                                         {"INTEGER32", DataType::integer32},
-                                         {"INTEGER64", DataType::integer64},
-                                         {"UNSIGNED8", DataType::unsigned8},
-                                         {"UNSIGNED16", DataType::unsigned16},
-                                         {"UNSIGNED32", DataType::unsigned32},
-                                         {"UNSIGNED64", DataType::unsigned64},
-                                         {"REAL32", DataType::real32},
-                                         {"REAL64", DataType::real64},
-                                         {"VISIBLE_STRING", DataType::visible_string},
-                                         {"OCTET_STRING", DataType::octet_string},
-                                         {"DOMAIN", DataType::domain}}};
-    const auto found = std::find_if(types.begin(), types.end(), [&](const Row& row) { return cia_type == row.first; });
+    // The most frequent types come first, because the search begins at the start.
+    static constexpr std::array<Row, 14> types{{{"UNSIGNED8", DataType::unsigned8},
+                                                {"UNSIGNED16", DataType::unsigned16},
+                                                {"UNSIGNED32", DataType::unsigned32},
+                                                {"BOOLEAN", DataType::boolean},
+                                                {"INTEGER8", DataType::integer8},
+                                                {"INTEGER16", DataType::integer16},
+                                                {"INTEGER32", DataType::integer32},
+                                                {"INTEGER64", DataType::integer64},
+                                                {"UNSIGNED64", DataType::unsigned64},
+                                                {"REAL32", DataType::real32},
+                                                {"REAL64", DataType::real64},
+                                                {"VISIBLE_STRING", DataType::visible_string},
+                                                {"OCTET_STRING", DataType::octet_string},
+                                                {"DOMAIN", DataType::domain}}};
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [word = std::string_view{cia_type}](const Row& row) { return word == row.first; });
     if (found == types.end()) {
         throw std::out_of_range{cia_type + " is no data type that the firmware supports"};
     }

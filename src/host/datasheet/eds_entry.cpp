@@ -19,7 +19,7 @@ constexpr std::size_t longest_string = 4096;
 
 struct TypeRow {
     unsigned number;
-    const char* word;
+    std::string_view word;
     std::size_t octets;  ///< length of a type that the device treats as bytes; 0: the device supports the type
 };
 
@@ -69,32 +69,61 @@ struct EntryKeys {
     const IniValue* high_limit{nullptr};
 };
 
-/// Finds the keys in a section. Searches for all keys in one pass, because a data sheet has thousands of entries.
+using KeyField = const IniValue* EntryKeys::*;
+struct KeyRow {
+    std::string_view key;
+    KeyField field{nullptr};
+};
+
+/// Returns the slot of a key, which no two of the known keys share.
+constexpr std::size_t key_slot(std::string_view key) {
+    constexpr std::size_t slots = 32;
+    return key.empty() ? 0 : (key.size() + static_cast<unsigned char>(key.front())) % slots;
+}
+
+constexpr std::array<KeyRow, 9> key_rows{{{"parametername", &EntryKeys::name},
+                                          {"objecttype", &EntryKeys::object_type},
+                                          {"datatype", &EntryKeys::data_type},
+                                          {"accesstype", &EntryKeys::access},
+                                          {"pdomapping", &EntryKeys::mapping},
+                                          {"defaultvalue", &EntryKeys::standard_value},
+                                          {"parametervalue", &EntryKeys::configured_value},
+                                          {"lowlimit", &EntryKeys::low_limit},
+                                          {"highlimit", &EntryKeys::high_limit}}};
+
+constexpr std::array<KeyRow, 32> keys_by_slot = [] {
+    std::array<KeyRow, 32> slots{};
+    for (const KeyRow& row : key_rows) {
+        slots[key_slot(row.key)] = row;
+    }
+    return slots;
+}();
+
+constexpr bool has_each_key_a_slot() {
+    for (const KeyRow& row : key_rows) {
+        if (keys_by_slot[key_slot(row.key)].key != row.key) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(has_each_key_a_slot());
+
+/// Finds the keys in a section in one pass, because a data sheet has thousands of entries.
 EntryKeys keys_of(const IniSection& section) {
-    using Field = const IniValue* EntryKeys::*;
-    constexpr std::array<std::pair<std::string_view, Field>, 9> fields{
-        {{"parametername", &EntryKeys::name},
-         {"objecttype", &EntryKeys::object_type},
-         {"datatype", &EntryKeys::data_type},
-         {"accesstype", &EntryKeys::access},
-         {"pdomapping", &EntryKeys::mapping},
-         {"defaultvalue", &EntryKeys::standard_value},
-         {"parametervalue", &EntryKeys::configured_value},
-         {"lowlimit", &EntryKeys::low_limit},
-         {"highlimit", &EntryKeys::high_limit}}};
     EntryKeys keys;
     for (const auto& [key, value] : section.values) {
-        const auto found =
-            std::find_if(fields.begin(), fields.end(), [k = key](const auto& one) { return one.first == k; });
-        if (found != fields.end() && !value.text.empty()) {
-            keys.*(found->second) = &value;
+        const KeyRow& row = keys_by_slot[key_slot(key)];
+        if (row.key == key && !value.text.empty()) {
+            keys.*(row.field) = &value;
         }
     }
     return keys;
 }
 
-Place place_of(const EdsTelling& tell, unsigned line) {
-    return {tell.file, line};
+void set_place(Place& place, const EdsTelling& tell, unsigned line) {
+    place.file = tell.file;
+    place.line = line;
 }
 
 /// Returns a type for an entry whose DataType is not a number: the type with the name `word`, or a type that fits the
@@ -103,7 +132,7 @@ std::string assumed_type(const EntryKeys& keys, std::string_view word, bool is_c
     const auto named =
         std::find_if(type_rows.begin(), type_rows.end(), [&](const TypeRow& row) { return word == row.word; });
     if (named != type_rows.end()) {
-        return named->word;
+        return std::string{named->word};
     }
     if (is_counter) {
         return "UNSIGNED8";
@@ -148,12 +177,17 @@ void read_type(Entry& entry, const IniSection& section, const EntryKeys& keys, b
 /// only: transmit for rwr, receive for rww (CiA 306).
 void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
     const IniValue* given = keys.access;
-    const std::string word = given == nullptr ? std::string{} : lower_case(given->text);
+    std::string lower;  // most sheets have the word in lower case already
+    std::string_view word = given == nullptr ? std::string_view{} : given->text;
+    if (std::any_of(word.begin(), word.end(), [](char c) { return c != lower_case(c); })) {
+        lower = lower_case(word);
+        word = lower;
+    }
     if (word.empty() && entry.type == "DOMAIN") {
         entry.access = "rw";  // CiA 306 allows a DOMAIN without AccessType
         return;
     }
-    constexpr std::array<std::string_view, 6> known{"ro", "wo", "rw", "rwr", "rww", "const"};
+    static constexpr std::array<std::string_view, 6> known{"ro", "wo", "rw", "rwr", "rww", "const"};
     if (std::find(known.begin(), known.end(), word) != known.end()) {
         entry.access = word.substr(0, word.size() == 3 ? 2 : word.size());  // rwr and rww become rw
     }
@@ -171,17 +205,17 @@ void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys,
                   fmt::format("{} is assumed", mapped ? 1 : 0));
     }
     if (mapped.value_or(0U) != 0U) {
-        const bool both = entry.access == "rw" && word != "rwr" && word != "rww";
+        const bool both = std::string_view{entry.access} == "rw" && word != "rwr" && word != "rww";
         entry.mapping = both ? "both" : word == "wo" || word == "rww" ? "rpdo" : "tpdo";
     }
 }
 
-void read_limit(Limit& limit, const Entry& entry, const IniValue* given, const char* key, const EdsTelling& tell) {
+/// Reads a limit of an entry; `kept` is whether the firmware can compare values of this type.
+void read_limit(Limit& limit, const Entry& entry, bool kept, const IniValue* given, const char* key,
+                const EdsTelling& tell) {
     if (given == nullptr) {
         return;
     }
-    const std::size_t size = type_size(entry.type);
-    const bool kept = size > 0 && size <= 4;
     const auto value = kept ? eds_value(given->text, entry.type) : std::nullopt;
     if (!kept) {
         tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
@@ -192,15 +226,17 @@ void read_limit(Limit& limit, const Entry& entry, const IniValue* given, const c
     } else {
         limit.kind = Limit::Kind::number;
         limit.number = *value;
-        limit.place = place_of(tell, given->line);
+        set_place(limit.place, tell, given->line);
     }
 }
 
 void read_limits(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
     Range& range = entry.range;
-    read_limit(range.minimum, entry, keys.low_limit, "LowLimit", tell);
-    read_limit(range.maximum, entry, keys.high_limit, "HighLimit", tell);
-    range.place = place_of(tell, section.line);
+    const std::size_t size = type_size(entry.type);
+    const bool kept = size > 0 && size <= 4;
+    read_limit(range.minimum, entry, kept, keys.low_limit, "LowLimit", tell);
+    read_limit(range.maximum, entry, kept, keys.high_limit, "HighLimit", tell);
+    set_place(range.place, tell, section.line);
     const auto low = number_of(range.minimum.number);
     const auto high = number_of(range.maximum.number);
     if (low && high && *low > *high) {
@@ -260,7 +296,7 @@ void set_length(Entry& entry) {
 }  // namespace
 
 void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) {
-    entry.default_place = place_of(tell, given.line);
+    entry.default_place.line = given.line;  // in the same file as the entry
     const std::string_view type{entry.type};
     if (type == "DOMAIN") {
         return;
@@ -269,22 +305,27 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
         set_string(entry, given, tell);
         return;
     }
-    const auto term = split_node_id(given.text);
-    const auto value = term ? eds_value(term->rest, entry.type) : std::nullopt;
-    if (!value || (term->has_node_id && !is_integer(entry.type))) {
+    // most values have no node-ID; a copy of their text is not necessary
+    const bool may_have_node_id = given.text.find('$') != std::string_view::npos;
+    const auto term = may_have_node_id ? split_node_id(given.text) : std::nullopt;
+    const bool has_node_id = term && term->has_node_id;
+    const auto value = !may_have_node_id ? eds_value(given.text, entry.type)
+                       : term            ? eds_value(term->rest, entry.type)
+                                         : std::nullopt;
+    if (!value || (has_node_id && !is_integer(entry.type))) {
         tell.note(given.line, fmt::format("value {} is no value of {}", given.text, entry.type),
                   fmt::format("{} is assumed", to_text(entry.value)));
         return;
     }
     entry.value = *value;
-    entry.node_id = term->has_node_id;
+    entry.node_id = has_node_id;
 }
 
 void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
                     const EdsTelling& tell) {
     entry.subindex = subindex;
-    entry.place = place_of(tell, section.line);
-    entry.default_place = entry.place;
+    set_place(entry.place, tell, section.line);
+    set_place(entry.default_place, tell, section.line);
     const EntryKeys keys = keys_of(section);
     entry.name = keys.name == nullptr ? section.name : keys.name->text;
     read_type(entry, section, keys, is_counter, tell);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/datasheet/eds_numbers.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
@@ -29,10 +31,26 @@ std::string bare(std::string_view text) {
     return out;
 }
 
+constexpr unsigned no_digit = 16;
+
+/// The value of each digit in any case, and `no_digit` for each other character.
+constexpr std::array<std::uint8_t, 256> digit_values = [] {
+    std::array<std::uint8_t, 256> values{};
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        const bool decimal = c >= '0' && c <= '9';
+        const char lower = lower_case(static_cast<char>(c));
+        const bool letter = lower >= 'a' && lower <= 'f';
+        values[c] = static_cast<std::uint8_t>(decimal ? c - '0' : letter ? lower - 'a' + 10 : no_digit);
+    }
+    return values;
+}();
+
+unsigned digit_value(char c) {
+    return digit_values[static_cast<unsigned char>(c)];
+}
+
 std::optional<unsigned> digit_of(char c, unsigned base) {
-    const unsigned digit = c >= '0' && c <= '9'   ? static_cast<unsigned>(c - '0')
-                           : c >= 'a' && c <= 'f' ? static_cast<unsigned>(c - 'a') + 10U
-                                                  : 16U;
+    const unsigned digit = digit_value(c);
     return digit < base ? std::optional{digit} : std::nullopt;
 }
 
@@ -77,7 +95,9 @@ std::optional<Value> real_value(const std::string& text, const std::string& type
     return Value{value};
 }
 
-std::optional<Value> integer_value(std::string_view text, const std::string& type) {
+using IntegerLimits = std::optional<std::pair<std::int64_t, std::int64_t>>;
+
+std::optional<Value> integer_value(std::string_view text, const std::string& type, const IntegerLimits& limits) {
     const bool negative = !text.empty() && text.front() == '-';
     const auto magnitude = eds_unsigned(negative ? text.substr(1) : text);
     if (!magnitude) {
@@ -86,7 +106,6 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     if (std::string_view{type} == "UNSIGNED64") {  // the register stores the 64 bits in a signed number
         return negative ? std::nullopt : std::optional<Value>{static_cast<std::int64_t>(*magnitude)};
     }
-    const auto limits = integer_limits(type);
     const bool pattern = !negative && limits && limits->first < 0 && is_hexadecimal(text);
     if (pattern && *magnitude > static_cast<std::uint64_t>(limits->second)) {
         const std::size_t bits = 8U * type_size(type);
@@ -104,14 +123,23 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
 }
 
+/// Returns whether the text is a decimal number that fits 64 bits with sign. A leading 0 would make it octal.
+bool is_short_decimal(std::string_view text) {
+    constexpr std::size_t always_fit = 18;
+    return !text.empty() && text.size() <= always_fit && (text.size() == 1 || text.front() != '0') &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 std::optional<std::uint64_t> number_of_digits(std::string_view digits, unsigned base) {
+    constexpr std::size_t always_fit = 16;  // digits of any base here
+    const bool may_overflow = digits.size() > always_fit;
     std::uint64_t value = 0;
     for (const char c : digits) {
-        const auto digit = digit_of(lower_case(c), base);
-        if (!digit || value > (UINT64_MAX - *digit) / base) {
+        const unsigned digit = digit_value(c);
+        if (digit >= base || (may_overflow && value > (UINT64_MAX - digit) / base)) {
             return std::nullopt;
         }
-        value = value * base + *digit;
+        value = value * base + digit;
     }
     return digits.empty() ? std::nullopt : std::optional{value};
 }
@@ -119,6 +147,9 @@ std::optional<std::uint64_t> number_of_digits(std::string_view digits, unsigned 
 }  // namespace
 
 std::optional<std::uint64_t> eds_unsigned(std::string_view text) {
+    if (text.size() == 1) {  // as most numbers of a data sheet
+        return number_of_digits(text, 10U);
+    }
     const std::string_view number = without_suffix(text);
     if (is_hexadecimal(number)) {
         return number_of_digits(number.substr(2), 16U);
@@ -151,14 +182,20 @@ std::optional<NodeIdTerm> split_node_id(std::string_view text) {
 }
 
 std::optional<Value> eds_value(std::string_view text, const std::string& type) {
+    const bool is_boolean = std::string_view{type} == "BOOLEAN";
+    const IntegerLimits limits = integer_limits(type);
+    if (limits && !is_boolean && is_short_decimal(text)) {
+        const auto whole = static_cast<std::int64_t>(number_of_digits(text, 10U).value_or(0U));
+        return whole >= limits->first && whole <= limits->second ? std::optional<Value>{whole} : std::nullopt;
+    }
     const std::string number = bare(text);
-    if (std::string_view{type} == "BOOLEAN") {
+    if (is_boolean) {
         const auto truth = number == "true"    ? std::optional<std::uint64_t>{1}
                            : number == "false" ? std::optional<std::uint64_t>{0}
                                                : eds_unsigned(number);
         return truth && *truth <= 1U ? std::optional<Value>{*truth == 1U} : std::nullopt;
     }
-    return is_real_type(type) ? real_value(number, type) : integer_value(number, type);
+    return is_real_type(type) ? real_value(number, type) : integer_value(number, type, limits);
 }
 
 std::optional<std::string> eds_octets(std::string_view text) {

@@ -35,14 +35,17 @@ bool is_same_entry(const SubSection& a, const SubSection& b) {
 
 SubSections find_sub_sections(const IniFile& file, const EdsTelling& tell) {
     SubSections all;
-    for (const auto& [name, section] : file.sections) {
+    for (const auto& [name, section] : file.sections()) {
         if (const auto found = sub_section(name, section)) {
             all.push_back(*found);
         }
     }
-    std::sort(all.begin(), all.end(), [](const SubSection& a, const SubSection& b) {
+    const auto goes_before = [](const SubSection& a, const SubSection& b) {
         return std::tie(a.index, a.subindex, a.section->line) < std::tie(b.index, b.subindex, b.section->line);
-    });
+    };
+    if (!std::is_sorted(all.begin(), all.end(), goes_before)) {
+        std::sort(all.begin(), all.end(), goes_before);
+    }
     SubSections once;
     for (const SubSection& one : all) {
         if (once.empty() || !is_same_entry(once.back(), one)) {

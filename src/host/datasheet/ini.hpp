@@ -7,11 +7,14 @@
 #include <forward_list>
 #include <functional>
 #include <map>
+#include <memory>
+#include <memory_resource>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "host/datasheet/eight_characters.hpp"
 #include "host/register/fault.hpp"
 
 namespace canproof::host {
@@ -39,9 +42,12 @@ struct IniRepetition {
     unsigned line{0};
 };
 
-struct IniFile {
-    std::map<std::string, IniSection, std::less<>> sections;  ///< by name in lower case
-    std::forward_list<std::string> texts;                     ///< storage for the bytes of keys and values
+/// The sections by their name in lower case.
+using IniSections = std::pmr::map<std::string, IniSection, std::less<>>;
+
+class IniFile {
+  public:
+    std::forward_list<std::string> texts;  ///< storage for the bytes of keys and values
 
     IniFile() = default;
     IniFile(const IniFile&) = delete;  // keys and values would refer to the texts of the original
@@ -50,12 +56,22 @@ struct IniFile {
     IniFile& operator=(IniFile&&) = default;
     ~IniFile() = default;
 
+    IniSections& sections() { return kept_->sections; }
+    const IniSections& sections() const { return kept_->sections; }
     const IniSection* find(std::string_view name) const;
     /// Stores the text of a key or a value. Returns a view of it, which is valid as long as the file exists.
     std::string_view keep(std::string text) { return texts.emplace_front(std::move(text)); }
     /// Sorts the values of each section, which may have been appended in any order, by their keys. Of equal keys, keeps
     /// the value of the first line. Returns the others.
     std::vector<IniRepetition> sort_values();
+
+  private:
+    /// The sections and the memory in which they are: a data sheet has thousands, and all of them end together.
+    struct Kept {
+        std::pmr::monotonic_buffer_resource memory;
+        IniSections sections{&memory};
+    };
+    std::unique_ptr<Kept> kept_{std::make_unique<Kept>()};
 };
 
 /// Characters that count as blanks around names and values: those of CiA 306, and others that occur in existing files.
@@ -87,10 +103,7 @@ struct EdsTelling {
 /// sheet.
 IniFile read_ini(const std::string& text, const EdsTelling& tell);
 
-/// Returns the lower-case letter for `A` to `Z`, and any other byte unchanged.
-constexpr char lower_case(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+/// Returns the text in lower case.
 std::string lower_case(std::string_view text);
 
 }  // namespace canproof::host

@@ -199,7 +199,7 @@ class EdsReader {
 
     /// Reads objects that have a description but are in none of the lists.
     void read_unlisted() {
-        for (const auto& [name, section] : ini_.sections) {
+        for (const auto& [name, section] : ini_.sections()) {
             const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
             if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
                 tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),

@@ -80,7 +80,7 @@ class XddReader {
     }
 
     IniSection& section(const std::string& name, const pugi::xml_node& node) {
-        return file_.sections.emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
+        return file_.sections().emplace(lower_case(name), IniSection{name, line_of(node), {}}).first->second;
     }
     /// Adds a value of a key, unless the text is empty. If a key has several values, sort_values() keeps the first.
     void set(IniSection& section, const std::string& key, const std::string& text, const pugi::xml_node& node) {

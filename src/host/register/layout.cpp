@@ -99,8 +99,11 @@ Layout make_layout(const Part& part) {
             append_value(pool, entry, place.size);
             if (entry.stored) {
                 stored.assign(index);
-                stored.append(fmt::format_int{entry.subindex}.c_str()).append(1, ':').append(entry.type);
-                stored.append(1, ':').append(fmt::format_int{place.offset}.c_str()).append(1, ';');
+                const fmt::format_int subindex{entry.subindex};
+                const fmt::format_int offset{place.offset};
+                stored.append(subindex.data(), subindex.size()).push_back(':');
+                stored.append(entry.type).push_back(':');
+                stored.append(offset.data(), offset.size()).push_back(';');
                 print = fnv1a(stored, print);
             }
             placed.push_back(place);

@@ -89,7 +89,6 @@ struct TypeFacts {
 };
 
 constexpr std::int64_t none = 0;
-// The most frequent types come first, because the search begins at the start.
 constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
                                            {"UNSIGNED16", 2, 0, UINT16_MAX},
                                            {"UNSIGNED32", 4, 0, UINT32_MAX},
@@ -105,9 +104,36 @@ constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
                                            {"UNSIGNED64", 8, 0, INT64_MAX},
                                            {"REAL64", 8, none, none}}};
 
+constexpr std::size_t type_slots = 64;
+
+/// Returns the slot of a type, which no two of the known types share.
+constexpr std::size_t type_slot(std::string_view type) {
+    return type.empty() ? 0 : (5 * type.size() + static_cast<unsigned char>(type.back())) % type_slots;
+}
+
+/// The facts by slot; an empty slot has an empty word.
+constexpr std::array<TypeFacts, type_slots> types_by_slot = [] {
+    std::array<TypeFacts, type_slots> slots{};
+    for (const TypeFacts& one : types) {
+        slots[type_slot(one.word)] = one;
+    }
+    return slots;
+}();
+
+constexpr bool has_each_type_a_slot() {
+    for (const TypeFacts& one : types) {
+        if (types_by_slot[type_slot(one.word)].word != one.word) {
+            return false;
+        }
+    }
+    return true;
+}
+static_assert(has_each_type_a_slot());
+
+/// Returns the facts about a type; nullptr for a text that is no type.
 const TypeFacts* facts(std::string_view type) {
-    const auto found = std::find_if(types.begin(), types.end(), [type](const TypeFacts& f) { return type == f.word; });
-    return found == types.end() ? nullptr : &*found;
+    const TypeFacts& found = types_by_slot[type_slot(type)];
+    return !type.empty() && found.word == type ? &found : nullptr;
 }
 
 }  // namespace

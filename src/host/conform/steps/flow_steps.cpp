@@ -80,7 +80,7 @@ std::string words_of(const EdsFinding& finding, const std::string& name) {
 /// Checks the data sheet itself. An error in it fails the case; a warning becomes a note.
 void check_data_sheet(Context& context) {
     const ConformSheet& sheet = context.sheet;
-    if (sheet.ini.sections.empty()) {
+    if (sheet.ini.sections().empty()) {
         throw CaseSkipped{"the rules apply to an EDS, and this data sheet is an XDD"};
     }
     ++context.journal.judged;

@@ -111,7 +111,7 @@ EdsSheet::EdsSheet(std::string_view text, std::string_view name) : name_{name} {
     Faults faults;
     Faults notes;  // not used: the rules report the same faults in more detail
     ini_ = read_ini(std::string{text}, EdsTelling{name_, faults, notes});
-    if (!faults.empty() || ini_.sections.empty()) {
+    if (!faults.empty() || ini_.sections().empty()) {
         throw InputError{fmt::format("{} is no EDS: {}", name_.empty() ? "the text" : name_,
                                      faults.empty() ? "it has no section" : faults.front().what)};
     }
@@ -137,7 +137,7 @@ void EdsSheet::read_lines(std::string_view text) {
 }
 
 void EdsSheet::find_objects() {
-    for (const auto& [name, section] : ini_.sections) {
+    for (const auto& [name, section] : ini_.sections()) {
         const auto found = eds_object_name(name);
         if (!found) {
             continue;

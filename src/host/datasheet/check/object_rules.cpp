@@ -216,7 +216,7 @@ class ObjectCheck {
 
     /// Checks the name and the keys of every section of an object.
     void check_sections() {
-        for (const auto& [name, section] : sheet_.ini().sections) {
+        for (const auto& [name, section] : sheet_.ini().sections()) {
             const auto object = eds_object_name(name);
             if (!object) {
                 continue;
@@ -251,7 +251,7 @@ class ObjectCheck {
 
     /// Checks all sections such as [1018Name] and [1018Value].
     void check_compact_lists() {
-        for (const auto& [name, section] : sheet_.ini().sections) {
+        for (const auto& [name, section] : sheet_.ini().sections()) {
             const auto found = eds_object_name(name);
             if (!found || (found->kind != EdsObjectName::Kind::name && found->kind != EdsObjectName::Kind::value)) {
                 continue;

@@ -126,7 +126,7 @@ void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
     if (sheet.is_dcf()) {
         return;
     }
-    for (const auto& [name, section] : sheet.ini().sections) {
+    for (const auto& [name, section] : sheet.ini().sections()) {
         for (const auto& [key, value] : section.values) {
             if (eds_object_name(name) && is_dcf_key(key)) {
                 findings.add("dcf-key", value.line, fmt::format("{} is in an EDS", sheet.line(value.line).name));

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The circumstances in which a fuzz target runs an input on a device.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof::fuzz {
+
+/// The circumstances of a run, which must not change the result.
+struct Circumstances {
+    std::uint64_t begins_us{0};  ///< the time at power-on
+    std::uint8_t garbage{0};     ///< the byte that fills the RAM of the device before its start
+};
+
+/// Starts at a multiple of 24 s, which every LED pattern divides without remainder, and 1.28 s before the low 32 bits
+/// of the microseconds become 0.
+constexpr Circumstances late_and_dirty{94'488'000'000U, 0xA5};
+
+}  // namespace canproof::fuzz

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the entries that may have left their limits since the last look: a device has a thousand entries, and an event
+// changes few of them.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "firmware/canopen/object_dictionary.hpp"
+#include "fuzz/support/entries.hpp"
+
+namespace canproof::fuzz {
+
+/// The entries of a dictionary, by the bytes of the image that they own and by the limits that they set for others.
+class LimitIndex {
+  public:
+    explicit LimitIndex(const ObjectDictionary& objects) : owners_(objects.image().size(), no_entry) {
+        std::map<std::uint32_t, std::size_t> numbers;
+        for_each_entry(objects, [&](const EntryRef& entry) {
+            numbers[entry.index * 0x100U + entry.row->subindex] = entries_.size();
+            if (!entry.may(rights::constant)) {
+                std::fill_n(owners_.begin() + entry.row->offset, entry.row->size, entries_.size());
+            }
+            entries_.push_back(entry);
+        });
+        limited_.resize(entries_.size());
+        for (std::size_t number = 0; number < entries_.size(); ++number) {
+            const EntryRow& row = *entries_[number].row;
+            if (row.limit == no_limit) {
+                continue;
+            }
+            const LimitRow& limits = objects.tables().limits[row.limit];
+            for (const Limit& one : {limits.minimum, limits.maximum}) {
+                const bool is_same = (one.bits & 0xFFU) == same_subindex;
+                const auto found = numbers.find(is_same ? (one.bits & ~0xFFU) | row.subindex : one.bits);
+                if (one.kind == LimitKind::entry && found != numbers.end()) {
+                    limited_[found->second].push_back(number);
+                }
+            }
+        }
+    }
+
+  private:
+    friend class LimitWatch;
+    static constexpr std::size_t no_entry = SIZE_MAX;
+
+    std::vector<EntryRef> entries_;
+    std::vector<std::size_t> owners_;                ///< by byte of the image: number of the entry
+    std::vector<std::vector<std::size_t>> limited_;  ///< by entry: numbers of the entries that it limits
+};
+
+class LimitWatch {
+  public:
+    /// Calls `visit(entry)` for each entry that has other bytes than at the last call, and for each entry that such an
+    /// entry limits. The first call visits all entries.
+    template <typename Visit>
+    void visit_changed(const LimitIndex& index, const ObjectDictionary& objects, const Visit& visit) {
+        const ByteView image = objects.image();
+        if (seen_.size() != image.size()) {
+            seen_.assign(image.data(), image.data() + image.size());
+            std::for_each(index.entries_.begin(), index.entries_.end(), visit);
+            return;
+        }
+        constexpr std::size_t stride = 32;
+        for (std::size_t at = 0; at < seen_.size(); at += stride) {
+            const std::size_t count = std::min(stride, seen_.size() - at);
+            if (std::memcmp(seen_.data() + at, image.data() + at, count) != 0) {
+                visit_owners(index, image, at, count, visit);
+                std::memcpy(seen_.data() + at, image.data() + at, count);
+            }
+        }
+    }
+
+  private:
+    template <typename Visit>
+    void visit_owners(const LimitIndex& index, ByteView image, std::size_t at, std::size_t count,
+                      const Visit& visit) const {
+        std::size_t last = LimitIndex::no_entry;
+        for (std::size_t i = at; i < at + count; ++i) {
+            const std::size_t owner = index.owners_[i];
+            if (seen_[i] == image[i] || owner == LimitIndex::no_entry || owner == last) {
+                continue;
+            }
+            last = owner;
+            visit(index.entries_[owner]);
+            for (const std::size_t number : index.limited_[owner]) {
+                visit(index.entries_[number]);
+            }
+        }
+    }
+
+    std::vector<std::uint8_t> seen_;
+};
+
+}  // namespace canproof::fuzz
