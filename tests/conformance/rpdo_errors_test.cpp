@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several receive PDOs: their errors and times are separate, and a SYNC applies them in order of their numbers (CiA 301,
+// Several receive PDOs have separate errors and times, and a SYNC applies them in order of their numbers (CiA 301,
 // 7.2.2.2, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
