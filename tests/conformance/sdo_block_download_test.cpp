@@ -36,7 +36,7 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
 
 /// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
 TEST_F(SdoBlock, AnnouncedSizeCountsForItsOwnDownloadOnly) {
-    verifies<req::CO_SDO_010, req::CO_SDO_034>();
+    verifies<req::CO_SDO_010>();
     using Transfer = std::vector<Exchange>;
     const std::vector<Transfer> with_size{
         {{"605#2100210102000000", {"585#6000210100000000"}}, {"605#0B34120000000000", {"585#2000000000000000"}}},
