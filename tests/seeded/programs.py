@@ -62,14 +62,17 @@ class Programs:
         return users
 
     def tests_in(self, made):
-        found = re.findall(rb"[A-Z]\w*_Test\b", (self.build / made).read_bytes())
-        return {name.decode() for name in found}
+        """Returns the mangled names of the classes of an object's tests, such as ...12Suite_Name_Test."""
+        content, names = (self.build / made).read_bytes(), set()
+        for found in re.finditer(rb"_Test8TestBodyEv\0", content):
+            names.add(content[content.rfind(b"\0", 0, found.start()) + 1:found.start() + len("_Test")].decode())
+        return names
 
     def object_of(self, program, test):
         """Returns the object of a program that contains a test, or nothing."""
         wanted = symbols_of(test)
         for made in self.links[program]:
-            if any(name.endswith(one) for name in self.tests.get(made, ()) for one in wanted):
+            if any(re.search(rf"\d{one}$", name) for name in self.tests.get(made, ()) for one in wanted):
                 return made
         return None
 
