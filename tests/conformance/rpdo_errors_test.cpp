@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors and times of several receive PDOs are separate (CiA 301, 7.2.7.1, 7.5.2.35).
+// Several receive PDOs have separate errors and times, and a SYNC applies them in order of their numbers (CiA 301,
+// 7.2.2.2, 7.2.7.1, 7.5.2.35).
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/rpdo_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -75,6 +76,22 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
         }
         send("000#0105");
     }
+}
+
+/// RPDO1 and RPDO3 both set 2000h:1. Whichever came first, RPDO3 is applied last.
+TEST_F(Rpdo, SynchronousRpdosAreAppliedInOrderOfTheirNumbers) {
+    verifies<req::CO_PDO_002>();
+    map_rpdo3({"08010020"});
+    send("605#2F00140201000000");
+    send("605#2F02140201000000");
+    send("205#1122");
+    send("405#33");
+    send("080#");
+    EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200133000000"}));
+    send("405#44");
+    send("205#5566");
+    send("080#");
+    EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200144000000"}));
 }
 
 }  // namespace canproof::test

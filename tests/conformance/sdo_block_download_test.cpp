@@ -34,6 +34,30 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
     EXPECT_EQ(held(), nine);
 }
 
+/// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
+TEST_F(SdoBlock, AnnouncedSizeCountsForItsOwnDownloadOnly) {
+    verifies<req::CO_SDO_010>();
+    using Transfer = std::vector<Exchange>;
+    const std::vector<Transfer> with_size{
+        {{"605#2100210102000000", {"585#6000210100000000"}}, {"605#0B34120000000000", {"585#2000000000000000"}}},
+        {{"605#C200210102000000", {"585#A40021017F000000"}},
+         {"605#8134120000000000", {"585#A2017F0000000000"}},
+         {"605#D500000000000000", {"585#A100000000000000"}}}};
+    const std::vector<Transfer> without_size{
+        {{"605#2000200100000000", {"585#6000200100000000"}}, {"605#0D55000000000000", {"585#2000000000000000"}}},
+        {{"605#C000200100000000", {"585#A40020017F000000"}},
+         {"605#8155000000000000", {"585#A2017F0000000000"}},
+         {"605#D900000000000000", {"585#A100000000000000"}}}};
+    for (const Transfer& first : with_size) {
+        for (const Transfer& next : without_size) {
+            talk(*this, first);
+            talk(*this, next);
+            talk(*this, {{"605#4000200100000000", {"585#4F00200155000000"}},
+                         {"605#2F00200100000000", {"585#6000200100000000"}}});
+        }
+    }
+}
+
 TEST_F(SdoBlock, CrcIsIgnoredWhenTheClientHasNone) {
     verifies<req::CO_SDO_051>();
     talk(*this, {

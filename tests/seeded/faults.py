@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the seeded faults (tests/seeded/*.patch), applies them to a copy of the tree and removes them again."""
-import os
+"""Reads the seeded faults (tests/seeded/*.patch), applies them to copies of the changed files."""
 import pathlib
 import re
-import shutil
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "tests" / "seeded"
-# Folders that no build of the test programs reads.
-LEFT_OUT = {"build", ".git", "out", "__pycache__"}
 
 
 class Wrong(Exception):
@@ -57,11 +53,6 @@ class Fault:
         if done.returncode != 0:
             raise Wrong(f"{self.name} does not apply; write it again: {done.stdout.strip()}")
 
-    def revert(self, tree):
-        done = self.patch(tree, "-R")
-        if done.returncode != 0:
-            raise Wrong(f"{self.name} cannot be taken back: {done.stdout.strip()}")
-
     def check(self, tree):
         """Checks whether the patch applies, without writing."""
         done = self.patch(tree, "--dry-run")
@@ -84,31 +75,3 @@ def read_faults(paths):
     if wrong:
         raise Wrong("\n".join(wrong))
     return faults
-
-
-def files_below(folder):
-    found = set()
-    for place, folders, files in os.walk(folder):
-        folders[:] = [name for name in folders if name not in LEFT_OUT]
-        found.update(os.path.relpath(os.path.join(place, name), folder) for name in files)
-    return found
-
-
-def same(one, other):
-    try:
-        return one.stat().st_size == other.stat().st_size and one.read_bytes() == other.read_bytes()
-    except FileNotFoundError:
-        return False
-
-
-def copy_tree(tree):
-    """Makes `tree` equal to the project. An equal file is not touched, so that its build results stay valid."""
-    tree.mkdir(parents=True, exist_ok=True)
-    wanted = files_below(ROOT)
-    for name in files_below(tree) - wanted:
-        (tree / name).unlink()
-    for name in wanted:
-        if not same(ROOT / name, tree / name):
-            (tree / name).parent.mkdir(parents=True, exist_ok=True)
-            (tree / name).unlink(missing_ok=True)
-            shutil.copy(ROOT / name, tree / name)  # the new modification time makes the build compile it

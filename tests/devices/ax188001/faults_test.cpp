@@ -56,6 +56,31 @@ TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
     EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
 }
 
+/// 5040h holds tenths. 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
+TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
+    verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009>();
+    write(0x5051, 1, 2, 0);
+    write(0x5051, 2, 2, 0);
+    const auto with = [&](float cpu, float supply) {
+        inputs.cpu_temperature = cpu;
+        inputs.supply = supply;
+        set_inputs();
+        return read_once();
+    };
+    EXPECT_EQ(with(110.04F, 24.0F), Frames{});
+    EXPECT_EQ(with(110.06F, 24.0F), (Frames{"165:0FF#0042010110000000"}));
+    EXPECT_EQ(with(85.06F, 24.0F), Frames{});
+    EXPECT_EQ(with(85.04F, 24.0F), (Frames{"165:0FF#0000000000000000"}));
+    EXPECT_EQ(with(85.0F, 50.04F), Frames{});
+    EXPECT_EQ(with(85.0F, 50.06F), (Frames{"165:0FF#0031010210000000"}));
+    EXPECT_EQ(with(85.0F, 48.06F), Frames{});
+    EXPECT_EQ(with(85.0F, 48.04F), (Frames{"165:0FF#0000000000000000"}));
+    EXPECT_EQ(with(85.0F, 8.96F), Frames{});
+    EXPECT_EQ(with(85.0F, 8.94F), (Frames{"165:0FF#0031010320000000"}));
+    EXPECT_EQ(with(85.0F, 11.94F), Frames{});
+    EXPECT_EQ(with(85.0F, 11.96F), (Frames{"165:0FF#0000000000000000"}));
+}
+
 TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
     verifies<req::TCS_FD_007>();
     inputs.supply = 9.0F;

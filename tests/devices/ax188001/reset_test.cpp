@@ -91,4 +91,52 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     }
 }
 
+/// 1029h:2 is for faults of the channels, 1029h:3 for those of the unit. The other sub-index demands the opposite.
+TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviourOfItsOwnClass) {
+    verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
+    const auto begin = [this](int fault) {
+        switch (fault) {
+            case 0:
+                return heat(1, 130.0);
+            case 1:
+                return heat(2, -30.0);
+            case 2:
+                return cut(2);
+            case 3:
+                inputs.cpu_temperature = 120.0F;
+                break;
+            case 4:
+                inputs.supply = 60.0F;
+                break;
+            default:
+                inputs.supply = 8.0F;
+                break;
+        }
+        return set_inputs();
+    };
+    for (int fault = 0; fault < 6; ++fault) {
+        const int own = fault < 3 ? 2 : 3;
+        for (const auto& [reaction, state] :
+             {std::pair{0U, NmtState::pre_operational}, {1U, NmtState::operational}, {2U, NmtState::stopped}}) {
+            memory.bytes().assign(1024, 0xFF);
+            inputs = {};
+            power_on();
+            for (const int sub : {1, 2}) {
+                write(0x4030, sub, 2, 0);
+                write(0x5051, sub, 2, 0);
+            }
+            EXPECT_EQ(write(0x1029, own, 1, reaction), 0U);
+            EXPECT_EQ(write(0x1029, 5 - own, 1, reaction == 1U ? 2 : 1), 0U);
+            EXPECT_EQ(write(0x5555, 0, 1, 1), 0U);
+            EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
+            power_on();
+            begin(fault);
+            settle();
+            EXPECT_EQ(device->state(), state) << "fault " << fault << " begins";
+            send("000#827F");
+            EXPECT_EQ(device->state(), state) << "fault " << fault << ", 1029h:" << own << " = " << reaction;
+        }
+    }
+}
+
 }  // namespace canproof::test

@@ -259,8 +259,11 @@ void SocketcandBus::write_client(Client& client) {
     const std::string& text = client.session->output();
     if (!text.empty()) {
         const ssize_t count = send(client.descriptor, text.data(), text.size(), MSG_NOSIGNAL);
-        const bool is_reset = count < 0 && errno != EAGAIN;  // the client receives nothing more
-        client.session->sent(is_reset ? text.size() : static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (count >= 0) {
+            client.session->sent(static_cast<std::size_t>(count));
+        } else if (errno != EAGAIN) {
+            client.session->sent(text.size());  // the connection is reset: the client receives nothing more
+        }
     }
     if (client.leaves() && text.empty()) {
         shutdown(client.descriptor, SHUT_WR);  // the client can still read the reason; then it closes the connection

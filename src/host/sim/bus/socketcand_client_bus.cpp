@@ -87,6 +87,7 @@ SocketcandClientBus::~SocketcandClientBus() {
 void SocketcandClientBus::connect_to_server(Instant now) {
     look_at_ = never;
     join_by_ = now + join_limit;
+    complaint_told_.clear();
     client_.emplace(place_.bus, [this](const Frame& frame) { arrived_.push_back({read_at_, frame}); });
     descriptor_ = socket(address_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (descriptor_ < 0) {

@@ -248,6 +248,24 @@ TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
+TEST_F(ScriptedBus, ErrorOfALostConnectionIsNotReportedOnTheNextOne_AndTheSameErrorThereIs) {
+    join();
+    say("< error no such thing >");
+    server.hang_up();
+    hear();
+    now = now + SocketcandClientBus::search_period;
+    bus->poll(now);
+    server.accept_one();
+    say("< hi >< ok >< ok >");
+    ASSERT_TRUE(bus->has_joined());
+    bus->poll(now);
+    EXPECT_THAT(notices, ElementsAre(HasSubstr("reports: no such thing"), HasSubstr("is gone (no such thing)"),
+                                     HasSubstr("is joined again")));
+    say("< error no such thing >");
+    EXPECT_THAT(notices, SizeIs(4));
+    EXPECT_THAT(notices.back(), HasSubstr("reports: no such thing"));
+}
+
 TEST_F(ScriptedBus, ServerThatRefusesARejoinIsContactedAgainLater) {
     join();
     server.hang_up();

@@ -191,4 +191,19 @@ TEST_F(SocketcandClient, StatisticsAreSentAtTheirPeriod) {
     EXPECT_EQ(say("< send 703 0 >"), "< error unknown command >");  // control mode sends no frames
 }
 
+/// Statistics are those of the bus. A client gets none of these frames: it has subscribed to another identifier, the
+/// second frame is a remote frame, and in control mode it gets no frames.
+TEST_F(SocketcandClient, StatisticsCountFramesThatTheClientDoesNotGet) {
+    join("< subscribe 0 0 123 >");
+    heard();
+    arrives("703#05");
+    arrives("123#R");
+    say("< controlmode >");
+    arrives("123#0102");
+    say("< statistics 500 >");
+    heard();
+    session.advance(Instant{500000});
+    EXPECT_EQ(heard(), "< stat 3 3 0 0 >");  // 1 + 0 + 2 bytes
+}
+
 }  // namespace canproof::host::test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Enable and override inputs that are in error: whatever they did before, they do nothing then, and the fault mode
+// determines the output (AX130751, 1.3, Tables 7 to 9; 1.2, Table 2). Every response, with either last state.
+#include <gtest/gtest.h>
+
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+class Ax130751InputInError : public Ax130751Blocks {
+  protected:
+    /// Connects an input of output 1 to 2500h:1, which RPDO2 must bring at least every 100 ms.
+    void watch_input(std::uint16_t source_index) {
+        extra_as_percent(1);
+        set8(source_index, 1, canopen);
+        set8(static_cast<std::uint16_t>(source_index + 1), 1, 4);  // number 4 of the CANopen messages is 2500h:1
+        set8(0x1601, 0, 0);
+        set32(0x1601, 1, 0x25000110);
+        set8(0x1601, 0, 1);
+        set32(0x1401, 1, 0x4000037F);
+        set16(0x1401, 5, 100);
+        start();
+    }
+    /// The input is 0 % or 100 % and then comes no more.
+    void lose_input(bool on) {
+        send(on ? "37F#6400" : "37F#0000");
+        pass(2);
+        pass(150);
+    }
+    /// Loses the input in each response of `response_index` and each last state. Calls `check` each time.
+    template <typename Check>
+    void in_each_response(std::uint16_t response_index, int responses, const Check& check) {
+        for (int response = 0; response < responses; ++response) {
+            for (const bool on : {false, true}) {
+                SCOPED_TRACE(fmt::format("{:04X}h = {}, last {}", response_index, response, on ? "ON" : "OFF"));
+                set8(response_index, 1, response);
+                lose_input(on);
+                check();
+            }
+        }
+    }
+};
+
+}  // namespace
+
+TEST_F(Ax130751InputInError, EnableInErrorLeavesAnAnalogueOutputToItsFaultMode) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
+    no_ramps(1);
+    set16(0x7341, 1, 1500);
+    watch_input(0x2350);
+    command(1, 4000);
+    in_each_response(0x2352, 6, [this] { EXPECT_FLOAT_EQ(volts(1), 1.5F); });
+}
+
+TEST_F(Ax130751InputInError, OverrideInErrorLeavesAnAnalogueOutputToItsFaultMode) {
+    verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
+    no_ramps(1);
+    set16(0x2300, 1, 3000);
+    set16(0x7341, 1, 1500);
+    watch_input(0x2360);
+    command(1, 4000);
+    in_each_response(0x2362, 2, [this] { EXPECT_FLOAT_EQ(volts(1), 1.5F); });
+}
+
+TEST_F(Ax130751InputInError, EnableInErrorLeavesADigitalOutputToItsFaultState) {
+    verifies<req::AOR_OUT_033, req::AOR_DO_005>();
+    set16(0x6310, 1, 1020);
+    watch_input(0x2350);
+    set8(0x6220, 1, 1);
+    for (const bool state : {true, false}) {
+        set8(0x6260, 1, state ? 1 : 0);
+        in_each_response(0x2352, 6, [this, state] { EXPECT_EQ(is_on(1), state); });
+    }
+}
+
+TEST_F(Ax130751InputInError, OverrideInErrorLeavesADigitalOutputToItsFaultState) {
+    verifies<req::AOR_OUT_033, req::AOR_DO_005>();
+    set16(0x6310, 1, 1020);
+    watch_input(0x2360);
+    set8(0x6220, 1, 1);
+    for (const bool state : {true, false}) {
+        set16(0x2300, 1, state ? 0 : 1);  // the override is the opposite
+        set8(0x6260, 1, state ? 1 : 0);
+        in_each_response(0x2362, 2, [this, state] { EXPECT_EQ(is_on(1), state); });
+    }
+}
+
+}  // namespace canproof::test
