@@ -21,7 +21,8 @@ bool is_consistent(const Emcy& emcy, const ObjectDictionary& objects) {
                  (emcy.pending_count_ <= Emcy::pending_capacity) &&
                  (objects.read(index::error_list, 0U) <= list_length);
     for (std::size_t i = 0U; i < Emcy::pending_capacity; ++i) {
-        sound = sound && ((i >= emcy.pending_count_) || (emcy.pending_[i].error < max_errors));
+        const bool counts = i < emcy.pending_count_;
+        sound = both(sound, !both(counts, emcy.pending_[i].error >= max_errors));
     }
     return sound;
 }
@@ -72,13 +73,17 @@ void a_listed_error_comes_first() {
     proves<req::CO_EMCY_013, req::CO_EMCY_026>();
     Reporting node{};
     const auto entry = any<std::uint32_t>();
-    const auto sub = any<std::uint8_t>();
-    const std::uint32_t count = node.listed(0U);
-    assume((sub >= 1U) && (sub <= count) && (sub < list_length));
-    const std::uint32_t moved = node.listed(sub);
+    const std::uint32_t count = each(list_length + 1U);
+    node.dictionary.objects.write(index::error_list, 0U, count);
+    std::array<std::uint32_t, list_length> before{};
+    for (std::uint32_t sub = 1U; sub <= list_length; ++sub) {
+        before[sub - 1U] = node.listed(sub);
+    }
     node.emcy.enter_into_list(entry);
     claim(node.listed(1U) == entry);
-    claim(node.listed(sub + 1U) == moved);
+    for (std::uint32_t sub = 1U; (sub <= count) && (sub < list_length); ++sub) {
+        claim(node.listed(sub + 1U) == before[sub - 1U]);
+    }
     claim(node.listed(0U) == ((count < list_length) ? (count + 1U) : list_length));
     claim(is_consistent(node.emcy, node.dictionary.objects));
 }
@@ -132,7 +137,9 @@ void at_most_two_messages_of_an_error_wait() {
     Reporting node{};
     const auto error = any<std::uint8_t>();
     const bool cured = any<bool>();
-    assume((error < max_errors) && (node.emcy.pending_count_ <= 4U) && !node.emcy.enabled_);
+    node.emcy.pending_count_ = each(5U);
+    assume((error < max_errors) && !node.emcy.enabled_);
+    assume(is_consistent(node.emcy, node.dictionary.objects));
     std::size_t before{0U};
     bool alternates{true};  // of two waiting messages one reports the beginning and the other the end of the error
     bool newest{false};

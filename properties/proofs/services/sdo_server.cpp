@@ -3,96 +3,13 @@
 #include "firmware/canopen/sdo_server.hpp"
 
 #include "generated/canopen/requirements.hpp"
-#include "properties/proofs/support/node.hpp"
+#include "properties/proofs/support/sdo.hpp"
 
 namespace canproof::proofs {
 
 namespace {
 
 using State = SdoServer::State;
-
-/// Objects that may return anything that their interface allows. The choice is open, and is made before the call.
-class AnyObjects final : public ObjectAccess {
-  public:
-    AnyObjects() {
-        const std::size_t value_size = any_size();
-        value_ = ByteView{any_memory(value_size), value_size};
-        const std::size_t staging_size = any_size();
-        staging_ = MutableBytes{any_memory(staging_size), staging_size};
-        assume(refusal_ != AbortCode::none);
-    }
-    Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
-        using Answer = Result<ByteView, AbortCode>;
-        return is_readable_ ? Answer::success(value_) : Answer::failure(refusal_);
-    }
-    AbortCode write(std::uint16_t /*index*/, std::uint8_t /*subindex*/, ByteView value, Instant /*now*/) override {
-        ++writes_;
-        written_ = value.size();
-        return is_taken_ ? AbortCode::none : refusal_;
-    }
-    Result<WritePlace, AbortCode> writable(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
-        using Answer = Result<WritePlace, AbortCode>;
-        const WritePlace place{capacity_, lends_ ? staging_ : MutableBytes{}};
-        return is_writable_ ? Answer::success(place) : Answer::failure(refusal_);
-    }
-    AbortCode before_received(const EntryRef& /*entry*/, std::uint64_t /*bits*/) override { return AbortCode::none; }
-    void after_put(const EntryRef& /*entry*/, bool /*changes*/, Instant /*now*/) override {}
-
-    ByteView value_{};
-    MutableBytes staging_{};
-    std::size_t capacity_{any_size()};
-    AbortCode refusal_{any<AbortCode>()};
-    bool is_readable_{any<bool>()};
-    bool is_writable_{any<bool>()};
-    bool is_taken_{any<bool>()};
-    bool lends_{any<bool>()};
-    std::size_t writes_{0U};
-    std::size_t written_{0U};
-};
-
-/// Invariant between two requests, without block transfer: a transfer is at a place within its value, and its toggle
-/// bit is 0 or 10h. Without a transfer no time is due. The stored object leaves room for the command of an answer
-/// beside index and sub-index.
-bool is_consistent(const SdoServer& server) {
-    const bool is_idle = server.state_ == State::idle;
-    const bool goes_down = server.state_ == State::downloading;
-    const bool goes_up = server.state_ == State::uploading;
-    return (is_idle || goes_down || goes_up) && ((server.toggle_ == 0U) || (server.toggle_ == 0x10U)) &&
-           (!goes_down || (server.done_ <= server.place_.size())) &&
-           (!goes_up || (server.done_ <= server.value_.size())) && (!is_idle || (server.idle_until() == never)) &&
-           ((server.object_.bits & 0xFFU) == 0U);
-}
-
-/// Returns any frame. The theorem is decided for each command.
-Frame any_request() {
-    Frame frame = any_frame();
-    const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;
-    frame.data[0] = static_cast<std::uint8_t>((std::uint32_t{each(8U)} << 5U) | rest);
-    return frame;
-}
-
-/// A server in any state without block transfer: decided for each state, and for a transfer in the server's own copy
-/// and in memory of the object.
-struct Served {
-    AnyObjects objects{};
-    TransmitQueue queue{};
-    SdoServer server{objects, queue, false};
-
-    Served() {
-        leave_open(server);
-        server.offers_block_ = false;
-        server.state_ = static_cast<State>(each(3U));
-        const std::size_t size = any_size();
-        const bool is_copy = each(2U) == 1U;
-        assume(size <= (is_copy ? SdoServer::buffer_size : objects.staging_.size()));
-        server.place_ = is_copy ? MutableBytes{server.buffer_.data(), size} : objects.staging_.part(0U, size);
-        const std::size_t length = any_size();
-        assume(length <= (is_copy ? SdoServer::buffer_size : objects.value_.size()));
-        server.value_ = is_copy ? ByteView{server.buffer_.data(), length} : objects.value_.part(0U, length);
-        assume(is_consistent(server));
-    }
-    bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
-};
 
 }  // namespace
 

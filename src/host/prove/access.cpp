@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/prove/access.hpp"
 
+#include <algorithm>
+
 #include "host/prove/unknown.hpp"
 
 namespace canproof::host::prove {
@@ -55,6 +57,60 @@ Term count_of(Proof& proof, std::uint64_t count) {
     return constant(proof.context, count, address_width);
 }
 
+/// Objects up to this size, in bytes, are accessed as a whole when the offset is not a constant.
+constexpr std::uint64_t small_object = 64;
+
+/// Finds by bisection the least number up to `most` for which `holds` returns true; `holds` is monotone. Returns
+/// `most` when there is none below.
+template <typename Holds>
+std::uint64_t least(std::uint64_t most, const Holds& holds) {
+    std::uint64_t low = 0;
+    while (low < most) {
+        const std::uint64_t middle = low + (most - low) / 2;
+        if (holds(middle)) {
+            most = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+/// Returns the bytes of an object that an access to a place may reach on this path. Elsewhere the object stays as it
+/// is, so that an address that it keeps there remains an address.
+Reach reach_of(Proof& proof, const State& state, const Place& place, const Term& count) {
+    const auto size = number(proof.objects[*place.object].size);
+    if (!size || *size <= small_object || (number(place.offset) && number(count))) {
+        return {};
+    }
+    ReachKey key{proof.solver.node_of(place.when), proof.solver.node_of(place.offset), proof.solver.node_of(count)};
+    for (const Term& condition : state.path) {
+        key.push_back(proof.solver.node_of(condition));
+    }
+    const auto known = proof.reaches.find(key);
+    if (known != proof.reaches.end()) {
+        return known->second;
+    }
+    const auto possible = [&](const Term& truth) {
+        const Term condition = (place.when && truth).simplify();
+        return !is_false(condition) &&
+               proof.solver.satisfiable(state.path, condition, proof.limits.branch_milliseconds) != Answer::no;
+    };
+    Reach reach;
+    const auto fixed = number(place.offset);
+    reach.first =
+        fixed ? *fixed
+              : least(*size, [&](std::uint64_t at) { return possible(z3::ule(place.offset, count_of(proof, at))); });
+    // the greatest end of the access, counted down from the end of the object
+    reach.end = *size - least(*size, [&](std::uint64_t behind) {
+        const Term end = place.offset + count;
+        return possible(z3::uge(end, count_of(proof, *size - behind)) && z3::ule(place.offset, end) &&
+                        z3::ule(place.offset, count_of(proof, *size)));
+    });
+    proof.reaches.emplace(key, reach);
+    return reach;
+}
+
 }  // namespace
 
 Term load(Proof& proof, const State& state, const Term& address, unsigned bytes, const AccessSite& site) {
@@ -63,7 +119,8 @@ Term load(Proof& proof, const State& state, const Term& address, unsigned bytes,
                           "a read of " + std::to_string(bytes) + " byte(s) lies in its object", site.where);
     std::optional<Term> value;
     for (const Place& one : places) {
-        const Term word = state.memory.contents(proof.objects, *one.object)->read(one.offset, bytes);
+        const Term word = state.memory.contents(proof.objects, *one.object)
+                              ->read(one.offset, bytes, reach_of(proof, state, one, count_of(proof, bytes)));
         value = value ? choose(one.when, word, *value) : word;
     }
     return value ? *value : proof.fresh(byte_width * bytes);
@@ -76,7 +133,7 @@ void store(Proof& proof, State& state, const Term& address, const Term& word, co
                           "a write of " + std::to_string(bytes) + " byte(s) lies in its object", site.where);
     for (const Place& one : places) {
         const ContentsPointer now = state.memory.contents(proof.objects, *one.object);
-        change(proof, state, one, now->written(one.offset, word));
+        change(proof, state, one, now->written(one.offset, word, reach_of(proof, state, one, count_of(proof, bytes))));
     }
 }
 
@@ -96,9 +153,10 @@ void copy(Proof& proof, State& state, const Term& to, const Term& from, const Te
     for (const Place& target : targets) {
         ContentsPointer next = before.memory.contents(proof.objects, *target.object);
         const ContentsPointer now = next;
+        const Reach reach = reach_of(proof, before, target, count);
         for (const Place& source : sources) {
             const ContentsPointer taken = before.memory.contents(proof.objects, *source.object);
-            const ContentsPointer copied = now->copied(target.offset, taken, source.offset, count);
+            const ContentsPointer copied = now->copied(target.offset, taken, source.offset, count, reach);
             next = is_true(source.when) ? copied : copied->merged(source.when, next);
         }
         change(proof, state, target, next);
@@ -119,7 +177,7 @@ void fill(Proof& proof, State& state, const Term& to, const Term& byte, const Te
     for (const Place& target : targets) {
         ContentsPointer next = state.memory.contents(proof.objects, *target.object);
         for (std::uint64_t i = 0; i < *bytes; ++i) {
-            next = next->written((target.offset + count_of(proof, i)).simplify(), byte);
+            next = next->written((target.offset + count_of(proof, i)).simplify(), byte, {});
         }
         change(proof, state, target, next);
     }
@@ -145,6 +203,29 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
                               "an address stays in its object, or one past its end", where);
     }
     return address_at(proof.context, places);
+}
+
+std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b) {
+    const std::vector<Place> left = places_of(a, proof.objects.size());
+    const std::vector<Place> right = places_of(b, proof.objects.size());
+    const auto is_address = [](const Place& place) { return place.object.has_value(); };
+    if (std::none_of(left.begin(), left.end(), is_address) || std::none_of(right.begin(), right.end(), is_address)) {
+        return std::nullopt;
+    }
+    std::optional<Term> all;
+    for (const Place& one : left) {
+        for (const Place& other : right) {
+            const Term when = (one.when && other.when).simplify();
+            if (is_false(when)) {
+                continue;
+            }
+            const Term value = one.object == other.object
+                                   ? (one.offset - other.offset).simplify()
+                                   : (address_at(a.ctx(), {one}) - address_at(a.ctx(), {other})).simplify();
+            all = all ? choose(when, value, *all) : value;
+        }
+    }
+    return all;
 }
 
 namespace {

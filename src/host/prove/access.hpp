@@ -26,6 +26,9 @@ Term moved(Proof& proof, const State& state, const Term& address, const Term& by
            const std::string& where);
 /// Compares two addresses: equal_addresses() for equality, below() for a lower first address. Addresses in two
 /// different objects are never equal; the address in the object with the smaller number is the lower one.
+/// Returns the difference of two addresses: that of their offsets, where both are in the same object. Returns nothing
+/// when one of them is no address.
+std::optional<Term> difference(const Proof& proof, const Term& a, const Term& b);
 Term equal_addresses(const Proof& proof, const Term& a, const Term& b);
 Term below(const Proof& proof, const Term& a, const Term& b);
 

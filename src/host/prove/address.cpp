@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/prove/address.hpp"
 
+#include <unordered_map>
+
 namespace canproof::host::prove {
 
 namespace {
@@ -20,7 +22,7 @@ class Reader {
         if (const auto value = number(address)) {
             return {of_number(*value)};
         }
-        if (!address.is_app()) {
+        if (!address.is_app() || !may_be_address(address)) {
             return {plain(address)};
         }
         switch (address.decl().decl_kind()) {
@@ -37,6 +39,30 @@ class Reader {
     }
 
   private:
+    /// Returns whether a sum or a choice contains the base of an object. Looks at each part once, however often the
+    /// term uses it.
+    bool may_be_address(const Term& term) const {
+        if (const auto value = number(term)) {
+            return of_number(*value).object.has_value();
+        }
+        const Z3_decl_kind kind = term.decl().decl_kind();
+        if (kind == Z3_OP_CONCAT) {
+            return number(term.arg(0)).has_value();
+        }
+        if (kind != Z3_OP_BADD && kind != Z3_OP_ITE) {
+            return false;
+        }
+        const auto known = looked_at_.find(term.id());
+        if (known != looked_at_.end()) {
+            return known->second;
+        }
+        bool may = false;
+        for (unsigned i = kind == Z3_OP_ITE ? 1 : 0; i < term.num_args() && !may; ++i) {
+            may = may_be_address(term.arg(i));
+        }
+        looked_at_[term.id()] = may;
+        return may;
+    }
     Term always() const { return context_.bool_val(true); }
     Place plain(const Term& value) const { return {always(), std::nullopt, value}; }
 
@@ -119,6 +145,7 @@ class Reader {
 
     z3::context& context_;
     std::size_t objects_;
+    mutable std::unordered_map<unsigned, bool> looked_at_{};
 };
 
 }  // namespace

@@ -38,15 +38,24 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
-/// The places from 0 to `last` that an offset may be. For an element of an array, they have equal distances.
+/// Returns the last place of `bytes` bytes that lie in `size` bytes and in reach. `size` is at least `bytes`.
+std::size_t last_place(std::size_t size, unsigned bytes, const Reach& reach) {
+    const std::uint64_t end = std::max<std::uint64_t>(std::min<std::uint64_t>(size, reach.end), bytes);
+    return static_cast<std::size_t>(end - bytes);
+}
+
+/// The places up to `last` that an offset may be. For an element of an array, they have equal distances.
 class Places {
   public:
-    Places(const Term& offset, std::size_t last) : last_{last} {
+    Places(const Term& offset, std::size_t last, const Reach& reach) : last_{last} {
         const KnownBits known = low_bits(offset);
         constexpr unsigned most = 32;
         const unsigned count = std::min(known.count, most);
         step_ = std::size_t{1} << count;
         first_ = static_cast<std::size_t>(known.bits & (step_ - 1));
+        if (reach.first > first_) {
+            first_ += (reach.first - first_ + step_ - 1) / step_ * step_;
+        }
     }
     std::size_t first() const { return first_; }
     std::size_t step() const { return step_; }
@@ -61,8 +70,8 @@ class Places {
 /// Makes a choice between the words at all places. The bits of the offset select the word.
 class Choice {
   public:
-    Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes)
-        : cells_{cells}, bytes_{bytes}, last_{cells.size() - bytes} {
+    Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes, const Reach& reach)
+        : cells_{cells}, bytes_{bytes}, first_{reach.first}, last_{last_place(cells.size(), bytes, reach)} {
         const KnownBits known = low_bits(offset);
         for (unsigned at = 0; (last_ >> at) != 0; ++at) {
             bits_.push_back(at < known.count ? offset.ctx().bool_val(((known.bits >> at) & 1U) != 0)
@@ -86,11 +95,15 @@ class Choice {
         if (is_true(bits_[count - 1])) {
             return from(high, count - 1);
         }
+        if (high <= first_) {
+            return from(high, count - 1);
+        }
         return choose(bits_[count - 1], from(high, count - 1), from(low, count - 1));
     }
 
     const std::vector<Cell>& cells_;
     unsigned bytes_;
+    std::uint64_t first_;
     std::size_t last_;
     std::vector<Term> bits_;
 };
@@ -132,7 +145,7 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
     return std::make_shared<CellContents>(std::move(cells));
 }
 
-Term CellContents::read(const Term& offset, unsigned bytes) const {
+Term CellContents::read(const Term& offset, unsigned bytes, const Reach& reach) const {
     if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of this access has failed
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
@@ -141,10 +154,10 @@ Term CellContents::read(const Term& offset, unsigned bytes) const {
                                             : constant(offset.ctx(), 0, byte_width * bytes);
     }
     refuse_large(cells_.size());
-    return Choice{cells_, offset, bytes}.word();
+    return Choice{cells_, offset, bytes, reach}.word();
 }
 
-ContentsPointer CellContents::written(const Term& offset, const Term& word) const {
+ContentsPointer CellContents::written(const Term& offset, const Term& word, const Reach& reach) const {
     const unsigned bytes = width_of(word) / byte_width;
     if (cells_.size() < bytes) {
         return shared_from_this();
@@ -157,7 +170,7 @@ ContentsPointer CellContents::written(const Term& offset, const Term& word) cons
         return std::make_shared<CellContents>(std::move(cells));
     }
     refuse_large(cells.size());
-    const Places places{offset, cells.size() - bytes};
+    const Places places{offset, last_place(cells.size(), bytes, reach), reach};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         const Term here = (offset == constant(offset.ctx(), at, address_width)).simplify();
         if (!is_false(here)) {
@@ -168,7 +181,7 @@ ContentsPointer CellContents::written(const Term& offset, const Term& word) cons
 }
 
 ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& source, const Term& from,
-                                     const Term& count) const {
+                                     const Term& count, const Reach& reach) const {
     std::vector<Cell> cells = cells_;
     const auto* source_cells = dynamic_cast<const CellContents*>(source.get());
     const auto to_number = number(offset);
@@ -184,13 +197,14 @@ ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& 
     }
     refuse_large(cells.size());
     if (how_many && *how_many <= most_in_words && source_cells != nullptr) {
-        return copied_in_words(offset, *source_cells, from, *how_many);
+        return copied_in_words(offset, *source_cells, from, *how_many, reach);
     }
-    for (std::size_t at = 0; at < cells.size(); ++at) {
+    const auto end = static_cast<std::size_t>(std::min<std::uint64_t>(cells.size(), reach.end));
+    for (auto at = static_cast<std::size_t>(reach.first); at < end; ++at) {
         const Term behind = (constant(offset.ctx(), at, address_width) - offset).simplify();
         const Term inside = z3::ult(behind, count).simplify();
         if (!is_false(inside)) {
-            const Term copy = source->read((from + behind).simplify(), 1);
+            const Term copy = source->read((from + behind).simplify(), 1, {});
             cells[at] = Cell{choose(inside, copy, byte_of(cells_[at].word, cells_[at].byte)), 0};
         }
     }
@@ -198,12 +212,12 @@ ContentsPointer CellContents::copied(const Term& offset, const ContentsPointer& 
 }
 
 ContentsPointer CellContents::copied_in_words(const Term& offset, const CellContents& source, const Term& from,
-                                              std::uint64_t count) const {
+                                              std::uint64_t count, const Reach& reach) const {
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
     std::set<std::uint64_t> starts{0};  // offsets at which a word begins at any of the places that `from` may be
-    const Places places{from, source.cells_.size() - count};
+    const Places places{from, source.cells_.size() - count, {}};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         for (std::uint64_t i = 1; i < count; ++i) {
             const Cell& before = source.cells_[at + i - 1];
@@ -220,7 +234,9 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     ContentsPointer next = shared_from_this();
     for (auto start = starts.begin(); std::next(start) != starts.end(); ++start) {
         const auto bytes = static_cast<unsigned>(*std::next(start) - *start);
-        next = next->written(plus(offset, *start), source.read(plus(from, *start), bytes));
+        const Reach here{reach.first + *start,
+                         reach.end == UINT64_MAX ? reach.end : reach.end - count + *std::next(start)};
+        next = next->written(plus(offset, *start), source.read(plus(from, *start), bytes, {}), here);
     }
     return next;
 }

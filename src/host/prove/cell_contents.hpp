@@ -21,17 +21,17 @@ class CellContents : public Contents, public std::enable_shared_from_this<CellCo
     /// Makes `size` bytes with unknown values.
     static std::shared_ptr<const CellContents> unknown(std::uint64_t size, const MakeFresh& fresh);
 
-    Term read(const Term& offset, unsigned bytes) const override;
-    ContentsPointer written(const Term& offset, const Term& word) const override;
-    ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
-                           const Term& count) const override;
+    Term read(const Term& offset, unsigned bytes, const Reach& reach) const override;
+    ContentsPointer written(const Term& offset, const Term& word, const Reach& reach) const override;
+    ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from, const Term& count,
+                           const Reach& reach) const override;
     ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const override;
 
     const std::vector<Cell>& cells() const { return cells_; }
 
   private:
     ContentsPointer copied_in_words(const Term& offset, const CellContents& source, const Term& from,
-                                    std::uint64_t count) const;
+                                    std::uint64_t count, const Reach& reach) const;
 
     std::vector<Cell> cells_;
 };

@@ -10,6 +10,12 @@
 namespace canproof::host::prove {
 
 class Contents;
+
+/// The bytes of an object that an access may reach: those from `first` to `end` - 1.
+struct Reach {
+    std::uint64_t first{0};
+    std::uint64_t end{UINT64_MAX};
+};
 using ContentsPointer = std::shared_ptr<const Contents>;
 
 /// The interface of all contents. Offsets have 64 bits and are in bounds, because the caller adds that as an
@@ -22,13 +28,13 @@ class Contents {
     virtual ~Contents() = default;
 
     /// Returns the `bytes` bytes from `offset` on as one word, the least significant byte first.
-    virtual Term read(const Term& offset, unsigned bytes) const = 0;
+    virtual Term read(const Term& offset, unsigned bytes, const Reach& reach = {}) const = 0;
     /// Returns contents in which the bytes of `word` replace those from `offset` on.
-    virtual ContentsPointer written(const Term& offset, const Term& word) const = 0;
+    virtual ContentsPointer written(const Term& offset, const Term& word, const Reach& reach = {}) const = 0;
     /// Returns contents in which the bytes of `source` from `from` on replace `count` bytes from `offset` on. `source`
     /// may be this object.
     virtual ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
-                                   const Term& count) const = 0;
+                                   const Term& count, const Reach& reach = {}) const = 0;
     /// Returns contents that equal these where the condition is true, and `otherwise` where it is false. Both belong to
     /// the same object.
     virtual ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const = 0;

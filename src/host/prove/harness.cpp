@@ -98,8 +98,9 @@ void leave_state_open(Proof& proof, State& state, const HarnessCall& call) {
 /// bytes.
 Value any_memory(Proof& proof, State& state, const HarnessCall& call) {
     const Term size = call.arguments[0];
-    const auto memory = std::make_shared<UnknownBytes>([&proof](unsigned width) { return proof.fresh(width); },
-                                                       [&proof](const Term& fact) { proof.solver.know(fact); });
+    const auto memory = std::make_shared<UnknownBytes>(
+        [&proof](unsigned width) { return proof.fresh(width); },
+        [&proof](const void* of, const Term& offset, const Term& value) { proof.solver.know_byte(of, offset, value); });
     const Term most = constant(proof.context, std::uint64_t{1} << 32U, address_width);
     proof.obligations.add(state.path, z3::ule(size, most), "memory of any size has at most 2^32 bytes", call.where);
     const ObjectId id = proof.objects.add({"memory of any size", size, 16, true});

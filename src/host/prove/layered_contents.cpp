@@ -74,7 +74,7 @@ class Merged : public LayeredContents {
 
 }  // namespace
 
-Term LayeredContents::read(const Term& offset, unsigned bytes) const {
+Term LayeredContents::read(const Term& offset, unsigned bytes, const Reach& /*reach*/) const {
     Term word = at(offset);
     for (unsigned byte = 1; byte < bytes; ++byte) {
         word = z3::concat(at(plus(offset, byte)), word);
@@ -82,12 +82,12 @@ Term LayeredContents::read(const Term& offset, unsigned bytes) const {
     return word.simplify();
 }
 
-ContentsPointer LayeredContents::written(const Term& offset, const Term& word) const {
+ContentsPointer LayeredContents::written(const Term& offset, const Term& word, const Reach& /*reach*/) const {
     return std::make_shared<Written>(shared_from_this(), offset, word);
 }
 
 ContentsPointer LayeredContents::copied(const Term& offset, const ContentsPointer& source, const Term& from,
-                                        const Term& count) const {
+                                        const Term& count, const Reach& /*reach*/) const {
     return std::make_shared<Copied>(shared_from_this(), offset, source, from, count);
 }
 
@@ -102,16 +102,7 @@ Term UnknownBytes::at(const Term& offset) const {
         }
     }
     const Term value = fresh_(byte_width);
-    const bool is_number = number(offset).has_value();
-    for (const AskedByte& one : asked_) {
-        if (is_number && number(one.offset)) {
-            continue;  // two constant offsets that differ
-        }
-        const Term alike = (one.offset == offset).simplify();
-        if (!is_false(alike)) {
-            know_(z3::implies(alike, one.value == value));
-        }
-    }
+    know_(this, offset, value);
     asked_.push_back({offset, value});
     return value;
 }

@@ -11,10 +11,10 @@ namespace canproof::host::prove {
 
 class LayeredContents : public Contents, public std::enable_shared_from_this<LayeredContents> {
   public:
-    Term read(const Term& offset, unsigned bytes) const override;
-    ContentsPointer written(const Term& offset, const Term& word) const override;
-    ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from,
-                           const Term& count) const override;
+    Term read(const Term& offset, unsigned bytes, const Reach& reach) const override;
+    ContentsPointer written(const Term& offset, const Term& word, const Reach& reach) const override;
+    ContentsPointer copied(const Term& offset, const ContentsPointer& source, const Term& from, const Term& count,
+                           const Reach& reach) const override;
     ContentsPointer merged(const Term& condition, const ContentsPointer& otherwise) const override;
 
     /// Returns the byte at an offset.
@@ -27,18 +27,18 @@ struct AskedByte {
     Term value;
 };
 
-/// The bottom layer, in which each offset contains an unknown byte. Calls `know` with the fact that equal offsets have
-/// equal bytes.
+/// The bottom layer, in which each offset contains an unknown byte. Calls `know` for each byte that is read: equal
+/// offsets have equal bytes.
 class UnknownBytes : public LayeredContents {
   public:
-    UnknownBytes(MakeFresh fresh, std::function<void(const Term&)> know)
-        : fresh_{std::move(fresh)}, know_{std::move(know)} {}
+    using Know = std::function<void(const void* memory, const Term& offset, const Term& value)>;
+    UnknownBytes(MakeFresh fresh, Know know) : fresh_{std::move(fresh)}, know_{std::move(know)} {}
     Term at(const Term& offset) const override;
     const std::vector<AskedByte>& asked() const { return asked_; }
 
   private:
     MakeFresh fresh_;
-    std::function<void(const Term&)> know_;
+    Know know_;
     mutable std::vector<AskedByte> asked_;  ///< bytes that were read so far; each read of another offset adds one
 };
 

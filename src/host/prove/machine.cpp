@@ -110,9 +110,7 @@ bool Machine::possible(const State& state, const Term& condition, unsigned milli
     if (is_true(condition) || is_false(condition)) {
         return is_true(condition);
     }
-    std::vector<Term> truths = state.path;
-    truths.push_back(condition);
-    return proof_.solver.satisfiable(truths, milliseconds) != Answer::no;
+    return proof_.solver.satisfiable(state.path, condition, milliseconds) != Answer::no;
 }
 
 void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arrival) {
@@ -122,7 +120,7 @@ void Machine::branch(Frame& frame, const llvm::BranchInst& branch, Arrival arriv
         return;
     }
     const Term condition = as_truth(scalar(branch.getCondition(), arrival));
-    const Term opposite = (!condition).simplify();
+    const Term opposite = negated(condition);
     const bool repeats = frame.visits[&here] > 1;
     const unsigned time = repeats ? proof_.limits.loop_milliseconds : proof_.limits.branch_milliseconds;
     if (!possible(arrival.state, condition, time)) {
@@ -184,20 +182,32 @@ void Machine::go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBl
     if (waiting == frame.waiting.end()) {
         frame.waiting.emplace(position, std::move(arrival));
     } else {
-        join(waiting->second, arrival);
+        join(waiting->second, arrival, to);
     }
 }
 
-void Machine::join(Arrival& first, const Arrival& second) {
-    const Term condition = merge(proof_.context, proof_.objects, first.state, second.state);
-    for (auto& [name, value] : first.values) {
-        const auto other = second.values.find(name);
-        if (other != second.values.end()) {
-            value = joined(condition, value, other->second, name);
-        }
+bool Machine::is_usable(const llvm::Value& value, const llvm::BasicBlock& at) {
+    const auto* instruction = llvm::dyn_cast<llvm::Instruction>(&value);
+    if (instruction == nullptr || instruction->getParent() == &at) {
+        return true;
     }
-    for (const auto& [name, value] : second.values) {
-        first.values.emplace(name, value);
+    auto known = dominators_.find(at.getParent());
+    if (known == dominators_.end()) {
+        known = dominators_.try_emplace(at.getParent(), const_cast<llvm::Function&>(*at.getParent())).first;
+    }
+    return known->second.dominates(instruction->getParent(), &at);
+}
+
+void Machine::join(Arrival& first, const Arrival& second, const llvm::BasicBlock& at) {
+    const Term condition = merge(proof_.solver, proof_.objects, first.state, second.state);
+    for (auto value = first.values.begin(); value != first.values.end();) {
+        const auto other = second.values.find(value->first);
+        if (other == second.values.end() || !is_usable(*value->first, at)) {
+            value = first.values.erase(value);
+            continue;
+        }
+        value->second = joined(condition, value->second, other->second, value->first);
+        ++value;
     }
 }
 
@@ -218,7 +228,7 @@ void Machine::finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& a
         frame.result = std::move(here);
         return;
     }
-    const Term condition = merge(proof_.context, proof_.objects, frame.result->state, here.state);
+    const Term condition = merge(proof_.solver, proof_.objects, frame.result->state, here.state);
     if (returned != nullptr) {
         frame.result->value = joined(condition, frame.result->value, here.value, returned);
     }

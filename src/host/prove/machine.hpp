@@ -3,6 +3,7 @@
 // merged where they reach the same block.
 #pragma once
 
+#include <llvm/IR/Dominators.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/Module.h>
 
@@ -48,7 +49,9 @@ class Machine {
     void choose_case(Frame& frame, const llvm::SwitchInst& choice, Arrival arrival);
     void go(Frame& frame, const llvm::BasicBlock& from, const llvm::BasicBlock& to, Arrival arrival);
     void finish(Frame& frame, const llvm::ReturnInst& end, const Arrival& arrival);
-    void join(Arrival& first, const Arrival& second);
+    void join(Arrival& first, const Arrival& second, const llvm::BasicBlock& at);
+    /// Returns whether a block can use a value: its definition lies on every way to the block.
+    bool is_usable(const llvm::Value& value, const llvm::BasicBlock& at);
     Value joined(const Term& condition, const Value& first, const Value& second, const llvm::Value* of);
     bool possible(const State& state, const Term& condition, unsigned milliseconds);
 
@@ -74,6 +77,7 @@ class Machine {
     Globals globals_;
     unsigned depth_{0};
     std::map<const llvm::Function*, std::map<const llvm::BasicBlock*, unsigned>> orders_;
+    std::map<const llvm::Function*, llvm::DominatorTree> dominators_;
 };
 
 }  // namespace canproof::host::prove

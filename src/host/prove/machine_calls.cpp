@@ -96,7 +96,7 @@ bool Machine::call_address(const llvm::CallBase& call_here, const std::vector<Va
         }
         std::optional<Return> back = call(*callee, arguments, std::move(there));
         if (back && all) {
-            const Term condition = merge(proof_.context, proof_.objects, all->state, back->state);
+            const Term condition = merge(proof_.solver, proof_.objects, all->state, back->state);
             all->value = joined(condition, all->value, back->value, &call_here);
         } else if (back) {
             all = std::move(back);

@@ -62,6 +62,14 @@ Value Machine::evaluate(Frame& frame, const llvm::Instruction& instruction, Arri
         return whole;
     }
     if (const auto* operation = llvm::dyn_cast<llvm::BinaryOperator>(&instruction)) {
+        if (operation->getOpcode() == llvm::Instruction::Sub && bits_of(operation->getType()) == address_width &&
+            !operation->hasNoSignedWrap() && !operation->hasNoUnsignedWrap()) {
+            const auto between = difference(proof_, scalar(operation->getOperand(0), arrival),
+                                            scalar(operation->getOperand(1), arrival));
+            if (between) {
+                return {*between};
+            }
+        }
         const auto done = prove::computed(*operation, scalar(operation->getOperand(0), arrival),
                                           scalar(operation->getOperand(1), arrival));
         if (done) {

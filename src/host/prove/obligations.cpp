@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/prove/obligations.hpp"
 
-#include <algorithm>
-
 namespace canproof::host::prove {
 
 std::string name_of(Verdict verdict) {
@@ -25,52 +23,28 @@ void Obligations::add(const std::vector<Term>& path, const Term& holds, const st
     }
 }
 
-Term Obligations::broken(const Obligation& one) const {
-    return all_of(context_, one.path) && !one.holds;
-}
-
 Obligations::Outcome Obligations::settle(unsigned milliseconds, const std::vector<Term>& preferred) {
     Outcome outcome;
-    preferred_ = preferred;
-    constexpr std::size_t at_a_time = 32;
-    for (std::size_t first = 0; first < open_.size(); first += at_a_time) {
-        if (settle_range(first, std::min(first + at_a_time, open_.size()), milliseconds, outcome)) {
-            break;
+    for (const Obligation& one : open_) {
+        const Term broken = (!one.holds).simplify();
+        const Answer answer = solver_.satisfiable(one.path, broken, milliseconds);
+        if (answer == Answer::yes) {
+            outcome.verdict = Verdict::refuted;
+            outcome.reason = one.what + " (" + one.where + ")";
+            outcome.counterexample = solver_.model();
+            std::vector<Term> nicer = preferred;
+            nicer.insert(nicer.end(), one.path.begin(), one.path.end());
+            if (solver_.satisfiable(nicer, broken, milliseconds) == Answer::yes) {
+                outcome.counterexample = solver_.model();
+            }
+            return outcome;
         }
-    }
-    return outcome;
-}
-
-bool Obligations::settle_range(std::size_t first, std::size_t last, unsigned milliseconds, Outcome& outcome) {
-    std::vector<Term> some;
-    for (std::size_t i = first; i < last; ++i) {
-        some.push_back(broken(open_[i]));
-    }
-    const Answer answer = solver_.satisfiable({any_of(context_, some)}, milliseconds);
-    if (answer == Answer::no) {
-        return false;
-    }
-    if (last - first > 1) {
-        const std::size_t middle = first + (last - first) / 2;
-        return settle_range(first, middle, milliseconds, outcome) || settle_range(middle, last, milliseconds, outcome);
-    }
-    const Obligation& one = open_[first];
-    if (answer == Answer::unknown) {
-        if (outcome.verdict == Verdict::proven) {
+        if (answer == Answer::unknown && outcome.verdict == Verdict::proven) {
             outcome.verdict = Verdict::unknown;
             outcome.reason = one.what + " (" + one.where + "): not decided in time";
         }
-        return false;
     }
-    outcome.verdict = Verdict::refuted;
-    outcome.reason = one.what + " (" + one.where + ")";
-    outcome.counterexample = solver_.model();
-    std::vector<Term> nicer = preferred_;
-    nicer.push_back(broken(one));
-    if (solver_.satisfiable(nicer, milliseconds) == Answer::yes) {
-        outcome.counterexample = solver_.model();
-    }
-    return true;
+    return outcome;
 }
 
 }  // namespace canproof::host::prove

@@ -22,7 +22,7 @@ struct Obligation {
 
 class Obligations {
   public:
-    Obligations(z3::context& context, Solver& solver) : context_{context}, solver_{solver} {}
+    explicit Obligations(Solver& solver) : solver_{solver} {}
 
     /// Adds an obligation. If simplification already shows that it is true, it counts as proven and no question is
     /// asked.
@@ -32,21 +32,15 @@ class Obligations {
     struct Outcome {
         Verdict verdict{Verdict::proven};
         std::string reason;  ///< the refuted obligation; if there is none, the first undecided one
-        std::optional<z3::model> counterexample;
+        std::optional<Assignment> counterexample;
     };
-    /// Decides all obligations. One question to the solver covers several obligations and may take up to
-    /// `milliseconds`. If possible, the counterexample also makes all of `preferred` true.
+    /// Decides all obligations, until one is refuted. A question to the solver may take up to `milliseconds`. If
+    /// possible, the counterexample also makes all of `preferred` true.
     Outcome settle(unsigned milliseconds, const std::vector<Term>& preferred);
 
   private:
-    /// Decides the obligations from `first` to `last` - 1. Returns true when one was refuted, which ends the search.
-    bool settle_range(std::size_t first, std::size_t last, unsigned milliseconds, Outcome& outcome);
-    Term broken(const Obligation& one) const;
-
-    z3::context& context_;
     Solver& solver_;
     std::vector<Obligation> open_;
-    std::vector<Term> preferred_;
     std::size_t count_{0};
 };
 

@@ -2,6 +2,7 @@
 // The state of the proof of one theorem.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -36,6 +37,9 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
+/// The nodes of the condition of a place, of an offset and of a number of bytes, then those of the path.
+using ReachKey = std::vector<NodeId>;
+
 struct Proof {
     Proof(const Limits& bounds, Case& chosen) : limits{bounds}, at{chosen} {}
 
@@ -48,8 +52,9 @@ struct Proof {
     z3::context context{};
     Solver solver{context};
     Objects objects{};
-    Obligations obligations{context, solver};
+    Obligations obligations{solver};
     std::size_t unknowns{0};
+    std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
     std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes that leave_open() left open
     std::string statement{};                  ///< statement of the theorem, as the harness gives it

@@ -2,84 +2,240 @@
 #include "host/prove/solver.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace canproof::host::prove {
 
 namespace {
 
-constexpr std::size_t most_models = 6;
+constexpr std::size_t most_models = 24;
+/// Share of a question's time that the kept solver gets, in milliseconds. After that, a new one begins.
+constexpr unsigned kept_milliseconds = 1000;
+
+/// Bounds the next question. z3 counts its own steps, so the answer does not depend on how busy the machine is.
+void limit(z3::solver& solver, unsigned milliseconds) {
+    constexpr std::uint64_t steps_in_a_millisecond = 2000;
+    const std::uint64_t steps = std::min<std::uint64_t>(std::uint64_t{milliseconds} * steps_in_a_millisecond,
+                                                        std::numeric_limits<unsigned>::max());
+    z3::params params{solver.ctx()};
+    params.set("rlimit", static_cast<unsigned>(steps));
+    solver.set(params);
+}
 
 }  // namespace
 
+Solver::Solver(z3::context& context) : context_{context}, graph_{context}, kept_{context, z3::solver::simple{}} {}
+
+void Solver::place_bytes(Model& model) const {
+    for (; model.keeps_facts && model.placed < bytes_.size(); ++model.placed) {
+        const KnownByte& byte = bytes_[model.placed];
+        const auto offset = model.values.of(byte.offset);
+        if (!offset) {
+            model.keeps_facts = false;
+            return;
+        }
+        const auto [first, is_new] = model.bytes.emplace(std::pair{byte.memory, *offset}, model.placed);
+        if (is_new) {
+            continue;
+        }
+        const auto expected = model.values.of(bytes_[first->second].value);
+        if (expected != model.values.of(byte.value)) {
+            model.clashes.push_back({first->second, model.placed});
+            model.values.set(byte.value, *expected);
+        }
+    }
+}
+
 bool Solver::keeps_facts(Model& model) const {
+    place_bytes(model);
     while (model.keeps_facts && model.met < facts_.size()) {
-        model.keeps_facts = is_true(model.values.eval(facts_[model.met], true));
+        model.keeps_facts = model.values.makes_true(facts_[model.met]);
         ++model.met;
     }
     return model.keeps_facts;
 }
 
-bool Solver::known_to_hold(const std::vector<Term>& truths) {
+bool Solver::fulfils(Model& model, const std::vector<Term>& truths) const {
+    place_bytes(model);
+    const auto holds = [&model](const Term& truth) { return model.values.makes_true(truth); };
+    return model.keeps_facts && std::all_of(truths.rbegin(), truths.rend(), holds) && keeps_facts(model);
+}
+
+std::optional<std::size_t> Solver::model_of(const std::vector<Term>& truths) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
-        Model& one = models_[i];
-        const auto holds = [&one](const Term& truth) { return is_true(one.values.eval(truth, true)); };
-        if (std::all_of(truths.rbegin(), truths.rend(), holds) && keeps_facts(one)) {
-            std::rotate(models_.begin(), models_.begin() + static_cast<std::ptrdiff_t>(i),
-                        models_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-            return true;
+        if (fulfils(models_[i], truths)) {
+            return i;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
-std::vector<std::size_t> Solver::broken_facts(const z3::model& values) const {
-    std::vector<std::size_t> broken;
+void Solver::use(std::size_t place) {
+    std::rotate(models_.begin(), models_.begin() + static_cast<std::ptrdiff_t>(place),
+                models_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
+}
+
+void Solver::keep(Model model) {
+    models_.push_front(std::move(model));
+    if (models_.size() > most_models) {
+        models_.pop_back();
+    }
+}
+
+std::vector<Term> Solver::missing_facts(Model& model, const std::vector<Term>& truths) {
+    std::vector<Term> missing;
     for (std::size_t i = 0; i < facts_.size(); ++i) {
-        if (!is_true(values.eval(facts_[i], true))) {
-            broken.push_back(i);
+        if (!model.values.makes_true(facts_[i]) && is_needed_.insert(i).second) {
+            missing.push_back(facts_[i]);
         }
     }
-    return broken;
+    std::vector<Term> about = truths;
+    about.insert(about.end(), needed_.begin(), needed_.end());
+    std::set<NodeId> reached;
+    for (const Term& one : about) {
+        const auto& unknowns = graph_.unknowns_of(one);
+        reached.insert(unknowns.begin(), unknowns.end());
+    }
+    for (const Clash& clash : model.clashes) {
+        const KnownByte& first = bytes_[clash.first];
+        const KnownByte& second = bytes_[clash.second];
+        if (reached.count(graph_.node_of(second.value)) != 0) {
+            missing.push_back(z3::implies(first.offset == second.offset, first.value == second.value).simplify());
+        }
+    }
+    return missing;
 }
 
-Answer Solver::satisfiable(const std::vector<Term>& truths, unsigned milliseconds) {
-    if (std::any_of(truths.begin(), truths.end(), is_false)) {
-        return Answer::no;
+template <typename Check>
+Answer Solver::ask(z3::solver& solver, const std::vector<Term>& truths, const Check& check) {
+    for (;;) {
+        const z3::check_result answer = check();
+        if (answer != z3::sat) {
+            return answer == z3::unsat ? Answer::no : Answer::unknown;
+        }
+        Model model{Assignment{graph_, solver.get_model()}};
+        if (fulfils(model, truths)) {
+            keep(std::move(model));
+            return Answer::yes;
+        }
+        const std::vector<Term> missing = missing_facts(model, truths);
+        if (missing.empty()) {
+            return Answer::unknown;
+        }
+        for (const Term& fact : missing) {
+            solver.add(fact);
+        }
+        needed_.insert(needed_.end(), missing.begin(), missing.end());
     }
-    if (known_to_hold(truths)) {
-        return Answer::yes;
+}
+
+Term Solver::literal_of(const Term& truth) {
+    const auto found = literals_.find(truth.id());
+    if (found != literals_.end()) {
+        return found->second;
     }
-    ++questions_;
+    static_cast<void>(graph_.node_of(truth));  // keeps z3 from giving the number of this term to another
+    const Term literal = context_.bool_const(("t" + std::to_string(literals_.size())).c_str());
+    kept_.add(z3::implies(literal, truth));
+    literals_.emplace(truth.id(), literal);
+    return literal;
+}
+
+Answer Solver::ask_kept(const std::vector<Term>& truths, unsigned milliseconds) {
+    limit(kept_, milliseconds);
+    for (; kept_has_ < needed_.size(); ++kept_has_) {
+        kept_.add(needed_[kept_has_]);
+    }
+    z3::expr_vector literals{context_};
+    for (const Term& truth : truths) {
+        literals.push_back(literal_of(truth));
+    }
+    const Answer answer = ask(kept_, truths, [&] { return kept_.check(literals); });
+    kept_has_ = needed_.size();
+    return answer;
+}
+
+Answer Solver::ask_anew(const std::vector<Term>& truths, unsigned milliseconds) {
     z3::solver solver = z3::tactic{context_, "qfbv"}.mk_solver();
-    z3::params params{context_};
-    params.set("timeout", milliseconds);
-    solver.set(params);
-    for (const std::size_t fact : needed_) {
-        solver.add(facts_[fact]);
+    limit(solver, milliseconds);
+    for (const Term& fact : needed_) {
+        solver.add(fact);
     }
     for (const Term& truth : truths) {
         solver.add(truth);
     }
-    for (;;) {
-        const z3::check_result answer = solver.check();
-        if (answer != z3::sat) {
-            return answer == z3::unsat ? Answer::no : Answer::unknown;
-        }
-        const z3::model values = solver.get_model();
-        const std::vector<std::size_t> broken = broken_facts(values);
-        if (broken.empty()) {
-            models_.push_front({values, facts_.size(), true});
-            break;
-        }
-        for (const std::size_t fact : broken) {
-            needed_.insert(fact);
-            solver.add(facts_[fact]);
+    return ask(solver, truths, [&] { return solver.check(); });
+}
+
+Solver::Slice Solver::slice_of(const std::vector<Term>& path, const Term& condition) {
+    std::vector<const Term*> rest;
+    for (const Term& one : path) {
+        rest.push_back(&one);
+    }
+    for (const Term& one : needed_) {
+        rest.push_back(&one);
+    }
+    Slice slice{{condition}, graph_.unknowns_of(condition)};
+    std::set<NodeId> reached{slice.unknowns.begin(), slice.unknowns.end()};
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const Term*& one : rest) {
+            if (one == nullptr) {
+                continue;
+            }
+            const auto& unknowns = graph_.unknowns_of(*one);
+            if (std::none_of(unknowns.begin(), unknowns.end(), [&](NodeId id) { return reached.count(id) != 0; })) {
+                continue;
+            }
+            slice.truths.push_back(*one);
+            reached.insert(unknowns.begin(), unknowns.end());
+            one = nullptr;
+            grows = true;
         }
     }
-    if (models_.size() > most_models) {
-        models_.pop_back();
+    slice.unknowns.assign(reached.begin(), reached.end());
+    return slice;
+}
+
+Answer Solver::ask_slice(const std::vector<Term>& truths, std::size_t model_of_path, unsigned milliseconds) {
+    const Slice slice = slice_of({truths.begin(), truths.end() - 1}, truths.back());
+    limit(kept_, milliseconds);
+    z3::expr_vector literals{context_};
+    for (const Term& truth : slice.truths) {
+        literals.push_back(literal_of(truth));
     }
+    const z3::check_result answer = kept_.check(literals);
+    if (answer != z3::sat) {
+        return answer == z3::unsat ? Answer::no : Answer::unknown;
+    }
+    Model both{Assignment{models_[model_of_path].values, kept_.get_model(), slice.unknowns}};
+    if (!fulfils(both, truths)) {
+        return Answer::unknown;
+    }
+    keep(std::move(both));
     return Answer::yes;
+}
+
+Answer Solver::satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds) {
+    std::vector<Term> truths = path;
+    truths.push_back(condition);
+    if (std::any_of(truths.begin(), truths.end(), is_false)) {
+        return Answer::no;
+    }
+    if (const auto place = model_of(truths)) {
+        use(*place);
+        return Answer::yes;
+    }
+    ++questions_;
+    const unsigned first = std::min(milliseconds, kept_milliseconds);
+    Answer answer = Answer::unknown;
+    if (const auto place = model_of(path)) {
+        answer = ask_slice(truths, *place, first);
+    }
+    if (answer == Answer::unknown) {
+        answer = ask_kept(truths, first);
+    }
+    return answer == Answer::unknown ? ask_anew(truths, milliseconds) : answer;
 }
 
 }  // namespace canproof::host::prove

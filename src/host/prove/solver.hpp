@@ -3,10 +3,11 @@
 #pragma once
 
 #include <deque>
-#include <optional>
+#include <map>
 #include <set>
+#include <unordered_map>
 
-#include "host/prove/terms.hpp"
+#include "host/prove/assignment.hpp"
 
 namespace canproof::host::prove {
 
@@ -14,40 +15,91 @@ enum class Answer { yes, no, unknown };
 
 class Solver {
   public:
-    explicit Solver(z3::context& context) : context_{context} {}
+    explicit Solver(z3::context& context);
 
     /// Adds a fact that every later question assumes. z3 gets a fact only when a model of z3 contradicts it: of
     /// thousands of facts, z3 gets few. This is sound: what is impossible without a fact is also impossible with it,
     /// and a model counts only if it contradicts no fact.
     void know(const Term& fact) { facts_.push_back(fact); }
-    /// Returns whether all conditions in `truths` can be true at the same time. Returns `unknown` when z3 needs more
-    /// than `milliseconds`.
-    Answer satisfiable(const std::vector<Term>& truths, unsigned milliseconds);
+    /// Adds the fact that `memory` holds the byte `value` at `offset`: equal offsets have equal bytes. `value` is a new
+    /// unknown. z3 gets this fact, too, only when a model contradicts it.
+    void know_byte(const void* memory, const Term& offset, const Term& value) {
+        bytes_.push_back({memory, offset, value});
+    }
+    /// Returns whether all conditions of a path and `condition` can be true at the same time. Returns `unknown` when z3
+    /// needs more than `milliseconds`.
+    Answer satisfiable(const std::vector<Term>& path, const Term& condition, unsigned milliseconds);
+    Answer satisfiable(const std::vector<Term>& path, unsigned milliseconds) {
+        return satisfiable(path, context_.bool_val(true), milliseconds);
+    }
+    NodeId node_of(const Term& term) { return graph_.node_of(term); }
     /// Returns values that satisfy the last question with the answer `yes`.
-    const z3::model& model() const { return models_.front().values; }
+    Assignment& model() { return models_.front().values; }
+    z3::context& context() const { return context_; }
     std::size_t questions() const { return questions_; }
 
   private:
-    /// The values of an earlier answer. They satisfy the first `met` facts.
+    struct KnownByte {
+        const void* memory;
+        Term offset;
+        Term value;
+    };
+    /// A byte that contradicts an earlier one of the same memory.
+    struct Clash {
+        std::size_t first;
+        std::size_t second;
+    };
+    /// The values of an earlier answer. They satisfy the first `met` facts, and the first `placed` bytes.
     struct Model {
-        z3::model values;
+        Assignment values;
         std::size_t met{0};
+        std::size_t placed{0};
         bool keeps_facts{true};
+        std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< first byte that is known at an offset
+        std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first at their offset
     };
 
-    /// Returns whether a stored model makes all of `truths` and all facts true. Then z3 need not be asked.
-    bool known_to_hold(const std::vector<Term>& truths);
+    /// Gives each byte that became known after the model was last used the value of its offset in memory.
+    void place_bytes(Model& model) const;
     /// Checks the facts that were added after the model was last checked. Returns false when the model contradicts one
     /// of them.
     bool keeps_facts(Model& model) const;
-    /// Returns the numbers of the facts that are not true with these values.
-    std::vector<std::size_t> broken_facts(const z3::model& values) const;
+    bool fulfils(Model& model, const std::vector<Term>& truths) const;
+    /// Returns the place of a stored model that makes all of `truths` and all facts true. Then z3 need not be asked.
+    std::optional<std::size_t> model_of(const std::vector<Term>& truths);
+    /// Moves a model to the front.
+    void use(std::size_t place);
+    void keep(Model model);
+    /// The conditions of a path, and the facts, that share unknowns with a condition, directly or through others. The
+    /// rest of the path does not restrict these unknowns.
+    struct Slice {
+        std::vector<Term> truths;
+        std::vector<NodeId> unknowns;
+    };
+    Slice slice_of(const std::vector<Term>& path, const Term& condition);
+    /// Asks z3 about a slice only. A model of the slice, with the values of a model of the path for the rest, is a
+    /// model of both.
+    Answer ask_slice(const std::vector<Term>& truths, std::size_t model_of_path, unsigned milliseconds);
+    /// Asks this solver of z3 until its model contradicts no fact.
+    template <typename Check>
+    Answer ask(z3::solver& solver, const std::vector<Term>& truths, const Check& check);
+    Answer ask_kept(const std::vector<Term>& truths, unsigned milliseconds);
+    Answer ask_anew(const std::vector<Term>& truths, unsigned milliseconds);
+    /// Returns the facts that this model contradicts, and which z3 does not have yet.
+    std::vector<Term> missing_facts(Model& model, const std::vector<Term>& truths);
+    Term literal_of(const Term& truth);
 
     z3::context& context_;
+    TermGraph graph_;
     std::vector<Term> facts_;
-    std::set<std::size_t> needed_;  ///< numbers of the facts that z3 gets
-    std::deque<Model> models_;      ///< the model that was used last comes first
+    std::vector<KnownByte> bytes_;
+    std::vector<Term> needed_;         ///< the facts that z3 gets
+    std::set<std::size_t> is_needed_;  ///< numbers of those among `facts_`
+    std::deque<Model> models_;         ///< the model that was used last comes first
     std::size_t questions_{0};
+    z3::solver kept_;          ///< keeps what it has learnt from one question to the next
+    std::size_t kept_has_{0};  ///< number of the needed facts that it has
+    std::unordered_map<unsigned, Term> literals_;
 };
 
 }  // namespace canproof::host::prove

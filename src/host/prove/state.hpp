@@ -3,6 +3,7 @@
 #pragma once
 
 #include "host/prove/memory.hpp"
+#include "host/prove/solver.hpp"
 
 namespace canproof::host::prove {
 
@@ -17,10 +18,11 @@ struct State {
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;
+    std::optional<Term> either;  ///< that one of the two paths is taken, where `path` does not say so
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 
 /// Merges `second` into `first`. Returns the condition under which values that are not in memory come from `first`.
-Term merge(z3::context& context, const Objects& objects, State& first, const State& second);
+Term merge(Solver& solver, const Objects& objects, State& first, const State& second);
 
 }  // namespace canproof::host::prove

@@ -144,6 +144,13 @@ Term choose(const Term& condition, const Term& a, const Term& b) {
     return z3::ite(condition, a, b);
 }
 
+Term negated(const Term& truth) {
+    if (is_true(truth) || is_false(truth)) {
+        return truth.ctx().bool_val(is_false(truth));
+    }
+    return truth.is_not() ? truth.arg(0) : !truth;
+}
+
 Term all_of(z3::context& context, const std::vector<Term>& truths) {
     z3::expr_vector all{context};
     for (const Term& one : truths) {

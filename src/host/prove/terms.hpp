@@ -45,6 +45,8 @@ KnownBits low_bits(const Term& term);
 /// Returns `condition ? a : b`; simply a or b if the condition is constant or both are the same.
 Term choose(const Term& condition, const Term& a, const Term& b);
 
+/// Returns the opposite of a truth value. The opposite of an opposite is the same term again.
+Term negated(const Term& truth);
 Term all_of(z3::context& context, const std::vector<Term>& truths);
 Term any_of(z3::context& context, const std::vector<Term>& truths);
 

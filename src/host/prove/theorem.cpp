@@ -16,23 +16,24 @@ namespace {
 
 constexpr std::uint64_t most_memory_bytes = 4096;  ///< greatest number of bytes of one memory in a counterexample
 
-int byte_in(const z3::model& model, const Term& byte) {
-    return static_cast<int>(number(model.eval(byte, true)).value_or(0));
+int byte_in(Assignment& model, const Term& byte) {
+    return static_cast<int>(model.of(byte).value_or(0));
 }
 
-InputBytes memory_in(const z3::model& model, const Input& input) {
-    const std::uint64_t size = std::min(number(model.eval(*input.size, true)).value_or(0), most_memory_bytes);
+InputBytes memory_in(Assignment& model, const Input& input) {
+    const std::uint64_t size =
+        static_cast<std::uint64_t>(std::min(model.of(*input.size).value_or(0), Bits{most_memory_bytes}));
     InputBytes bytes(size, 0);
     for (const AskedByte& one : input.memory->asked()) {
-        const std::uint64_t at = number(model.eval(one.offset, true)).value_or(size);
+        const Bits at = model.of(one.offset).value_or(size);
         if (at < size) {
-            bytes[at] = byte_in(model, one.value);
+            bytes[static_cast<std::size_t>(at)] = byte_in(model, one.value);
         }
     }
     return bytes;
 }
 
-std::vector<InputBytes> inputs_in(const z3::model& model, const std::vector<Input>& inputs) {
+std::vector<InputBytes> inputs_in(Assignment& model, const std::vector<Input>& inputs) {
     std::vector<InputBytes> all;
     for (const Input& input : inputs) {
         InputBytes bytes;
@@ -85,7 +86,7 @@ Answer decide_case(const Program& program, Proof& proof, TheoremResult& result) 
     try {
         Machine machine{proof, program.module()};
         const auto end = machine.call(program.theorem(result.name), {}, State{});
-        const Obligations::Outcome outcome = proof.obligations.settle(1000 * proof.limits.seconds, small_memory(proof));
+        Obligations::Outcome outcome = proof.obligations.settle(1000 * proof.limits.seconds, small_memory(proof));
         result.verdict = outcome.verdict;
         result.reason = outcome.reason;
         if (outcome.counterexample) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Theorems on SDO block transfer: any frame of a client in any state of a server that offers it, whatever the objects
+// answer.
+#include "generated/canopen/requirements.hpp"
+#include "properties/proofs/support/sdo.hpp"
+
+namespace canproof::proofs {
+
+namespace {
+
+using State = SdoServer::State;
+
+constexpr bool offers_block = true;
+constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
+/// A block upload from its start to its end, and the end of a block download.
+constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
+
+}  // namespace
+
+void a_block_download_segment_keeps_the_server_consistent() {
+    shows(
+        "any frame during a block download leaves the server consistent; it is answered at most once, writes nothing");
+    proves<req::CO_SDO_030, req::CO_SDO_026, req::CO_SDO_027>();
+    Served node{downloading, offers_block};
+    const Frame frame = any_frame();
+    const std::size_t before = node.server.received_.size_;
+    const std::uint32_t sequence = frame.data[0] & 0x7FU;
+    const bool is_next = sequence == (node.server.received_.in_order_ + 1U);
+    node.server.receive(frame, any_time());
+    claim(is_consistent(node.server));
+    claim((node.queue.size() <= 1U) && (node.objects.writes_ == 0U));
+    claim(is_next || (node.server.received_.size_ == before));
+    const bool is_invalid = (frame.length == 8U) && (sequence == 0U) && (frame.data[0] != 0x80U);
+    claim(!is_invalid || (node.has_aborted() && (node.server.state_ == State::idle)));
+}
+
+void a_request_of_a_block_transfer_keeps_the_server_consistent() {
+    shows(
+        "any request behind the segments of a block transfer leaves the server consistent, queues at most 8 frames and "
+        "writes at most once");
+    proves<req::CO_SDO_020, req::CO_SDO_021, req::CO_SDO_053>();
+    Served node{others, offers_block};
+    const Frame frame = any_request();
+    node.server.receive(frame, any_time());
+    claim(is_consistent(node.server));
+    claim((node.queue.size() <= generated::canopen::sdo_block_queued) && (node.objects.writes_ <= 1U));
+}
+
+void a_block_transfer_begins_consistent() {
+    shows(
+        "any request to a server that offers block transfer, with no transfer or another one open, leaves it "
+        "consistent "
+        "and is answered at most once");
+    proves<req::CO_SDO_029, req::CO_SDO_031>();
+    Served node{states_without_block, offers_block};
+    const Frame frame = any_request();
+    node.server.receive(frame, any_time());
+    claim(is_consistent(node.server));
+    claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
+}
+
+void a_stalled_block_transfer_ends_in_time() {
+    shows("advance() keeps a block transfer consistent and queues at most 8 frames");
+    proves<req::CO_SDO_014>();
+    Served node{others, offers_block};
+    const Instant now = any_time();
+    node.server.advance(now);
+    claim(is_consistent(node.server));
+    claim(node.queue.size() <= generated::canopen::sdo_block_queued);
+}
+
+}  // namespace canproof::proofs

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// An SDO server in any consistent state, and objects that answer anything.
+#pragma once
+
+#include "firmware/canopen/sdo_server.hpp"
+#include "properties/proofs/support/node.hpp"
+
+namespace canproof::proofs {
+
+/// Objects that may return anything that their interface allows. The choice is open, and is made before the call.
+class AnyObjects final : public ObjectAccess {
+  public:
+    AnyObjects() {
+        const std::size_t value_size = any_size();
+        value_ = ByteView{any_memory(value_size), value_size};
+        const std::size_t staging_size = any_size();
+        staging_ = MutableBytes{any_memory(staging_size), staging_size};
+        assume(refusal_ != AbortCode::none);
+    }
+    Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        using Answer = Result<ByteView, AbortCode>;
+        return is_readable_ ? Answer::success(value_) : Answer::failure(refusal_);
+    }
+    AbortCode write(std::uint16_t /*index*/, std::uint8_t /*subindex*/, ByteView value, Instant /*now*/) override {
+        ++writes_;
+        written_ = value.size();
+        return is_taken_ ? AbortCode::none : refusal_;
+    }
+    Result<WritePlace, AbortCode> writable(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        using Answer = Result<WritePlace, AbortCode>;
+        const WritePlace place{capacity_, lends_ ? staging_ : MutableBytes{}};
+        return is_writable_ ? Answer::success(place) : Answer::failure(refusal_);
+    }
+    AbortCode before_received(const EntryRef& /*entry*/, std::uint64_t /*bits*/) override { return AbortCode::none; }
+    void after_put(const EntryRef& /*entry*/, bool /*changes*/, Instant /*now*/) override {}
+
+    ByteView value_{};
+    MutableBytes staging_{};
+    std::size_t capacity_{any_size()};
+    AbortCode refusal_{any<AbortCode>()};
+    bool is_readable_{any<bool>()};
+    bool is_writable_{any<bool>()};
+    bool is_taken_{any<bool>()};
+    bool lends_{any<bool>()};
+    std::size_t writes_{0U};
+    std::size_t written_{0U};
+};
+
+/// Invariant of a block download: it collects in the memory of the transfer, at most one segment more than fits there,
+/// and is complete when only its end is awaited.
+inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes place, const bool is_ending) {
+    return (received.place_.view().data() == place.view().data()) && (received.place_.size() == place.size()) &&
+           (received.size_ <= (place.size() + sdo::segment_capacity)) &&
+           (received.in_order_ < generated::canopen::sdo_block_size) && (received.complete_ == is_ending) &&
+           (!is_ending || (received.size_ >= sdo::segment_capacity));
+}
+
+/// Invariant of a block upload: a sub-block has 1 to 127 segments, and at most so many are sent. Segments before the
+/// last one are full.
+inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
+    const std::size_t size = value.size();
+    const std::size_t told = sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity);
+    const bool is_start = (size == 0U) && (told == 0U);
+    return (sent.value_.data() == value.data()) && (sent.value_.size() == size) &&
+           SdoBlockUpload::is_block_size(sent.block_size_) && (sent.sent_ <= sent.block_size_) && !sent.complete_ &&
+           (sent.base_ <= size) &&
+           (sent.last_sent_ ? ((sent.sent_ > 0U) && (told >= size)) : ((told < size) || is_start));
+}
+
+/// Invariant between two requests: a transfer is at a place within its value, and its toggle bit is 0 or 10h. Without a
+/// transfer no time is due. The stored object leaves room for the command of an answer beside index and sub-index.
+inline bool is_consistent(const SdoServer& server) {
+    using State = SdoServer::State;
+    const State state = server.state_;
+    const bool is_ending = state == State::block_download_ending;
+    const bool blocks_up = (state == State::block_upload_starting) || (state == State::block_uploading);
+    return (static_cast<std::uint32_t>(state) <= static_cast<std::uint32_t>(State::block_upload_ending)) &&
+           ((server.toggle_ == 0U) || (server.toggle_ == 0x10U)) &&
+           ((state != State::downloading) || (server.done_ <= server.place_.size())) &&
+           ((state != State::uploading) || (server.done_ <= server.value_.size())) &&
+           ((state != State::idle) || (server.idle_until() == never)) && ((server.object_.bits & 0xFFU) == 0U) &&
+           (!(is_ending || (state == State::block_downloading)) ||
+            is_consistent(server.received_, server.place_, is_ending)) &&
+           (!blocks_up || is_consistent(server.sent_, server.value_));
+}
+
+/// Some states of a server: `count` of them from `first` on.
+struct SdoStates {
+    std::size_t first;
+    std::size_t count;
+};
+constexpr SdoStates states_without_block{0U, 3U};
+constexpr SdoStates all_sdo_states{0U, 8U};
+
+/// A server in any of some states: decided for each of them, and for a transfer in the server's own copy and in memory
+/// of the object.
+struct Served {
+    AnyObjects objects{};
+    TransmitQueue queue{};
+    SdoServer server{objects, queue, false};
+
+    explicit Served(const SdoStates& states = states_without_block, const bool offers_block = false) {
+        leave_open(server);
+        server.offers_block_ = offers_block;
+        server.state_ = static_cast<SdoServer::State>(states.first + each(states.count));
+        const std::size_t size = any_size();
+        const bool is_copy = each(2U) == 1U;
+        assume(size <= (is_copy ? SdoServer::buffer_size : objects.staging_.size()));
+        server.place_ = is_copy ? MutableBytes{server.buffer_.data(), size} : objects.staging_.part(0U, size);
+        const std::size_t length = any_size();
+        assume(length <= (is_copy ? SdoServer::buffer_size : objects.value_.size()));
+        server.value_ = is_copy ? ByteView{server.buffer_.data(), length} : objects.value_.part(0U, length);
+        server.received_.place_ = server.place_;
+        server.sent_.value_ = server.value_;
+        assume(is_consistent(server));
+    }
+    bool has_aborted() const { return !queue.empty() && (waiting(queue, 0U).data[0] == 0x80U); }
+};
+
+/// Returns any frame. The theorem is decided for each command.
+inline Frame any_request() {
+    Frame frame = any_frame();
+    const std::uint32_t rest = std::uint32_t{frame.data[0]} >> 3U;
+    frame.data[0] = static_cast<std::uint8_t>((std::uint32_t{each(8U)} << 5U) | rest);
+    return frame;
+}
+
+}  // namespace canproof::proofs

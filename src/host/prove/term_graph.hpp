@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The terms of z3 as nodes of our own. Equal terms are one node, and each node comes after its arguments. So a term is
+// evaluated without calls of z3, and a part that several terms share is evaluated once.
+#pragma once
+
+#include <unordered_map>
+
+#include "host/prove/terms.hpp"
+
+namespace canproof::host::prove {
+
+/// A value of up to 128 bits.
+__extension__ using Bits = unsigned __int128;
+
+/// The index of a node in a TermGraph.
+using NodeId = std::uint32_t;
+
+struct Node {
+    Z3_decl_kind kind{Z3_OP_TRUE};
+    bool supported{false};   ///< this operation and its arguments can be evaluated
+    unsigned width{1};       ///< 1 for a truth value
+    std::uint32_t first{0};  ///< place of the first argument in the graph's list
+    std::uint32_t count{0};  ///< number of the arguments
+    unsigned high{0};        ///< the numbers in extract(high, low), or the count of an extension or repetition
+    unsigned low{0};
+    Bits value{0};  ///< value of a constant
+};
+
+class TermGraph {
+  public:
+    explicit TermGraph(z3::context& context) : context_{context}, kept_{context} {}
+
+    /// Returns the node of a term. Makes it, and the nodes of its arguments, when there is none yet.
+    NodeId node_of(const Term& term);
+    const Node& operator[](NodeId id) const { return nodes_[id]; }
+    NodeId argument(const Node& node, std::uint32_t at) const { return arguments_[node.first + at]; }
+    std::size_t size() const { return nodes_.size(); }
+    /// Returns the unknowns on which a term depends.
+    const std::vector<NodeId>& unknowns_of(const Term& term);
+    /// Returns the unknown of a node.
+    Z3_app term_of(NodeId unknown) const { return terms_.at(unknown); }
+
+  private:
+    NodeId add(Z3_app app);
+
+    z3::context& context_;
+    z3::expr_vector kept_;                        ///< keeps z3 from giving the number of a term to another
+    std::unordered_map<unsigned, NodeId> known_;  ///< node by z3's number of the term
+    std::vector<Node> nodes_;
+    std::vector<NodeId> arguments_;
+    std::unordered_map<NodeId, Z3_app> terms_;  ///< the unknowns
+    std::unordered_map<NodeId, std::vector<NodeId>> unknowns_;
+    std::vector<unsigned> seen_;  ///< number of the last search that has reached a node
+    unsigned searches_{0};
+};
+
+}  // namespace canproof::host::prove
