@@ -24,7 +24,7 @@ std::string cpp_literal(const Value& value, const std::string& cpp_type_name, bo
 std::string cpp_integer_type(std::int64_t low, std::int64_t high);
 /// Returns the comment above an item in generated code: text, id, sources, unit.
 std::string item_comment(const Item& item, const std::string& unit);
-/// Returns the C++ type of a CiA type: `std::uint16_t` for UNSIGNED16 …
+/// Returns the C++ type of a numeric CiA type: `std::uint16_t` for UNSIGNED16 …
 std::string cpp_type(const std::string& cia_type);
 
 }  // namespace canproof::host

@@ -46,7 +46,7 @@ std::uint32_t limit_bits(const std::string& type, const Value& value) {
     if (const auto* truth = std::get_if<bool>(&value)) {
         return *truth ? 1U : 0U;
     }
-    // The entry's value keeps only the bits of its type: -1 of an INTEGER16 becomes FFFFh.
+    // The limit keeps only the bits of the entry's type: -1 of an INTEGER16 becomes FFFFh.
     const std::int64_t number = std::get<std::int64_t>(value);
     const auto bits = static_cast<std::uint64_t>(number);
     if (number >= 0) {
@@ -88,8 +88,8 @@ class LimitRows {
   public:
     LimitRows(DictionaryRows& rows, Limits limits) : rows_{rows}, limits_{limits} {}
 
-    /// Returns the number of the limit row of an entry, and adds the row if necessary; `no_limit` for an entry without
-    /// limits.
+    /// Returns the position of the entry's row of limits in `rows_.limits`. Adds the row if necessary. Returns
+    /// `no_limit` for an entry without limits.
     std::uint16_t row_for(const Entry& entry) {
         if (entry.range.empty()) {
             return no_limit;
@@ -146,7 +146,7 @@ std::size_t fill_slots(std::vector<std::uint16_t>& slots, const std::vector<Obje
     return longest;
 }
 
-/// Returns the number of factors to try: 4 to 300, and fewer the more objects there are.
+/// Returns the number of factors to try, 4 to 300. More objects get fewer factors.
 std::size_t attempts_for(std::size_t objects) {
     constexpr std::size_t most = 300;
     constexpr std::size_t least = 4;

@@ -19,8 +19,8 @@ struct DictionaryRows {
     std::vector<EntryRow> entries;
     std::vector<LimitRow> limits;
     std::vector<std::uint32_t> allowed;
-    std::vector<std::uint16_t> slots;  ///< hash slots; object_slot() returns the slot of an index
-    std::uint32_t slot_factor{0};
+    std::vector<std::uint16_t> slots;  ///< hash slots: position in `objects`, or no_object
+    std::uint32_t slot_factor{0};      ///< factor for object_slot(), which returns the first slot to search
     Layout layout;
 
     /// Returns a view of the rows. It is valid as long as the rows exist.

@@ -36,11 +36,11 @@ class TableCode {
     std::string enumeration_of(const Column& column) const;
     /// Returns the C++ literal of a value; with `hexadecimal`, an unsigned number is hexadecimal.
     std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
-    /// Returns whether the words in a column are errors of the node.
+    /// Returns whether the words in a column are names of errors: of every node, or of this device alone.
     bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
-    /// Returns the rows; in each, the inputs stand before the outputs. A row of the table gives one row for each
-    /// combination of its alternatives; "*" stands for all values of a column. An integer column with ranges becomes
-    /// two members, first and last.
+    /// Returns the rows. In each row, the inputs stand before the outputs. One row of the table in spec/ gives one row
+    /// for each combination of its alternatives. "*" gives a row for each value of a boolean or word column. An integer
+    /// column with ranges or "*" becomes two members, first and last.
     std::vector<FieldRow> rows() const;
     /// Returns the namespace of the table, such as `enable_response`.
     const std::string& space() const { return table_.name; }

@@ -12,8 +12,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest length of one string literal, which compilers limit. The program joins the pieces of a longer text when it
-/// runs.
+/// Greatest length of one string literal in bytes; compilers limit it. The program joins the pieces of a longer text
+/// when it runs.
 constexpr std::size_t longest_piece = 8000;
 
 /// Returns the position after the piece that begins at `at`. A piece ends with a line break or with a complete UTF-8

@@ -44,8 +44,8 @@ std::string member(const Signal& signal) {
                        fmt::join(values, ", "), note);
 }
 
-/// Returns the function template for_each_input or for_each_output, which calls visit(name, value) for each single
-/// signal. The host uses it to access signals by name.
+/// Returns the function template for_each_input or for_each_output. It calls visit(name, value) for each signal, and
+/// for each element of a signal with several elements. The host uses it to access signals by name.
 std::string visitor(const Part& part, bool input) {
     const std::string group = input ? "input" : "output";
     std::string calls;
@@ -84,8 +84,8 @@ std::string constant_type(const std::string& type) {
 std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
-        // A constant in braces may initialise a narrower type if its value fits; a variable of a wider type may not. So
-        // a changeable cell has exactly the type of the register.
+        // Initialisation in braces to a narrower type accepts a constant whose value fits, but no variable of a wider
+        // type. So a changeable cell has exactly the type of the register.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

@@ -35,7 +35,7 @@ bool has_column(const Table& table, const std::string& name) {
                        [&](const Column& column) { return column.name == name; });
 }
 
-/// Returns the upper half of an error's entry in 1003h.
+/// Returns a C++ expression for the upper 16 bits of an error's entry in 1003h (pre-defined error field).
 std::string detail_of(const Table& table) {
     if (has_column(table, "detail")) {
         return "row.detail";
@@ -45,8 +45,8 @@ std::string detail_of(const Table& table) {
                : "0U";
 }
 
-/// Returns the statements that put the rows of one table into the ErrorTable. A column that the table does not have
-/// stands for the generic error bit, for an error that is sent, and for one that is listed.
+/// Returns the statements that put the rows of one table into the ErrorTable. A table without a column `register_bits`
+/// sets only the generic error bit (01h). A table without a column `sent` or `listed` sends or lists every error.
 std::string put_rows(const Table& table) {
     const auto code = std::find_if(table.outputs.begin(), table.outputs.end(),
                                    [](const Column& column) { return column.name == "code"; });

@@ -22,7 +22,8 @@ std::string own_enumeration(const Column& column) {
     return fmt::format("enum class {} : std::uint8_t {{ {} }};\n", pascal_case(column.name), fmt::join(words, ", "));
 }
 
-/// Returns an alias that gives the enumeration of a column the name of the column, as a column with its own words has.
+/// Returns an alias with the column's name for the enumeration of a column. Returns an empty text when the enumeration
+/// has this name itself.
 std::string alias_of(const TableCode& code, const Column& column) {
     const std::string name = pascal_case(column.name);
     return code.enumeration_of(column) == name ? ""

@@ -16,8 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Families of objects at consecutive indices: `count` blocks of `step` indices each, from `first` on. Each block
-/// contains the members of all families with the same number.
+/// A range of indices that families of objects fill together: `count` blocks of `step` indices each, from index `first`
+/// on. Block k contains member k of each family.
 struct Stretch {
     unsigned first;
     unsigned step;
@@ -46,8 +46,8 @@ std::map<std::string, std::vector<const Object*>> families_of(const Part& part) 
     return families;
 }
 
-/// Returns whether every object in the stretch belongs to a family with the step and the number of members of the
-/// stretch.
+/// Returns whether every object in the stretch belongs to a family that fits the stretch. Such a family has the
+/// stretch's step, number of members and first member, and begins in the first block.
 bool is_pure(const Part& part, const std::map<std::string, std::vector<const Object*>>& families,
              const Stretch& stretch) {
     return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {

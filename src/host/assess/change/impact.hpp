@@ -31,7 +31,7 @@ struct Impact {
 };
 
 /// Returns the changes as text: each changed item with its linked decisions, code and tests, each changed file with its
-/// items, the changed verdicts, the stale items, and a last line with the sums.
+/// items, the changed verdicts, and the stale items. The last line has the sums.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
 /// Returns the changes as JSON, without the links of the items.

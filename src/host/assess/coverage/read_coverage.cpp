@@ -150,8 +150,9 @@ class FileReader {
         tell_silent_lines();
     }
 
-    /// Adds one gap for each sequence of consecutive lines that never ran, with the text of the first line. Omits the
-    /// bodies of functions that were never called: each is already a gap.
+    /// Adds one gap for each sequence of consecutive lines that never ran, with the text of the first line. An empty
+    /// line or a line with only `}` ends a sequence. Omits the bodies of functions that were never called: each is
+    /// already a gap.
     void tell_silent_lines() {
         unsigned last = 0;
         for (const auto& [line, count] : made_.lines) {

@@ -48,7 +48,7 @@ std::string cell_html(const std::string& text, const ItemLinks& links) {
     return text == missing ? fmt::format("<span class=open>{}</span>", missing) : linked(text, links);
 }
 
-/// A table without a caption gets the title of its chapter.
+/// Returns a table as HTML. A table without a caption gets the title of its chapter.
 std::string table_html(const DocumentTable& table, const std::string& chapter, const ItemLinks& links) {
     std::vector<HtmlColumn> head;
     for (const auto& title : table.head) {

@@ -57,7 +57,7 @@ struct Argument {
 /// Reads reports/argument.toml; leaves `techniques` empty. Throws InputError with file, line and fix.
 Argument read_argument(const std::filesystem::path& file);
 
-/// Reads all `.toml` files of a folder, in the order of their names, and returns the rows of their tables of techniques
+/// Reads all `.toml` files of a folder, in the order of their names. Returns the rows of their tables of techniques
 /// (IEC 61508, ISO 26262); none when the folder does not exist. Throws InputError with file, line and fix.
 std::vector<Technique> read_techniques(const std::filesystem::path& folder);
 

@@ -57,7 +57,7 @@ std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
                        y2);
 }
 
-/// Returns a title that fits into the box.
+/// Returns a title that fits into the box. Cuts a title of more than 13 bytes after 12 bytes and adds an ellipsis.
 std::string shortened(const std::string& title) {
     constexpr std::size_t most = 13;
     return title.size() <= most ? title : title.substr(0, most - 1) + "…";

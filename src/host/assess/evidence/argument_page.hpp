@@ -22,8 +22,8 @@ struct ClaimCounts {
     std::size_t not_measured{0};
 };
 ClaimCounts count_claims(const Argument& argument, const Exhibits& exhibits);
-/// Returns a sentence such as `7 of 9 claims hold; 2 wait for evidence that was not measured: `canproof evidence
-/// --full` measures it`.
+/// Returns a sentence such as `7 of 9 claims hold`. If claims wait for evidence that was not measured, adds their
+/// number and the command that measures it.
 std::string claims_sentence(const ClaimCounts& counts);
 
 /// Returns the body of the page as markup.

@@ -13,9 +13,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the fields of one CSV line, escaped for HTML. A field in quotes may contain commas, but no line break. All
-/// quotes are dropped, also doubled ones.
-/// Returns the fields of one line of CSV as HTML text. Two quotes in a quoted field are one quote (RFC 4180).
+/// Returns the fields of one CSV line, escaped for HTML. A field in quotes may contain commas, but no line break. Two
+/// quotes in such a field stand for one quote (RFC 4180).
 std::vector<std::string> fields_of(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;

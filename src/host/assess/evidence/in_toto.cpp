@@ -93,7 +93,7 @@ std::string expiry_of(const Provenance& provenance) {
     return fmt::format("{:04}-12-31T23:59:59Z", year + 10);
 }
 
-/// Compares the files with the checksums in the manifest. A missing file is an error.
+/// A shell command that compares the files with the checksums in the manifest. It fails for a missing file.
 constexpr const char* check_sums = R"sh(sed -n 's/^ *"\(.*\)": "\([0-9a-f]\{64\}\)",\{0,1\}$/\2  \1/p' manifest.json |
 sha256sum --check --quiet)sh";
 

@@ -12,9 +12,9 @@ namespace canproof::host {
 /// Returns the state of a section:
 /// - `proven`;
 /// - `not proven`: items cover it, and one of them is not shown;
-/// - `uncovered`: it has a statement that no item covers, or no statement;
+/// - `uncovered`: it has no statement, or a statement with neither an item nor a reason;
 /// - `explained`: each statement has a reason instead of an item;
-/// - `informative` or `condition of use`.
+/// - `informative` or `condition of use`: it is not normative, and each of its statements has a reason.
 /// In a manual without statements, the items that name the section as their source decide.
 std::string section_state(const Section& section, const std::vector<const AuditedStatement*>& statements,
                           const std::vector<std::string>& item_states, bool counts_by_section);

@@ -66,8 +66,8 @@ void require_programs(const CampaignOptions& options, const std::vector<FuzzTarg
     }
 }
 
-/// Returns the number of slices into which the time of each target is divided: slices of about a minute, at most
-/// `most_rounds`.
+/// Returns the number of slices into which the time of each target is divided: one for each full minute, at least 1 and
+/// at most `most_rounds`.
 unsigned rounds_for(const CampaignOptions& options, std::size_t targets) {
     const double share = options.minutes * options.jobs / static_cast<double>(targets);
     return static_cast<unsigned>(std::clamp(share / slice_minutes, 1.0, static_cast<double>(most_rounds)));
@@ -172,7 +172,7 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard and saves their findings for `--merge`.
+/// Fuzzes the targets of one shard and leaves the other phases to `--merge`. Returns the exit status.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);

@@ -13,9 +13,10 @@ namespace canproof::host {
 /// The phase with which a campaign continues when all targets have had their time.
 constexpr const char* phase_after_fuzzing = "sorting findings";
 
-/// Copies the inputs and findings of every shard below `folder` to `files`. Returns the state of a campaign that has
-/// fuzzed all `targets`. Each subfolder of `folder` is the corpus folder of one shard. Throws InputError when a shard
-/// is missing, has not finished, or belongs to another campaign (other targets, minutes or seed).
+/// Copies the inputs of every shard below `folder` to `files`, and its artifacts, the inputs that ended a run. Returns
+/// the state of a campaign that has fuzzed all `targets`. Each subfolder of `folder` is the corpus folder of one shard.
+/// Throws InputError when a shard is missing, has not finished, or belongs to another campaign (other targets, minutes
+/// or seed).
 CampaignState merge_shards(const std::filesystem::path& folder, const std::vector<FuzzTarget>& targets,
                            const CampaignFiles& files);
 

@@ -32,14 +32,15 @@ std::uint32_t function_of(const Frame& frame) {
     return frame.id & function_mask;
 }
 
-/// EMCY has the identifier 80h + node-ID; SYNC has 80h.
+/// Returns whether the frame is an EMCY message. EMCY has the identifier 80h + node-ID; SYNC has 80h.
 bool is_emcy(const Frame& frame) {
     return function_of(frame) == emcy_function && frame.id != emcy_function;
 }
 bool is_error_control(const Frame& frame) {
     return function_of(frame) == error_control_function;
 }
-/// TPDOs 1 to 4 have the identifiers 180h, 280h, 380h and 480h + node-ID in the predefined connection set.
+/// Returns whether the frame is one of TPDOs 1 to 4. In the predefined connection set, they have the identifiers 180h,
+/// 280h, 380h and 480h + node-ID.
 bool is_pdo(const Frame& frame) {
     return function_of(frame) >= 0x180 && function_of(frame) < 0x580 && (frame.id & 0x80U) != 0;
 }

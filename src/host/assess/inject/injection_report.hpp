@@ -26,7 +26,8 @@ struct EffectCounts {
 EffectCounts count_effects(const InjectionCampaign& campaign);
 EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region);
 
-/// Returns a table of the effects by region as text. Shares refer to the faults with an effect.
+/// Returns a table of the effects by region as text, with the share of runs with an effect. The shares of detected
+/// faults, of the safe state and of silent faults refer to the runs with an effect.
 std::string injection_table(const std::string& device, const InjectionOptions& options,
                             const InjectionCampaign& campaign);
 /// Returns JSON with the counts and with every fault that has a silent effect.

@@ -36,7 +36,7 @@ Texts play(SimulatedDevice& device, const ReplayInput& input) {
     return {frames.str(), outputs.str()};
 }
 
-/// Discards the messages of the libraries when a damaged object ends the process.
+/// Redirects standard error to /dev/null, because the libraries print messages when a damaged object ends the process.
 void be_quiet() {
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere < 0 || dup2(nowhere, STDERR_FILENO) < 0) {
@@ -58,7 +58,8 @@ void limit_time(double seconds) {
     }
 }
 
-/// Returns the effect that corresponds to the exit status of a fault's process.
+/// Returns the effect that corresponds to the exit status of a fault's process. Throws InputError when the process
+/// could not judge the effect.
 FaultEffect effect_of_status(int status) {
     if (WIFEXITED(status) && WEXITSTATUS(status) < static_cast<int>(fault_effects)) {
         return static_cast<FaultEffect>(WEXITSTATUS(status));

@@ -8,8 +8,8 @@
 
 namespace canproof::host {
 
-/// A record of reports/mutation.toml: the reason why some alterations may survive. `item` and `cell` may contain the
-/// wildcards * and ?.
+/// A record of reports/mutation.toml: the reason why some alterations may survive. `item`, `cell` and `change` may
+/// contain the wildcards * and ?.
 struct SurvivorRecord {
     std::string item;
     std::string cell;

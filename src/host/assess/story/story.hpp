@@ -33,7 +33,7 @@ class StoryTeller {
     Story statement(const AuditedStatement& audited) const;
     std::optional<Story> file(const std::string& subject) const;
     std::optional<Story> test(const std::string& subject) const;
-    /// Returns the heading and one line for each id: `  ID  status  text`.
+    /// Returns the heading and one line for each id of an audited item: `  ID  status  kind  text`.
     Story list(const std::string& head, const std::vector<std::string>& ids) const;
     std::string sections_of(const AuditedItem& audited) const;
     std::string verdicts_of(const std::string& id) const;

@@ -21,7 +21,8 @@ struct AuditedItem {
     std::vector<std::string> demanded;  ///< kinds of verification that the requirements register demands
     std::vector<std::string> missing;   ///< demanded kinds of verification without a passed run
     bool failed{false};                 ///< whether a test that claims the item has failed
-    bool without_code{false};  ///< whether no code in src/ implements the item or names the code generated from it
+    /// whether the item needs code, but no code in src/ implements it or names the code generated from it
+    bool without_code{false};
     std::vector<std::string> decisions;  ///< ids of the decisions that affect the item
     /// reason why its code or tests may no longer match the item; empty when its review is up to date
     std::string suspect;

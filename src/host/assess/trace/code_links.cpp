@@ -58,8 +58,8 @@ std::vector<std::string> includes_of(const fs::path& file) {
 /// The ids of the items to which each generated name of a part belongs.
 using Names = std::map<std::string, std::vector<std::string>>;
 
-/// Adds the items that the compiler hands to the node by itself: the tables of errors with their enumerations in
-/// `error_table`, and the table of bit rates in `profile`.
+/// Adds the items that the firmware uses only through two generated names: the tables of errors with their enumerations
+/// through `error_table`, and the table of bit rates through `profile`.
 void add_names_of_node(const Part& part, Names& names) {
     for (const auto& table : part.tables) {
         if (table.id == part.info.lss_bit_rates) {

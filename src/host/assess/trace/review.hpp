@@ -74,7 +74,7 @@ struct ReviewCounts {
 };
 /// Counts the current reviews of the part's items, decisions and hazards in force.
 ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
-/// Counts the current reviews of the dispositions of the manual of `part`.
+/// Counts the current reviews of the dispositions of the sections in the manual of `part`.
 ReviewCounts count_section_reviews(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -18,7 +18,7 @@ using Captures = std::map<std::string, Value>;
 
 /// One or more bytes of a pattern.
 struct DataPart {
-    std::size_t width{1};  ///< width in bytes; 0: as wide as the value
+    std::size_t width{1};  ///< width in bytes; 0: the length of the value, or for a capture the rest of the frame
     /// Returns the bytes to send; empty when the part can only be expected, not sent.
     std::function<Bytes(const Scope&)> bytes;
     /// Returns whether `data` matches this part from position `at` on. May store values in the captures.
@@ -27,7 +27,8 @@ struct DataPart {
 
 class DataPattern {
   public:
-    /// Parses bytes up to the first word that is not a byte. Throws LanguageError.
+    /// Parses bytes up to a word such as `within`, an arrow or the end of the line. Throws LanguageError for any other
+    /// text that is no byte.
     static DataPattern parse(Scanner& line);
 
     /// Returns a pattern that matches any data.

@@ -66,7 +66,7 @@ constexpr int lowest_rank = 1;
 constexpr int sum_rank = 9;
 
 /// Reads the next operator if its rank is at least `rank`; otherwise returns nullptr and reads nothing. `->` and `+-`
-/// are no operators.
+/// are not operators.
 const Operator* next_operator(Scanner& line, int rank) {
     if (line.sees("->") || line.sees("+-")) {
         return nullptr;

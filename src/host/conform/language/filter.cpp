@@ -22,8 +22,8 @@ bool is_integer(const Entry& entry) {
     return integer_limits(entry.type) && entry.type != "BOOLEAN";
 }
 
-/// Returns whether the entry is an integer of at most four bytes with an upper limit below that of its type, so that a
-/// test can write a value above the limit.
+/// Returns whether the entry is an integer of at most four bytes whose upper limit is below that of its type. A test
+/// can then write a value above the limit.
 bool has_upper_limit(const SheetEntry& one) {
     const auto type = integer_limits(one.entry->type);
     const auto highest = highest_of(*one.entry);
@@ -36,8 +36,8 @@ bool has_lower_limit(const SheetEntry& one) {
     return is_integer(*one.entry) && type_size(one.entry->type) <= 4 && lowest && *lowest > type->first;
 }
 
-/// Returns whether a write to the entry does more than store a value. The entry is then a COB-ID, a mapping, an object
-/// of a communication service, or a DOMAIN.
+/// Returns whether a write to the entry does more than store a value. This holds for a COB-ID, a mapping, an object of
+/// a communication service and a DOMAIN.
 bool is_special(const SheetEntry& one) {
     const unsigned index = one.object->index;
     static const std::set<unsigned> special{0x1003, 0x1005, 0x1006, 0x1007, 0x1010, 0x1011, 0x1012, 0x1014, 0x1015,

@@ -18,7 +18,7 @@ struct LanguageFunction {
 
 /// Returns the function with this name; nullptr when there is none.
 const LanguageFunction* find_function(const std::string& name);
-/// Returns the names of all functions for messages: `crc, join, le …`.
+/// Returns the names of all functions for messages: `hex, crc, join, le …`.
 std::string function_names();
 
 /// Returns the CRC-16 of block transfer (CiA 301, 7.2.4.3.16): polynomial 1021h, start 0.

@@ -39,9 +39,9 @@ struct Measured {
 struct Spread {
     std::size_t count{0};
     std::uint64_t smallest{0};
-    std::uint64_t median{0};  ///< at least half of the times are not longer
+    std::uint64_t median{0};  ///< smallest time that at least half of the times do not exceed
     std::uint64_t mean{0};
-    std::uint64_t percentile_99{0};  ///< at least 99 % of the times are not longer
+    std::uint64_t percentile_99{0};  ///< smallest time that at least 99 % of the times do not exceed
     std::uint64_t largest{0};
 };
 /// Returns the statistics of the times; all values are zero when there are no times.

@@ -30,8 +30,8 @@ struct Block {
     std::uint32_t abort{0};
 };
 
-/// Receives the segments of one block: at most `size`, and at most `most`. Ends early after the last segment of the
-/// transfer or an abort. Throws SlaveFailed for a wrong segment number.
+/// Receives the segments of one block, at most the smaller of `size` and `most`. Ends early after the last segment of
+/// the transfer or an abort. Throws SlaveFailed for a wrong segment number.
 Block take_block(SdoClient& client, std::uint8_t size, std::size_t most) {
     Block block;
     while (!block.last && block.segments < std::min<std::size_t>(size, most)) {
@@ -176,7 +176,9 @@ class BlockSender {
 
 }  // namespace
 
-/// Ends a transfer of which a segment was lost on purpose. The server still waits for that segment.
+/// Ends a download whose first block lost its last segment on purpose, so that the server still waits for this segment.
+/// Waits for the server's abort. Sends an abort when no answer comes in time. Returns the abort code; 0 when another
+/// answer comes.
 SdoOutcome SdoClient::give_up(const ObjectPlace& place) {
     SdoOutcome outcome;
     const auto said = link_.take(answer_key(), link_.now() + timeout_);

@@ -22,7 +22,7 @@ struct SdoOutcome {
 enum class Transfer { automatic, expedited, segments, block };
 
 struct BlockRead {
-    /// requested size of each block in order; the last size applies to all further blocks
+    /// requested size of each block in segments, in order; the last size applies to all further blocks
     std::vector<std::uint8_t> block_sizes{127};
     bool crc{false};
     std::uint8_t switch_size{0};  ///< protocol switch threshold (pst) of the request, in bytes

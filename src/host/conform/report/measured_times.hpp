@@ -18,7 +18,8 @@ std::string load_words(const ConformReport& report);
 /// Returns the times that have the same meaning in every case, merged over all cases: `SDO answer` and `boot-up`.
 std::map<std::string, Measured> times_of_all(const ConformReport& report);
 
-/// Returns a histogram as an SVG element. A dashed line marks each limit that is inside the range of the histogram.
+/// Returns a histogram as an SVG element. A dashed line marks each limit above 0 that is inside the range of the
+/// histogram. Returns an empty text when there are no times.
 std::string draw_times(const Measured& measured);
 
 /// Returns an HTML table with one row for each kind of time; empty when there are no times.

@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 
 namespace {
 
-/// Writes only finite limits, because JSON has no infinite numbers.
+/// Returns the limits as JSON. Leaves out an infinite limit, because JSON has no infinite numbers.
 nlohmann::ordered_json limits_of(const TimeLimits& limits) {
     nlohmann::ordered_json json{{"least_us", limits.least}};
     if (std::isfinite(limits.most)) {

@@ -96,7 +96,7 @@ bool CaseRunner::reset(NmtCommand command) {
     return booted;
 }
 
-/// Returns whether the SDO server answers at all, whether the answer is right or wrong.
+/// Returns whether the SDO server answers at all. A wrong answer counts as an answer.
 bool CaseRunner::answers() {
     constexpr ObjectPlace device_type{0x1000, 0};
     link_.forget();

@@ -18,10 +18,11 @@ class CaseRunner {
   public:
     CaseRunner(const CaseBook& book, const ConformSheet& sheet, Target& target, const ConformOptions& options);
 
-    /// Finds the slave and reads its identity and parameters. Adds wrong answers to the report's troubles. Throws
+    /// Resets the slave and reads its identity and parameters. Adds wrong answers to the report's troubles. Throws
     /// InputError when the slave does not answer at all.
     void begin(ConformReport& report);
-    /// Runs a case. On a real bus, runs a failed case again, at most `most_runs` times in total. Throws Interrupted.
+    /// Runs a case. On a real bus, runs a failed case again until it does not fail, at most `most_runs` times in total.
+    /// Throws Interrupted.
     CaseResult run(const Case& one);
     /// Restores every parameter that differs from the start of the run. Returns one sentence for each parameter that
     /// could not be restored.

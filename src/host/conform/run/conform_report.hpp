@@ -40,7 +40,7 @@ struct CaseResult {
     std::vector<std::string> notes;
     std::vector<std::string> left;          ///< entries that could not be restored after the case
     std::map<std::string, Measured> times;  ///< measured times by their meaning
-    std::vector<FrameRecord> frames;        ///< all frames of the case, if it did not pass
+    std::vector<FrameRecord> frames;        ///< all frames of the case; empty if its steps passed or were skipped
     unsigned runs{0};
     Duration time{};
 };

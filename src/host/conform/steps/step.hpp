@@ -60,7 +60,8 @@ struct Context {
     std::uint8_t node() const { return sheet.node_id; }
 };
 
-/// Runs the steps in order. If a step throws an exception, `context.at` still points to it.
+/// Runs the steps in order. If a step throws an exception, `context.at` still points to it, or to the inner step that
+/// threw.
 void run_steps(const Steps& steps, Context& context);
 
 /// Thrown by `next unless`: skips this iteration of the loop.
