@@ -31,7 +31,7 @@ Layout make_layout(const Part& part);
 /// Returns the size of the value image in bytes, equal to make_layout(part).image.size().
 std::size_t image_size(const Part& part);
 
-/// Returns the default in `size` bytes: numbers little-endian, strings padded with zeros.
+/// Returns the default in `size` bytes: numbers little-endian, strings cut to `size` or padded with zeros.
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
 
 }  // namespace canproof::host
