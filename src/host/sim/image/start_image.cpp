@@ -24,10 +24,10 @@ Pipe open_pipe() {
     return {Descriptor{ends[0]}, Descriptor{ends[1]}};
 }
 
-/// Returns whether a file is an ELF image that starts in the flash of an STM32F405. Any other file is for the Zynq
-/// UltraScale+, where it fails when it is no image at all.
+/// Returns whether an ELF image starts in the flash of an STM32F405. Other images are for the Zynq UltraScale+. Does
+/// not check that the file is an image: QEMU does that. Returns true for a file of less than 28 bytes.
 bool starts_in_flash(const std::string& path) {
-    constexpr std::size_t entry = 24;  // of e_entry in the header of a 32-bit ELF file
+    constexpr std::size_t entry = 24;  // offset of e_entry in the header of a 32-bit ELF file
     constexpr std::size_t high_byte = entry + 3;
     std::ifstream file{path, std::ios::binary};
     std::string head(high_byte + 1, '\0');
