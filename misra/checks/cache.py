@@ -21,7 +21,7 @@ from .rules import HOME, ROOT, run_tool
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
 NAME = re.compile(r'(?:"([^"]+)"|<([^>]+)>)')
-KEPT_SECONDS = 30 * 24 * 3600  # after the last use of an entry
+KEPT_SECONDS = 30 * 24 * 3600  # time after its last use at which an entry is removed
 PACKAGES = ["libc6-dev", "libstdc++-*-dev", "gcc-*", "g++-*", "libclang-common-19-dev", "clang-tidy-19", "clang-tools-19", "cppcheck"]
 
 

@@ -20,7 +20,7 @@ struct Placement {
 /// The values of a device: where each entry is, in the order of the dictionary and without gaps, and the image of the
 /// defaults.
 struct Layout {
-    /// by object and entry: placements[i][j] belongs to entry j of Part::objects[i]
+    /// places of the entries: placements[i][j] belongs to entry j of Part::objects[i]
     std::vector<std::vector<Placement>> placements;
     std::vector<std::uint8_t> image;  ///< bytes of the defaults; the node-ID is not added
     std::vector<std::uint8_t> constants;

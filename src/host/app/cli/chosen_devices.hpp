@@ -16,7 +16,7 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< of the requirements register, or of the EDS; valid as long as the device
+    const Part* part{nullptr};  ///< part of the requirements register or of the EDS; valid as long as `device`
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
     std::string notice;         ///< message for the user before the run; empty: no message
 };

@@ -35,7 +35,7 @@ bool starts_in_flash(const std::string& path) {
     return !file || head[high_byte] == '\x08';
 }
 
-/// The words of both commands that start QEMU. By semihosting, the image uses the standard streams of that process.
+/// Returns the options that both QEMU commands have. By semihosting, the image uses the standard streams of QEMU.
 const std::vector<std::string>& common_words() {
     static const std::vector<std::string> words{"-nodefaults",
                                                 "-no-user-config",
@@ -58,8 +58,8 @@ std::vector<std::string> stm32f405_command(const std::string& path) {
     return words;
 }
 
-/// Both CAN controllers are on one bus. The clock of the machine counts instructions, so that every run is the same,
-/// and does not wait while the core sleeps.
+/// Returns the command for a Zynq UltraScale+ whose two CAN controllers are on one bus. The clock of the machine counts
+/// instructions, so that every run is the same, and does not wait while the core sleeps.
 std::vector<std::string> zynqmp_command(const std::string& path) {
     std::string file;
     for (const char c : path) {
