@@ -2,8 +2,9 @@
 """Caches the outputs of the tools as long as none of their inputs changes.
 
 The cache contains only outputs: each run evaluates findings, tests of the checkers and records again. The key of an
-output is a hash of the tool's version, its command line, its script, and the contents of its files. These include all
-files of this project that they include; system headers count by the versions of their packages. The cache is in
+output is a hash of the tool's version, its command line, its script, and the contents of its files. The headers of this
+project that a file includes, also through other headers, count as its files. System headers count by the versions of
+their packages. The cache is in
 ~/.cache/canproof/misra, or in the folder CANPROOF_MISRA_CACHE; `CANPROOF_MISRA_CACHE=off` runs every tool."""
 import functools
 import hashlib
@@ -20,7 +21,7 @@ from .rules import HOME, ROOT, run_tool
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
 NAME = re.compile(r'(?:"([^"]+)"|<([^>]+)>)')
-KEPT_SECONDS = 30 * 24 * 3600  # after the last use of an entry
+KEPT_SECONDS = 30 * 24 * 3600  # time after its last use at which an entry is removed
 PACKAGES = ["libc6-dev", "libstdc++-*-dev", "gcc-*", "g++-*", "libclang-common-19-dev", "clang-tidy-19", "clang-tools-19", "cppcheck"]
 
 
@@ -47,7 +48,7 @@ def version(tool):
 
 @functools.lru_cache(maxsize=None)
 def content(path):
-    """Returns a file's text and its includes as spelled; None when the file does not exist."""
+    """Returns a file's text and its includes as spelled; None when the file cannot be read as text."""
     try:
         text = pathlib.Path(path).read_text()
     except (OSError, UnicodeDecodeError):
@@ -106,8 +107,9 @@ def key_of(command, script, texts, places):
 
 
 def run_cached(command, files, generated, script="", scratch=None, leaves=None):
-    """Returns (exit status, output) of `command`, which reads only `files` of this project. `@script@` in it is replaced by a file
-    with the content `script`. `leaves` is a file that it writes, cached with its output. `scratch` is a folder of this run."""
+    """Returns (exit status, output) of `command`, which reads only `files` of this project and their includes. The word `@script@`
+    of the command is replaced by the name of a file with the content `script`. `leaves` is a file that the command writes; it is
+    cached with the output. `scratch` is a folder of this run, whose path has no influence on the key."""
     generated = os.path.realpath(generated)
     others = {"project": str(ROOT)} if ROOT != HOME else {}
     places = Places(root=str(HOME), generated=generated, **others, **({"scratch": scratch} if scratch else {}))

@@ -47,7 +47,7 @@ def split_at_commas(text):
 
 
 def spelled_type(parameter):
-    """Returns the type as spelled, without the name, a default, the const of a copy, and enclosing scopes."""
+    """Returns the type as spelled, without the name, a default, the const of a copy, and enclosing scopes except std::."""
     text = re.sub(r"\s*=.*$", "", parameter, flags=re.DOTALL)
     if re.search(r"[\w>&*]\s+\w+$|[&*]\w+$", text) and not re.fullmatch(r"(?:const\s+)?[\w:]+", text):
         text = re.sub(r"\w+$", "", text)
@@ -127,7 +127,7 @@ class Scanner:
                 self.items.append(Item(scope + match["name"], None, "", True, self.path, self.line(begin), head))
 
     def block(self, begin, at, end, scope, in_class):
-        """Returns whether the block at `at` ends a declaration; the braces of an initialiser do not."""
+        """Scans the block at `at`. Returns whether it ends a declaration; the braces of an initialiser do not."""
         head = ALIGNED.sub("", self.code[begin:at])
         namespace = NAMESPACE.search(head)
         if namespace:
@@ -170,7 +170,10 @@ def one_definition(texts):
 
 
 def same_aliases(texts):
-    """Returns definitions whose types none of their declarations spells in the same way: 6.9.1. The spelling assigns overloads."""
+    """Returns a finding of 6.9.1 for each definition whose parameter and result types no declaration spells in the same way.
+
+    Functions with the same name and number of parameters are compared together. They have no findings if each spelling of a
+    declaration is also that of a definition, because the definitions without a declaration are then other overloads."""
     declared, defined = {}, {}
     for item in declarations(texts):
         if item.parameters is not None:

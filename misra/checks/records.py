@@ -48,7 +48,7 @@ def source_line(finding, generated):
 
 
 def read_deviations():
-    """Returns the project's deviations. Another project also gets those of canproof that name no file; they may be unused."""
+    """Returns the project's deviations. Another project also gets those of canproof whose place is not in src/; they may be unused."""
     records = []
     for path in records_of("deviations.toml"):
         borrowed = path.parent.parent != ROOT
@@ -83,7 +83,7 @@ def apply_deviations(findings, generated, today, records, faults):
 
 
 def fingerprint(text):
-    """Returns a hash of a file without comments and spacing, whose change needs no new review."""
+    """Returns a hash of a file without comments, string and character literals and spacing. A change of these needs no new review."""
     bare = without_comments_and_literals(text)
     return hashlib.sha256(" ".join(bare.split()).encode()).hexdigest()[:16]
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks in the text of single files for which there is no tool. They find code in comments (5.7.2), unused types
-(0.2.3), the structure of switch statements (9.4.2) and includes below code (19.0.3). They expect code that clang-format
-has formatted."""
+"""Checks the text of single files for faults that no tool finds: code in comments (5.7.2), unused types (0.2.3), a wrong
+structure of switch statements (9.4.2) and includes below code (19.0.3). Expects code that clang-format has formatted."""
 import re
 
 from .definitions import closing
@@ -57,7 +56,7 @@ def disabled_code(text):
 
 
 def unused_types(code):
-    """Returns types whose name occurs only in their own definition."""
+    """Returns the line of each type whose name occurs only in its own definition."""
     for match in DECLARED.finditer(code):
         name = match["type"] or match["alias"] or match["old"]
         end = match.end()
@@ -128,7 +127,7 @@ def switch_faults(code):
 
 
 def late_includes(code):
-    """Returns each include below the first line that is no directive."""
+    """Returns the line of each include below the first line that is no directive."""
     after = False
     continued = False
     for at, line in enumerate(code.split("\n"), 1):

@@ -18,10 +18,10 @@ LAYERS = {
 def may_include(path, name):
     """Returns whether a firmware file may include a header; both paths are relative to the folder of sources.
 
-    `canopen` and `blocks` may include `base`; devices may include all three; drivers may include `base` and `canopen`, and those of
-    the second port the first port's. A device
-    includes no other device and nothing outside the firmware. Blocks include no object dictionary and no device. In a device's
-    folder, the files with the device's name are the device, and every other file is a block of it."""
+    `canopen` and `blocks` may include `base`; devices may include all three. Drivers may include `base`, `canopen` and the drivers
+    of the first port (stm32f405), and those of the second port also each other. A device includes no other device and nothing
+    outside the firmware. Blocks include no object dictionary and no device. In a device's folder, the files with the device's name
+    are the device, and every other file is a block of it."""
     parts = path.split("/")
     dictionary = name.startswith("generated/canopen/") or name.endswith("/objects.hpp")
     if parts[0] == "firmware":

@@ -12,7 +12,7 @@ from .scans import scan
 
 LANGUAGE = ["-std=c++17", "-Isrc"]
 CLANG_WARNINGS = ["-Weverything", "-Wno-pragma-once-outside-header", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic"]
-# The analyzer's check of uninitialised values is off: that of g++ 12 does not follow C++ constructors, and clang's does.
+# The analyzer of g++ does not look for uninitialised values: in g++ 12 it does not follow constructors. clang's analyzer does.
 GCC = ["-O1", "-fno-exceptions", "-fno-rtti", "-fanalyzer", "-Wno-analyzer-use-of-uninitialized-value", "-Wno-analyzer-too-complex",
        "-fdiagnostics-plain-output", "-fdiagnostics-path-format=none", "-Wall", "-Wextra", "-Wnull-dereference", "-Wduplicated-cond",
        "-Wduplicated-branches", "-Wlogical-op", "-Wfloat-equal", "-Wdouble-promotion", "-fcallgraph-info=su"]
@@ -30,7 +30,7 @@ def query(rules, files, generated, scratch, faults):
     status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *language(files), f"-I{generated}"],
                                 files, generated, script="\n".join(rules.matchers) + "\n", scratch=scratch)
     if status != 0:
-        wrong = re.findall(r"^\d+:\d+: .*$", output, re.MULTILINE)  # in a matcher
+        wrong = re.findall(r"^\d+:\d+: .*$", output, re.MULTILINE)  # errors in a matcher
         faults.add("clang-query-19 failed:\n" + "\n".join(wrong or [output[-2000:]]))
     for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
         faults.add("under clang-query: " + error)

@@ -40,7 +40,7 @@ std::array<int, 2> make_pipe();
 bool read_line(std::FILE* from, std::string& line);
 
 /// Runs a program to its end. Returns its standard output; returns nothing when its exit status is not 0. Throws
-/// InputError when the program cannot be started.
+/// InputError when no pipe can be opened or the program cannot be started.
 std::optional<std::string> output_of(const std::vector<std::string>& words);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An open file descriptor, which its last owner closes.
+// A file descriptor with one owner at a time. The destructor of the owner closes it.
 #pragma once
 
 #include <unistd.h>

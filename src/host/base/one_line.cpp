@@ -27,7 +27,7 @@ std::string brief(const std::string& text) {
     std::size_t end = text.rfind(' ', longest);
     if (end == std::string::npos) {
         constexpr unsigned char kind_of_byte = 0xC0U;
-        constexpr unsigned char further_byte = 0x80U;  // of a character with several bytes
+        constexpr unsigned char further_byte = 0x80U;  // a byte after the first of a UTF-8 character
         end = longest;
         while (end > 0U && (static_cast<unsigned char>(text[end]) & kind_of_byte) == further_byte) {
             --end;

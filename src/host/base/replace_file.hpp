@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Throws std::filesystem::filesystem_error with the message that `path` cannot be written, and the reason in errno.
+/// Throws std::filesystem::filesystem_error: its message says that `path` cannot be written, its code is errno.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& path);
 
 /// A temporary file in the folder of a target. replace() or create() gives it the name of the target. The file is
@@ -30,7 +30,8 @@ class FileBeside {
     /// Replaces `target` and keeps the permissions of `target`. When the function returns, the file is on disk. After
     /// an exception, the path has the old or the new content.
     void replace();
-    /// Gives the file the name `target` and returns true. Returns false if a file has this name already.
+    /// Gives the file the name `target` and returns true. Returns false if a file has this name already, or if another
+    /// process has removed the temporary file.
     bool create();
     /// Moves the descriptor of the locked file to the caller.
     Descriptor take() { return std::move(file_); }

@@ -7,8 +7,8 @@
 
 namespace canproof::host {
 
-/// Replaces each COB-ID whose identifier is 0 with the COB-ID of the pre-defined connection set (CiA 301), and adds a
-/// note. Switches off a PDO that is not in the set.
+/// Replaces each COB-ID that is not switched off and has the identifier 0: it gets the COB-ID of the pre-defined
+/// connection set (CiA 301). Switches off such a PDO if it is not in the set. Adds a note for each change.
 void mend_cob_ids(Part& part, const EdsTelling& tell);
 
 }  // namespace canproof::host

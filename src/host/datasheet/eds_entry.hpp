@@ -13,7 +13,8 @@ namespace canproof::host {
 void read_eds_entry(Entry& entry, const IniSection& section, std::uint8_t subindex, bool is_counter,
                     const EdsTelling& tell);
 
-/// Stores the value of the key DefaultValue or ParameterValue in an entry whose type is known.
+/// Stores `value` as the default of an entry whose type is known. For a value that does not fit the type, adds a note
+/// and keeps the present default. Does not change the length of a string entry.
 void set_eds_value(Entry& entry, const IniValue& value, const EdsTelling& tell);
 
 }  // namespace canproof::host

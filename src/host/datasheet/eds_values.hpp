@@ -36,7 +36,7 @@ std::optional<std::string> eds_high_limit(const Entry& entry, Reals reals);
 std::string eds_access(const Entry& entry);
 /// Returns the number of objects with an index in [first, last].
 std::size_t count_objects(const Part& device, unsigned first, unsigned last);
-/// Returns the least size in bits of an object in a PDO mapping: 8; 0 when no mapping can be changed.
+/// Returns the value of the key Granularity: 8 bits, or 0 when no mapping of the device can be changed.
 std::size_t granularity(const Part& device);
 /// Returns the default of an entry if it is a whole number; 0 otherwise.
 std::int64_t whole_default(const Part& device, unsigned index, unsigned subindex);

@@ -209,7 +209,8 @@ class EdsReader {
         }
     }
 
-    /// Returns the object type of a description. In CiA 306, an object without ObjectType is a VAR.
+    /// Returns the object type of a description. In CiA 306, an object without ObjectType is a VAR. For a type that
+    /// contradicts the description, adds a note and returns a type that fits; 0 when none fits.
     std::uint64_t object_type(const Object& object, const IniSection& section, bool has_subs) const {
         const IniValue* given = section.filled("ObjectType");
         const auto code = given == nullptr ? std::optional<std::uint64_t>{7} : eds_unsigned(given->text);

@@ -8,9 +8,10 @@ namespace canproof::host {
 
 /// Returns the warnings, ascending by file and line. None of them prevents a build:
 /// - a statement with neither `covered` nor `reason`, which the audit reports as a gap;
-/// - a statement when none of its covering items names the statement's place, or a section above or below it, as
-/// source;
-/// - a requirement of this project in force that demands several things: with several "shall", or several sentences.
+/// - a statement for which no covering item has a matching source: the statement's place, or a section above or below
+/// this place;
+/// - a requirement in force whose text has several "shall" or several sentences, unless the requirement comes with an
+/// installed canproof.
 Faults advice_on(const Register& content);
 
 }  // namespace canproof::host

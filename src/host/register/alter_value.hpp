@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alters values of generated tables for `canproof mutate`: each value becomes the nearest wrong one.
+// Alters values of generated tables for `canproof mutate`: each value becomes a wrong one close to it.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// A place in a file of the register. The path begins with spec/; lines count from 1.
+/// A place in a file; lines count from 1. The path of a file of the register begins with spec/, or with canproof/spec/
+/// for rules of an installed canproof. The path of any other file is the one that the caller named.
 struct Place {
     std::string file;
     unsigned line{0};

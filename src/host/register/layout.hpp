@@ -20,7 +20,7 @@ struct Placement {
 /// The values of a device: where each entry is, in the order of the dictionary and without gaps, and the image of the
 /// defaults.
 struct Layout {
-    /// by object and entry: placements[i][j] belongs to entry j of Part::objects[i]
+    /// places of the entries: placements[i][j] belongs to entry j of Part::objects[i]
     std::vector<std::vector<Placement>> placements;
     std::vector<std::uint8_t> image;  ///< bytes of the defaults; the node-ID is not added
     std::vector<std::uint8_t> constants;
@@ -31,7 +31,7 @@ Layout make_layout(const Part& part);
 /// Returns the size of the value image in bytes, equal to make_layout(part).image.size().
 std::size_t image_size(const Part& part);
 
-/// Returns the default in `size` bytes: numbers little-endian, strings padded with zeros.
+/// Returns the default in `size` bytes: numbers little-endian, strings cut to `size` or padded with zeros.
 std::vector<std::uint8_t> value_bytes(const Entry& entry, std::size_t size);
 
 }  // namespace canproof::host

@@ -11,7 +11,7 @@
 namespace canproof::host {
 
 /// Reads one [[object]]. Returns one object or, if the [[object]] has `repeat`, one object for each number of the
-/// family.
+/// family. Returns none when the index is missing or invalid.
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix);
 
 }  // namespace canproof::host

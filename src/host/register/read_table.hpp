@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Reads one [[table]] and adds its faults to `item`.
+/// Reads one [[table]]. Adds its faults to those of `item`.
 Table read_table(TomlItem& item);
 
 }  // namespace canproof::host

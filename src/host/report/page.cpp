@@ -65,7 +65,7 @@ addEventListener('beforeprint',()=>{for(const part of document.querySelectorAll(
 const char* const search_field =
     "<input type=search aria-label=\"Search the table\" placeholder=\"Search\"> <small role=status></small>";
 
-/// Returns the text without the characters that end a string of a style sheet.
+/// Returns the text with blanks in place of the characters that would end a string in a style sheet.
 std::string in_style(const std::string& text) {
     std::string words;
     for (const char c : text) {

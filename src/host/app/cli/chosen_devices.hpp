@@ -16,7 +16,7 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< of the requirements register, or of the EDS; valid as long as the device
+    const Part* part{nullptr};  ///< part of the requirements register or of the EDS; valid as long as `device`
     std::uint32_t bit_rate{0};  ///< bit/s as shipped
     std::string notice;         ///< message for the user before the run; empty: no message
 };
@@ -28,7 +28,7 @@ void set_node(ChosenDevice& chosen, const std::string& node);
 ChosenDevice choose_device(const std::string& text);
 ChosenDevice choose_device(const std::string& text, FactoryOptions& factory);
 /// Returns the device for FILE or FILE@NODE, where FILE is an EDS, DCF or XDD. The device has the name of the file
-/// without folder and extension. Throws InputError with every fault of the file.
+/// without folder and extension, with @NODE if NODE is given. Throws InputError with every fault of the file.
 ChosenDevice choose_eds(const std::string& text);
 /// Returns the device for FILE or FILE@NODE, where FILE is the image of a device of the catalogue for the emulated
 /// microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and ImageFailed.

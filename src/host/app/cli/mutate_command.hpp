@@ -28,7 +28,8 @@ struct MutateOptions {
 };
 
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
-/// or when no alteration or no survivor matches a record; always 0 for a shard and for `kills`.
+/// when a record matches no alteration, or when a record matches no survivor. A run with a subject or a sample does not
+/// check the last point. Returns 0 for a shard and for `kills`.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

@@ -132,7 +132,7 @@ std::string fish_completion(const std::vector<CommandWords>& commands) {
     return text;
 }
 
-/// Returns the text escaped for roff: each hyphen becomes a minus sign, and no line starts with a control character.
+/// Returns the text escaped for roff: backslashes, hyphens (as minus signs), and a control character at the beginning.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {

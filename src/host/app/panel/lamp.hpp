@@ -23,8 +23,8 @@ class LampHistory {
     /// is dark.
     bool show(bool lit, Instant now);
     bool lit() const { return !edges_.empty() && edges_.back().lit; }
-    /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Returns `flashing` while there are
-    /// too few edges to decide.
+    /// Returns `off`, `on`, `blinking`, `flickering`, or `1 flash` … `4 flashes`. Before the second flash, returns the
+    /// present state, `off` or `on`. Then returns `flashing` until there are enough edges to decide.
     std::string words(Instant now) const;
 
   private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The newest items of a sequence, with their numbers. A reader asks for the items after the last number it has read.
+// The newest items of a sequence, with their numbers. A reader asks for the items from the first number it has not
+// read.
 #pragma once
 
 #include <cstddef>

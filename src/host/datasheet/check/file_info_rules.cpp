@@ -19,8 +19,8 @@ constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, [FileInfo]";
 
-/// Returns the numbers between the separators. Returns none when the text contains other characters or a number with
-/// more than `most_digits` digits.
+/// Returns the numbers between the separators. Returns none when the text contains other characters, an empty part, or
+/// a number with more than `most_digits` digits.
 std::vector<unsigned> numbers_of(std::string_view text, char separator, std::size_t most_digits) {
     std::vector<unsigned> all;
     std::string digits;

@@ -12,7 +12,7 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< findings that were fixed; their lines refer to the text before that fix
+    std::vector<EdsFinding> done;  ///< fixed findings; each line number refers to the text before its round
 };
 
 /// Applies the edits of all findings that have edits, and checks again until no such finding is left (at most 20

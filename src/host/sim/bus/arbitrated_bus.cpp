@@ -156,7 +156,7 @@ void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
     rates_differ_ = rates_differ_ || port.node->bit_rate() != port.rate;
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
-        return;  // the frame on the wire is still the first in the queue of the node
+        return;  // complete() and break_off() make the bus inspect this port again after the transmission
     }
     const Frame* const next = port.next();
     if (next != nullptr && !waiting_.has(port.number)) {

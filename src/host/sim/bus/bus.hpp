@@ -65,7 +65,7 @@ struct BusReport {
     /// number of frames that nodes of this program have lost, each counted once for each node
     std::uint64_t missed{0};
     double load{0.0};  ///< load over the last second, 0 to 1
-    /// time from the moment a frame becomes the first in the queue of its node until its last bit is sent
+    /// longest time from the moment a frame becomes the first in the queue of its node until its last bit is sent
     Duration worst_latency{};
     std::uint32_t bit_rate{0U};  ///< bit rate in bit/s; 0: unknown
 };

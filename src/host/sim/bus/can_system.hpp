@@ -54,7 +54,7 @@ class CanSystem {
     /// Returns the bit rate of the interface in bit/s; 0 when it has none (vcan) or does not report it.
     virtual std::uint32_t bit_rate(const std::string& interface) = 0;
     /// Switches the interface off, sets the bit rate in bit/s, and switches the interface on again. Does nothing when
-    /// the interface already has this bit rate.
+    /// the interface already has this bit rate, and fails when the interface has no bit rate.
     virtual BitRateOutcome set_bit_rate(const std::string& interface, std::uint32_t bit_rate) = 0;
     /// Restarts the bus-off controller of the interface. Returns whether this was possible.
     virtual bool restart(const std::string& interface) = 0;

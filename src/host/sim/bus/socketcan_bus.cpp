@@ -195,7 +195,7 @@ void SocketCanBus::take_error(Port& port, const can_frame& frame, Instant now) {
     if (news.state) {
         set_state(port, *news.state, now);
         const bool bus_off = *news.state == CanState::bus_off;
-        if (restart_at_ == never) {  // no bus-off lasts
+        if (restart_at_ == never) {  // no restart is pending, so a refusal of the next restart is reported again
             restart_failure_told_ = false;
         }
         restart_at_ = bus_off ? now + restart_after : never;

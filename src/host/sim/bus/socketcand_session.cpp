@@ -180,7 +180,8 @@ void SocketcandSession::advance(Instant now) {
 }
 
 void SocketcandSession::deliver(const Frame& frame, Instant now) {
-    const bool wanted = mode_ == Mode::raw || subscriptions_.count(key_of(frame)) != 0;  // only mode bcm has them
+    const bool wanted =
+        mode_ == Mode::raw || subscriptions_.count(key_of(frame)) != 0;  // subscriptions exist only in mode bcm
     if (mode_ == Mode::no_bus || is_dropped()) {
         return;
     }

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Reports a device whose deadline is still in the past after advance().
+/// Reports a device whose deadline is not in the future after advance().
 class StuckDevice : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -36,7 +36,7 @@ class ImageCalls {
     void set_inputs(const std::vector<double>& inputs, Instant now);
     void receive(const Frame& frame, Instant now);
     void advance(Instant now);
-    /// Reports to the image which frames have been sent, and does nothing else.
+    /// Reports to the image how many frames have been sent since the last call, and gets the new state.
     void look();
 
     /// Returns the state after the last call.

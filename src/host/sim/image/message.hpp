@@ -18,8 +18,8 @@ namespace canproof::bridge {
 
 /// First value of an image's greeting. An image with another value uses another protocol.
 constexpr std::uint32_t protocol = 0x31504243U;  // the characters "CBP1"
-/// The same of an image that has a clock of its own: it does everything at its own times, which are not before those of
-/// the commands.
+/// First value of the greeting of an image that has its own clock. Such an image acts at its own times, which are not
+/// before those of the commands.
 constexpr std::uint32_t protocol_of_own_clock = 0x31434243U;  // the characters "CBC1"
 /// Greatest number of bytes of stored parameters in one message.
 constexpr std::size_t most_memory_bytes = 512U;

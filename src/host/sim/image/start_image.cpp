@@ -24,10 +24,10 @@ Pipe open_pipe() {
     return {Descriptor{ends[0]}, Descriptor{ends[1]}};
 }
 
-/// Returns whether a file is an ELF image that starts in the flash of an STM32F405. Any other file is for the Zynq
-/// UltraScale+, where it fails when it is no image at all.
+/// Returns whether an ELF image starts in the flash of an STM32F405. Other images are for the Zynq UltraScale+. Does
+/// not check that the file is an image: QEMU does that. Returns true for a file of less than 28 bytes.
 bool starts_in_flash(const std::string& path) {
-    constexpr std::size_t entry = 24;  // of e_entry in the header of a 32-bit ELF file
+    constexpr std::size_t entry = 24;  // offset of e_entry in the header of a 32-bit ELF file
     constexpr std::size_t high_byte = entry + 3;
     std::ifstream file{path, std::ios::binary};
     std::string head(high_byte + 1, '\0');
@@ -35,7 +35,7 @@ bool starts_in_flash(const std::string& path) {
     return !file || head[high_byte] == '\x08';
 }
 
-/// The words of both commands that start QEMU. By semihosting, the image uses the standard streams of that process.
+/// Returns the options that both QEMU commands have. By semihosting, the image uses the standard streams of QEMU.
 const std::vector<std::string>& common_words() {
     static const std::vector<std::string> words{"-nodefaults",
                                                 "-no-user-config",
@@ -58,8 +58,8 @@ std::vector<std::string> stm32f405_command(const std::string& path) {
     return words;
 }
 
-/// Both CAN controllers are on one bus. The clock of the machine counts instructions, so that every run is the same,
-/// and does not wait while the core sleeps.
+/// Returns the command for a Zynq UltraScale+ whose two CAN controllers are on one bus. The clock of the machine counts
+/// instructions, so that every run is the same, and does not wait while the core sleeps.
 std::vector<std::string> zynqmp_command(const std::string& path) {
     std::string file;
     for (const char c : path) {

@@ -51,7 +51,7 @@ void RunSession::note_change(std::size_t number) {
     if (!is_changed_[number]) {
         is_changed_[number] = true;
         changed_.push_back(number);
-        deadlines_.set(number, never);  // next_deadline() asks the device itself until follow_deadlines() has run
+        deadlines_.set(number, never);  // next_deadline() asks the device itself while changed_ contains it
     }
 }
 

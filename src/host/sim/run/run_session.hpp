@@ -95,10 +95,10 @@ class RunSession {
     std::size_t next_stimulus_{0};
     SessionOutputs outputs_;
     FrameLog log_;
-    std::vector<OutputChanges> changes_;  ///< in the order of nodes_
+    std::vector<OutputChanges> changes_;  ///< last written outputs of each node, in the order of nodes_
     std::unordered_map<const BusNode*, std::size_t> numbers_;
     std::unordered_multimap<std::string, std::size_t> by_name_;
-    Deadlines deadlines_;  ///< deadlines of the devices; `never` for devices in changed_
+    Deadlines deadlines_;  ///< deadlines of the devices; can be out of date for devices in changed_
     /// numbers of the nodes that have changed since the last step; each occurs once
     std::vector<std::size_t> changed_;
     std::vector<bool> is_changed_;  ///< in the order of nodes_: whether changed_ contains the node
