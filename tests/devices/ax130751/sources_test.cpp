@@ -257,7 +257,7 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     inputs.supply = 7.54F;
     inputs.cpu_temperature = 99.04F;
     set_inputs();
-    pass(20000);  // whatever delay the faults have
+    pass(20000);  // longer than any delay of the faults
     EXPECT_NE(read(0x1003, 0), 0U);
     EXPECT_EQ(tenths(supply_source, 0), 75);
     EXPECT_EQ(tenths(9, 0), 990);
