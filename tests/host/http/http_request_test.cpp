@@ -80,8 +80,8 @@ TEST(HttpRequest, LinesAndHeadAreBounded) {
     const auto header_of = [](std::size_t length) { return "X: " + std::string(length - 3, 'a') + "\r\n"; };
     EXPECT_EQ(status(start + header_of(8192) + "\r\n"), 0);
     EXPECT_EQ(status(start + header_of(8193) + "\r\n"), 431);
-    // The head has 16384 bytes: `start` 33, two headers of 8002 and 4002 with their line ends, a third header, whose
-    // line end has 2, and the empty line with 2.
+    // The head has 16384 bytes. `start` has 33, the first two headers with their line ends have 8002 and 4002. The line
+    // end of the third header and the empty line have 2 each.
     const std::string most =
         start + header_of(8000) + header_of(4000) + header_of(16384 - 33 - 8002 - 4002 - 2 - 2) + "\r\n";
     EXPECT_EQ(most.size(), 16384U);
