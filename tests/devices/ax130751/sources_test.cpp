@@ -305,7 +305,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO maps
+    set8(0x2341, 2, 7);  // 2500h:4, which RPDO3 maps; RPDO3 is not valid
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);
