@@ -37,7 +37,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_TRUE(device->outputs().out_on[0]);
     pass(10);
     write(0x6220, 3, 1, 1);
-    pass(50);  // the previous phase would be OFF from 40 ms to 80 ms
+    pass(50);  // without the override the output would be OFF from 40 ms to 80 ms
     EXPECT_FALSE(device->outputs().out_on[0]);
     write(0x6220, 3, 0, 1);
     pass(1);
