@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stores parameters on a memory of any bytes, with saves, restores and power cuts at any byte. After each start the
-// conformance slave has the values that a naive reader finds in the memory. After a power cut these are the old set or
-// the new set, unless the input itself has changed bytes of a bank, and never a value of an invalid bank. Input:
-// records of ten bytes: the event, its argument, and eight bytes of data.
+// conformance slave has the values that a naive reader finds in the memory, never a value of an invalid bank. After a
+// power cut these are the old set or the new set, unless the input itself has changed bytes of a bank. Input: records
+// of ten bytes: the event, its argument, and eight bytes of data.
 #include <algorithm>
 
 #include "firmware/canopen/lss_store.hpp"

@@ -195,8 +195,8 @@ RC_GTEST_PROP(PdoLaw, MoreThan64BitsAreNeverMapped, ()) {
     RC_ASSERT(value_in(bench, 0x1602, 0) == (total_bits(mapping) > 64 ? 0U : mapping.size()));
 }
 
-// For any changes at any times, transmissions are at least the inhibit time apart, and at most the event timer where it
-// is longer; a changed value is sent as soon as the inhibit time allows.
+// For any changes at any times, transmissions are at least the inhibit time apart. They are at most the event timer
+// apart, or the inhibit time when that is longer. A changed value is sent as soon as the inhibit time allows.
 RC_GTEST_PROP(PdoLaw, TransmissionsObeyInhibitTimeAndEventTimer, ()) {
     verifies<req::CO_PDO_015, req::CO_PDO_017, req::CO_PDO_047, req::CO_PDO_048, req::CO_PDO_018>("property");
     SlaveBench bench;

@@ -75,8 +75,8 @@ class Pdo {
   private:
     static bool is_empty(const Mappable& line) { return line.index == 0 && line.subindex == 0 && line.bits == 0; }
 
-    /// Checks a mapping entry: odd objects of 2000h, 2002h and 2100h are sent, even ones received; 2200h to 2207h go
-    /// both ways.
+    /// Checks a mapping entry, and returns its abort code. 2000h, 2002h and 2100h are received, 2001h, 2003h and 2101h
+    /// are sent, 2206h and 2207h go both ways.
     std::uint32_t refusal_of(const Mappable& line) const {
         if (line.index < 0x1000) {
             constexpr std::array<unsigned, 8> dummy_bits{0, 1, 8, 16, 32, 8, 16, 32};

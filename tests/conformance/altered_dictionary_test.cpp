@@ -93,7 +93,7 @@ TEST_F(AlteredDictionary, MappingCountAboveTheNumberOfEntriesIsRefused) {
     verifies<req::CO_PDO_011>();
     entry(0x1602, 0).limit = no_limit;
     power_on();
-    for (int line = 1; line <= 8; ++line) {  // RPDO3 is not valid: 2000h:1, 8 bits, eight times
+    for (int line = 1; line <= 8; ++line) {  // maps 2000h:1 (8 bits) eight times into RPDO3, which is not valid
         send("605#230216" + std::string{"0"} + std::to_string(line) + "08010020");
     }
     EXPECT_EQ(send("605#2F02160009000000"), Frames{"585#8002160042000406"});
@@ -219,7 +219,7 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
     power_on();
     EXPECT_EQ(send("605#2B00140500000000"), Frames{"585#6000140500000000"});  // the mapping of RPDO1 is evaluated again
     send("000#0105");
-    send("205#0100000000000000");  // 65 bits do not fit
+    send("205#0100000000000000");  // no effect: RPDO1 maps 65 bits, more than a PDO has
     EXPECT_EQ(send("605#4002200100000000"), Frames{"585#4F02200100000000"});
     send("305#1122334455667788");
     EXPECT_EQ(send("605#4000210100000000"), Frames{"585#4B00210111220000"});
@@ -313,7 +313,7 @@ TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
     entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
-    device->lend(0x2302, 0, 2);  // memory of the device, which only longer values need
+    device->lend(0x2302, 0, 2);  // lends 2 bytes; only values of more than 64 bytes would need this memory
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});

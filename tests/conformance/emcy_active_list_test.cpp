@@ -121,7 +121,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // the latest error; its number is the lower one
+    emcy.set(channel_1, true, Instant{});  // the later error, with the lower ErrorId
     const std::vector<std::uint32_t> order{0x0001F001, 0x1002F011};
     EXPECT_EQ(listed(), order);
     objects.load_defaults(ParameterGroup::communication, 5);

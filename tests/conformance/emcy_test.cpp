@@ -115,9 +115,9 @@ TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     EXPECT_EQ(listed(0), "00000000");
     EXPECT_EQ(listed(1), "00000000");
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
-    EXPECT_EQ(error_register(), "11");  // the error lasts …
+    EXPECT_EQ(error_register(), "11");  // the error is still active
     EXPECT_TRUE(overrun(true).empty());
-    EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // … and its end is reported
+    EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // its end is reported
 }
 
 TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
@@ -236,8 +236,8 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
-    // Error passive (8120h) and overrun (8110h) arose while nothing could be sent. They are sent first and tell of two
-    // errors in the list; 8140h, the third, follows, and then the end of 8120h.
+    // Error passive (8120h) and overrun (8110h) occurred while nothing could be sent. Their messages are sent first;
+    // 1003h then has two entries. 8140h follows as the third entry, and then the end of 8120h.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
@@ -246,9 +246,9 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
 
 TEST_F(Errors, NothingIsSentInBusOff) {
     verifies<req::CO_EMCY_017, req::AO4_ERR_011>();
-    write("603#2306100050C30000");  // 1006h: a SYNC each 50 ms
+    write("603#2306100050C30000");  // 1006h communication cycle period: 50 ms
     write("603#2305100080000040");
-    write("603#2B17100064000000");  // a heartbeat each 100 ms
+    write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
     EXPECT_TRUE(can_state(3).empty());
     EXPECT_TRUE(pass(500).empty());

@@ -316,8 +316,8 @@ std::string state_after_error(const std::string& begin, const std::string& react
 NmtState state_after_guarding_error(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
-    bench.write("603#2B0C100064000000");  // guard time 100 ms …
-    bench.write("603#2F0D100002000000");  // … times 2
+    bench.write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    bench.write("603#2F0D100002000000");  // 100Dh life time factor: 2
     bench.write("603#2F291001" + reaction + "000000");
     bench.send("000#0103");
     bench.send("703#R1");
@@ -362,7 +362,7 @@ TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheStateBy1029h) {
 TEST_F(ErrorControlService, EachErrorLeadsToPreOperationalAlsoWhileAnotherErrorLasts) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003>();
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
-    write("603#2B0C100064000000");  // guard time 100 ms …
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100001000000");  // 100Dh life time factor: 1
     send("000#0103");
     send("731#05");

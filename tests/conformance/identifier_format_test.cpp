@@ -22,7 +22,7 @@ class IdentifierFormat : public CbxTest {
 
 }  // namespace
 
-/// The reset comes last, because it ends operational.
+/// The reset is the last request, because a node that obeyed it would leave operational.
 TEST_F(IdentifierFormat, SdoPdoGuardingAndNmtIgnore29BitFrames) {
     verifies<req::CO_FRAME_001>();
     for (const char* const request : {"603#4000100000000000", "303#R8", "703#R1", "000#8203"}) {

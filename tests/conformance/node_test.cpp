@@ -57,14 +57,14 @@ TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterResetNode) {
 TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
     verifies<req::CO_NMT_007>();
     send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
-    send("605#2B0C100032000000");  // guard time 50 ms …
+    send("605#2B0C100032000000");  // 100Ch guard time: 50 ms
     send("605#2F0D100002000000");  // 100Dh life time factor: 2
     send("605#2B00140564000000");  // 1400h:5 event timer of RPDO1: 100 ms
     send("605#2B01140564000000");  // 1401h:5 event timer of RPDO2: 100 ms
-    lose_producer();               // node 10h, which stays silent
+    lose_producer();               // node 10h stays silent from now on
     EXPECT_EQ(state(), NmtState::pre_operational);
     for (const char* heard_once : {"711#05", "705#R1", "205#1122", "305#0100020003000400"}) {
-        send("000#0105");  // the master starts the node all the same
+        send("000#0105");  // the master starts the node although the error of node 10h lasts
         send(heard_once);
         pass(99);
         EXPECT_EQ(state(), NmtState::operational) << heard_once;
@@ -75,8 +75,8 @@ TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnother
     device->node().set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state(), NmtState::pre_operational);
     device->node().set_can_state(CanState::error_active, now);
-    EXPECT_EQ(device->communication_errors(),
-              1);                  // the error of node 10h is the only one counted: it has been silent all the time
+    // The device was notified once: node 10h stays silent, so a communication error has lasted all the time.
+    EXPECT_EQ(device->communication_errors(), 1);
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     send("000#0105");
     send("711#05");
@@ -90,7 +90,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     send("000#0105");
     pass(1000);
     EXPECT_EQ(state(), NmtState::operational);
-    send("205#11");  // an RPDO that is too short: its error 8210h does not act by 1029h:1 (error behaviour)
+    send("205#11");  // too short for RPDO1: error 8210h has no reaction by 1029h:1 (error behaviour)
     EXPECT_EQ(state(), NmtState::operational);
 }
 

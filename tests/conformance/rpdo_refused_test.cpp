@@ -19,7 +19,7 @@ TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     map_rpdo3({"10000022"});                     // maps 2200h, which takes -100 … 100
     send("605#2B02140532000000");                // 1402h:5 event timer of RPDO3: 50 ms
     EXPECT_TRUE(send("405#6500").size() == 1U);  // the value 101 is refused with error 8200h
-    EXPECT_TRUE(pass(1000).empty());             // no reception yet that starts the monitoring
+    EXPECT_TRUE(pass(1000).empty());             // no valid RPDO3 has started the monitoring
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
     EXPECT_EQ(send("405#6500"), (Frames{"085#0082110200000000"}));

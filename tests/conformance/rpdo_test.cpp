@@ -212,7 +212,7 @@ TEST_F(Rpdo, OnlyDataFramesOfTheElevenBitIdentifierAreAccepted) {
                     {"00000205#1122", {}},  // the same identifier with 29 bits
                     {"204#1122", {}},
                     {"405#1122", {}},  // RPDO3 is not valid
-                    {"205#R2", {}},    // a receive PDO is not requested
+                    {"205#R2", {}},    // RPDO1 does not answer remote frames
                     {"605#4000200100000000", {"585#4F00200100000000"}},
                     // 1400h:1 COB-ID of RPDO1 with bit 31: not valid
                     {"605#2300140105020080", {"585#6000140100000000"}},
@@ -316,7 +316,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
     send("205#1122");
     send("305#0100020003000400");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
-    EXPECT_TRUE(pass(10).empty());          // RPDO2 too: the error is already there
+    EXPECT_TRUE(pass(10).empty());          // RPDO2 is overdue too, but error 8250h is already active
     EXPECT_TRUE(send("205#1122").empty());  // RPDO2 is still overdue
     EXPECT_EQ(send("305#0100020003000400"), (Frames{"085#0000000100000000"}));
 }
@@ -330,7 +330,7 @@ TEST_F(Rpdo, RpdoTimersEndWithOperational) {
     send("000#8005");
     send("000#0105");
     EXPECT_TRUE(send("305#0100020003000400").empty());
-    EXPECT_TRUE(pass(99).empty());  // RPDO1 was not received since
+    EXPECT_TRUE(pass(99).empty());  // RPDO1 was not received again, so it is not monitored
     EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));
 }
 

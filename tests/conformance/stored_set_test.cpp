@@ -150,7 +150,7 @@ TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNo
         EXPECT_EQ(unit.device->node_id(), 6) << name;
         EXPECT_EQ(unit.read(0x1001, 0) & 0xFFU, 0U) << name;
         auto& bytes = unit.device->memory().bytes();
-        const std::size_t first = bytes.size() - 40;  // two slots of 20 bytes, "CLS1" where the one in use begins
+        const std::size_t first = bytes.size() - 40;  // two slots of 20 bytes; the one in use begins with "CLS1"
         const std::size_t latest = bytes[first + 3] == '1' ? first : first + 20;
         ASSERT_EQ(bytes[latest + 12], 6) << name;
         bytes[latest + 12] ^= 0x01;

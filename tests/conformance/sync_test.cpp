@@ -147,7 +147,7 @@ TEST_F(SyncService, SyncCounterRunsFromOneToItsOverflow) {
 TEST_F(SyncService, SyncCounterMayOverflowAt2AndAt240) {
     verifies<req::CO_SYNC_004>();
     write("603#2F19100002000000");
-    write("603#23061000E8030000");  // 1 ms
+    write("603#23061000E8030000");  // 1006h communication cycle period: 1 ms
     write("603#2305100080000040");
     EXPECT_EQ(pass(3), (Frames{"1:080#01", "2:080#02", "3:080#01"}));
     write("603#2305100080000000");

@@ -104,7 +104,7 @@ TEST(Bytes, CopyEndsAtTheEndOfTheTarget) {
     first_four.copy(2U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 0, 1, 2, 0, 0}}));
     first_four.copy(5U, ByteView{source});  // starts beyond the end
-    first_four.copy(1U, ByteView{source});  // ends beyond the end: 1, 2 and 3 fit
+    first_four.copy(1U, ByteView{source});  // ends beyond the end: only 1, 2 and 3 are copied
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{0, 1, 2, 3, 0, 0}}));
     first_four.copy(0U, ByteView{source});
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{1, 2, 3, 4, 0, 0}}));

@@ -40,7 +40,7 @@ TEST(DictionaryCheck, ValidDictionaryIsAccepted) {
     Dictionary neighbours;
     neighbours.objects[1].index = 0x1001U;
     EXPECT_TRUE(neighbours.sound());
-    Dictionary two_first;  // the first entry of the second object has another number than the object
+    Dictionary two_first;  // the second object has position 1 among the objects, its first entry position 2
     two_first.objects = {{{0x1000U, 0U, 2U, ObjectKind::array}, {0x2001U, 2U, 1U, ObjectKind::var}}};
     two_first.entries[1].subindex = 1U;
     two_first.entries[2].subindex = 0U;
@@ -134,21 +134,21 @@ TEST(DictionaryCheck, HashTableIsAcceptedOnlyIfItFindsEachObjectAndEndsEachSearc
     Dictionary lost;
     lost.slots = {{0U, no_object, no_object, no_object}};
     EXPECT_FALSE(lost.sound());
-    Dictionary later;  // 2001h was displaced by another object at its slot: the search continues at the next
+    Dictionary later;  // 2000h belongs to slot 0, which 1000h occupies: the search finds it in slot 1
     later.objects[1].index = 0x2000U;
     EXPECT_TRUE(later.sound());
-    Dictionary behind_a_gap;  // the search has ended there
+    Dictionary behind_a_gap;  // 2001h is in slot 2, but its search ends at slot 1, which is free
     behind_a_gap.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_FALSE(behind_a_gap.sound());
-    Dictionary apart;  // a search that starts at the slot of another object ends at the gap
+    Dictionary apart;  // 2002h is in its own slot 2; slot 1 is free
     apart.objects[1].index = 0x2002U;
     apart.slots = {{0U, no_object, 1U, no_object}};
     EXPECT_TRUE(apart.sound());
-    Dictionary onwards;  // both belong to slot 1: the second continues at slot 2, not at slot 0
+    Dictionary onwards;  // both objects belong to slot 1: the second is in slot 2
     onwards.objects[0].index = 0x1001U;
     onwards.slots = {{no_object, 0U, 1U, no_object}};
     EXPECT_TRUE(onwards.sound());
-    Dictionary round;  // both belong to slot 3: the second continues at slot 0
+    Dictionary round;  // both objects belong to slot 3: the second is in slot 0
     round.objects[0].index = 0x1003U;
     round.objects[1].index = 0x2003U;
     round.slots = {{1U, no_object, no_object, 0U}};

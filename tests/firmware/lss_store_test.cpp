@@ -96,7 +96,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
     LssStore{memory}.store({1, 10000});
     auto& bytes = memory.bytes();
     bytes[64 - 40] ^= 1;
-    Crc32 crc{};  // CRC of the first 16 bytes of the slot, in its last four; it fits the present content
+    Crc32 crc{};  // the last four bytes of the slot get the CRC-32 of its first 16, which are altered
     crc.add(ByteView{bytes.data() + 64 - 40, 16});
     for (std::size_t i = 0; i < 4; ++i) {
         bytes[64 - 40 + 16 + i] = static_cast<std::uint8_t>(crc.value() >> (8 * i));

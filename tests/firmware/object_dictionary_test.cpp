@@ -57,7 +57,7 @@ TEST(ObjectDictionary, DefaultOfALimitedEntryIsLoadedCompletely) {
     EXPECT_EQ(sparse.objects.read(0x2001U, 3U), 0x0C0B0A09U);
 }
 
-/// The number of RPDOs and TPDOs of a dictionary with one object.
+/// Returns the numbers of RPDOs and TPDOs of a dictionary with one object.
 std::pair<std::size_t, std::size_t> pdos_with(const std::uint16_t index) {
     const std::array<ObjectRow, 1> rows{{{index, 0U, 1U, ObjectKind::record}}};
     const DictionaryTables tables{table_view(rows), {}, {}, {}, {}, {}, 0U, {}, 0U};

@@ -59,8 +59,8 @@ struct ZynqBench {
 
 }  // namespace
 
-// The rates of CiA 305, Table 1, at 24 MHz: quanta of a bit times prescaler = 24 MHz / rate, for example 24 quanta by 1
-// for 1 Mbit/s and 24 quanta by 100 for 10 kbit/s.
+// The rates of CiA 305, Table 1, at 24 MHz. The quanta of a bit times the prescaler are 24 MHz / rate: 24 quanta by 1
+// for 1 Mbit/s, 24 quanta by 100 for 10 kbit/s.
 TEST(ZynqBitTiming, EveryRateOfLssIsExactInTheRegisters) {
     verifies<req::CO_ZCAN_001>();
     struct Row {

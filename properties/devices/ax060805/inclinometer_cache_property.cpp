@@ -91,7 +91,7 @@ const std::vector<Key>& all_keys() {
 
 class Told : public InclinometerBench {
   public:
-    /// Makes a device and sets each parameter to the value whose position in the list of the parameter `choice` gives.
+    /// Makes a device. Parameter i gets the value at position choice[i], modulo its number of values.
     explicit Told(const std::vector<std::size_t>& choice) {
         power_on();
         turn(10.0, 20.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs an AX060805 and its naive model with the same inputs, frames and writes, and compares every frame and every
-// value, as long as rounding in single precision does not decide a result.
+// Runs an AX060805 and its naive model with the same inputs, frames and writes. Compares every frame and every value,
+// as long as rounding in single precision does not decide a result.
 #pragma once
 
 #include <fmt/format.h>

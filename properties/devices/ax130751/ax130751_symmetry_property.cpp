@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that no output or block of the AX130751 is special: when the parameters and inputs of its outputs and blocks
-// are reordered, its behaviour is reordered in the same way.
+// Checks that no output or block of the AX130751 is special. When the parameters and inputs of outputs and blocks are
+// reordered, the behaviour is reordered in the same way.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

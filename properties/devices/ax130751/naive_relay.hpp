@@ -46,7 +46,7 @@ class NaiveRelay {
     /// Returns whether an enable response of Table 11 enables the relay while its input is ON.
     static bool enables_when_on(int response) { return response == 0 || response == 3 || response == 4; }
 
-    /// Unlatches: the relay rests while its input is ON, and afterwards until the control has returned to rest.
+    /// Applies the unlatch input. The relay rests while this input is ON, and then until the control is at rest.
     void latch(const Relay& relay) {
         if (relay.polarity != 3 && relay.polarity != 4) {
             latch_of_ = 0;

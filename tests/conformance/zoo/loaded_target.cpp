@@ -10,7 +10,7 @@ namespace {
 constexpr double mean_bits = 85.0;  // bits of a frame with four bytes, including the intermission
 constexpr std::uint64_t most_waiting = 16;
 
-// Restricted identifiers (CiA 301, 7.3.5).
+// Restricted identifiers (CiA 301, 7.3.5): 101h to 120h with high priority, 6E0h to 6FFh with low priority.
 constexpr std::uint32_t first_high = 0x101;
 constexpr std::uint32_t first_low = 0x6E0;
 constexpr std::uint64_t ids_of_a_kind = 0x20;

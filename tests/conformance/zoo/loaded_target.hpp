@@ -9,10 +9,10 @@
 
 namespace canproof::test::zoo {
 
-/// A slave and additional frames, to which no slave may react. They are frames of another node's services, NMT commands
-/// to that node, 29-bit frames (some with the numbers of the slave's own identifiers), and frames on identifiers that
-/// CiA 301 assigns to nobody (7.3.5). Some have priority over the frames of the slave, some do not. The same seed gives
-/// the same frames at the same times.
+/// A slave and additional frames, to which no slave may react. Some are frames of another node's services, or NMT
+/// commands to that node. Others are 29-bit frames, some of them with the numbers of the slave's own identifiers, or
+/// frames on restricted identifiers (CiA 301, 7.3.5). Some have priority over the frames of the slave, some do not. The
+/// same seed gives the same frames at the same times.
 class LoadedTarget final : public host::conform::Target {
   public:
     /// `load`: fraction of the bus that the additional frames occupy, 0 to 1. Above 0.7 a tester with one queue falls

@@ -21,14 +21,14 @@ inline Frame lss_request(unsigned command, unsigned byte) {
 inline Frame lss_mode(bool configuration) {
     return lss_request(0x04, configuration ? 1 : 0);
 }
-/// Puts one of the four numbers of 1018h into bytes 1 to 4.
+/// Returns `frame` with one of the four numbers of 1018h in bytes 1 to 4.
 inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned number) {
     Frame own = frame;
     set_field_le<1, 4>(own.data, slave.dictionary().read(0x1018, static_cast<std::uint8_t>(number + 1)));
     return own;
 }
 
-/// The number of the note that contains whether the slave is in LSS configuration; see follows_lss().
+/// The key in WrongSlave::notes of whether the slave is in LSS configuration. follows_lss() updates this note.
 constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;

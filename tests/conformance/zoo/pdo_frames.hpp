@@ -19,8 +19,8 @@ enum class Packing { right, reversed, bytewise };
 /// Returns sub-index `sub` of the communication parameters of PDO `number` (from 0).
 std::uint32_t pdo_parameter(WrongSlave& slave, std::uint16_t communication, unsigned number, std::uint8_t sub);
 bool is_valid_pdo(WrongSlave& slave, std::uint16_t communication, unsigned number);
-/// Returns the number of the PDO with the identifier of `frame`, among the valid PDOs or, when `valid` is false, among
-/// those that are not valid; nothing when there is none.
+/// Returns the number of the PDO with the identifier of `frame`; nothing when there is none. Searches the valid PDOs,
+/// or those that are not valid when `valid` is false.
 std::optional<unsigned> pdo_of(WrongSlave& slave, std::uint16_t communication, const Frame& frame, bool valid = true);
 /// Returns TPDO `number` with the present values.
 Frame tpdo_frame(WrongSlave& slave, unsigned number, Packing packing = Packing::right);

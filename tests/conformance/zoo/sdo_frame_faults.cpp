@@ -7,7 +7,7 @@ namespace canproof::test::zoo {
 
 namespace {
 
-/// Completes a short request from the previous request.
+/// Makes the slave fill the missing bytes of a short request with those of the previous request.
 void fill_short_requests(WrongSlave& slave, const Frame& frame) {
     if (!is_data(frame, sdo_requests + slave.node_id())) {
         slave.pass(frame);

@@ -77,7 +77,7 @@ TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     pass(100);  // the input filter needs time until 1 g has decayed
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // raises all three conditions of the error
+    fail_accelerometer();  // temperature, missing gravity and sensor fault now hold at the same time
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);

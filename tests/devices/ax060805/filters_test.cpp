@@ -177,7 +177,7 @@ TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
-    pass(2);  // changes are between samples and filter periods
+    pass(2);  // the changes below are between two samples and between two filter periods
     // The first sample, 0, was taken when the filter started.
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }

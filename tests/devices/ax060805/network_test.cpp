@@ -320,7 +320,7 @@ TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasuredAndKeptOutsideTheirRanges)
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // not measurable: the object ends at 70 V
+    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range of 5020h: the value is not updated
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();

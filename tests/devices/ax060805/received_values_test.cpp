@@ -103,7 +103,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     send("000#0100");
     send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // undefined before; the frame brought 0
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // the same frame set received value 1, which was undefined, to 0
     send("000#8100");
     EXPECT_EQ(value(0x2500, 2), 0);
     switch_filter_off();

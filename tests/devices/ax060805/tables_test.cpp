@@ -90,8 +90,8 @@ TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
 }
 
 // The first three constants are decisions of the register, in degrees and g. The others are those of 5.1.1, Table 62:
-// a resolution of 3.46 sigma at 5 Hz, an accuracy of 2 degrees at 25 degrees Celsius, and a drift from -40 degrees
-// Celsius on.
+// a resolution of 3.46 sigma at 5 Hz, an accuracy of 2 degrees at 25 degrees Celsius. The drift is stated from -40
+// degrees Celsius on.
 TEST(InclinometerTables, ConstantsFollowTheManualAndTheDecisions) {
     verifies<req::INC_K_GIMBAL_LOCK, req::INC_K_EXACT_ANGLE, req::INC_K_LEAST_GRAVITY, req::INC_K_RESOLUTION_FACTOR,
              req::INC_K_RATED_CUT_OFF, req::INC_K_INITIAL_ACCURACY, req::INC_K_DRIFT_REFERENCE,

@@ -153,7 +153,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesApplyAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{2000, 0, 2000}));
     EXPECT_EQ(merit(), 1U);
     write_real(0x2200, 0, 0.0F);
-    write_real(0x2210, 0, 180.0F);  // the unit is mounted upside down: the nose of the machine is 30 up, its top below
+    write_real(0x2210, 0, 180.0F);  // mounted upside down: pitch 180 - 30 = 150, roll 180
     EXPECT_EQ(angles(), (Row{15000, 18000, 15000}));
 }
 

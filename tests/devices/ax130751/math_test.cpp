@@ -246,7 +246,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     make(1, 1);
-    set8(0x4101, 2, 7);  // 2500h:4, which no RPDO maps
+    set8(0x4101, 2, 7);  // 2500h:4, which RPDO3 maps; RPDO3 is not valid
     set8(0x4100, 2, canopen);
     set8(0x4103, 2, 0);
     set16(0x4122, 2, 100);

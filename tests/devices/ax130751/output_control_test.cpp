@@ -12,7 +12,7 @@ TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
     set16(0x2331, 1, 500);  // 1000 ms up as shipped, 500 ms down
-    command(1, 5000);       // the previous cycle began the ramp
+    command(1, 5000);       // the cycle of this call begins the ramp
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
     pass(250);

@@ -49,8 +49,8 @@ class Ax130751Pending : public Ax130751Blocks {
         set32(0x22A2, 1, 20);
         pass(1);
     }
-    /// The relay rests at `rest`; the opposite state is commanded for ten milliseconds before the event, which lasts
-    /// six.
+    /// Checks one case. The relay rests at `rest`. The opposite state has been commanded for 10 ms when the event
+    /// begins; the event lasts 6 ms.
     void expect(const Case& one, bool rest) {
         one.begins();
         pass(1);

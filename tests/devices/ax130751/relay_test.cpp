@@ -235,7 +235,7 @@ TEST_F(Ax130751Relay, DelaysApplyToSwitchingOnAndOff) {
     EXPECT_TRUE(control(1)) << "delays are off as shipped";
     control(0);
     set8(0x22A0, 1, 1);
-    EXPECT_FALSE(control(1));  // commanded in the previous cycle
+    EXPECT_FALSE(control(1));  // the cycle of this call starts the ON delay of 30 ms
     pass(29);
     EXPECT_FALSE(relay_on());
     pass(1);

@@ -257,7 +257,7 @@ TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
     inputs.supply = 7.54F;
     inputs.cpu_temperature = 99.04F;
     set_inputs();
-    pass(20000);  // whatever delay the faults have
+    pass(20000);  // longer than any delay of the faults
     EXPECT_NE(read(0x1003, 0), 0U);
     EXPECT_EQ(tenths(supply_source, 0), 75);
     EXPECT_EQ(tenths(9, 0), 990);
@@ -305,7 +305,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4, which no RPDO maps
+    set8(0x2341, 2, 7);  // 2500h:4, which RPDO3 maps; RPDO3 is not valid
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);

@@ -37,7 +37,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_TRUE(device->outputs().out_on[0]);
     pass(10);
     write(0x6220, 3, 1, 1);
-    pass(50);  // the previous phase would be OFF from 40 ms to 80 ms
+    pass(50);  // without the override the output would be OFF from 40 ms to 80 ms
     EXPECT_FALSE(device->outputs().out_on[0]);
     write(0x6220, 3, 0, 1);
     pass(1);
@@ -48,17 +48,17 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     EXPECT_FALSE(device->outputs().out_on[0]) << "40 ms after the override";
 }
 
-// 1.5.4, 1.2: within the hysteresis as before, OFF until the input was outside
+// 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_021>();
     write(0x2522, 1, 100, 2);  // 2500h:1 is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
-    write(0x3015, 1, 1, 1);  // lookup table 1 answers to the time
+    write(0x3015, 1, 1, 1);  // lookup table 1 has time response
     write(0x2500, 1, 100, 2);
     pass(5);
     EXPECT_NE(read(0x3018, 0), 0U) << "the profile runs";
-    write(0x3015, 1, 0, 1);  // lookup table 1 answers to its input
+    write(0x3015, 1, 0, 1);  // lookup table 1 has data response
     write(0x2500, 1, 0, 2);
     pass(5);
     write(0x2500, 1, 50, 2);

@@ -205,7 +205,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
         EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv,
-                    2.0);  // the two readings are on opposite sides, in steps of 0.6 uV
+                    2.0);  // the hum adds to one reading and subtracts from the other; steps are 0.6 uV
     }
 }
 

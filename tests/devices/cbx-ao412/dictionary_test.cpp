@@ -98,7 +98,7 @@ TEST_F(Dictionary, NumberOfObjectsIsThatOfTheManual) {
         const Frames answer = send(fmt::format("603#40{}00000000", little_endian(index, 2) + "00"));
         found += answer.at(0).substr(12) == "00000206" ? 0 : 1;
     }
-    // 23 objects of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
+    // 22 objects of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
     // 1029h), 4 PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
     EXPECT_EQ(found, 4U + 2U + 3U + 3U + 2U + 7U + 1U + 4U + 2U + 3U + 2U + 3U);
 }

@@ -92,8 +92,8 @@ TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
     send("731#05");
     write("603#2316100100000000");
     EXPECT_EQ(watch(e, 40), dark);
-    write("603#2B0C100064000000");  // guard time 100 ms …
-    write("603#2F0D100002000000");  // … times 2
+    write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
+    write("603#2F0D100002000000");  // 100Dh life time factor: 2
     send("703#R1");
     pass(199);
     EXPECT_FALSE(device->outputs().led_e);

@@ -2,8 +2,8 @@
 // Conformance cases that take the place of a test: each runs on the conformance slave, and its verdict counts for the
 // requirements that it names.
 //
-// A case does not replace a test of tests/conformance that does more than a case can: the test also runs on the
-// microcontroller, where no case runs, or it requires one exact abort code, time or frame where CiA 301 leaves a slave
+// A case does not replace a test of tests/conformance that does more than a case can. Such a test also runs on the
+// microcontroller, where no case runs. Or it requires one exact abort code, time or frame where CiA 301 leaves a slave
 // the choice.
 #include <gtest/gtest.h>
 

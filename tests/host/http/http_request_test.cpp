@@ -80,7 +80,8 @@ TEST(HttpRequest, LinesAndHeadAreBounded) {
     const auto header_of = [](std::size_t length) { return "X: " + std::string(length - 3, 'a') + "\r\n"; };
     EXPECT_EQ(status(start + header_of(8192) + "\r\n"), 0);
     EXPECT_EQ(status(start + header_of(8193) + "\r\n"), 431);
-    // 16384 bytes minus the line of 16 bytes, that of 17, a header of 8000 and the empty line: 8349 are left.
+    // The head has 16384 bytes. `start` has 33, the first two headers with their line ends have 8002 and 4002. The line
+    // end of the third header and the empty line have 2 each.
     const std::string most =
         start + header_of(8000) + header_of(4000) + header_of(16384 - 33 - 8002 - 4002 - 2 - 2) + "\r\n";
     EXPECT_EQ(most.size(), 16384U);

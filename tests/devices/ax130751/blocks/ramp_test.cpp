@@ -69,7 +69,7 @@ TEST(Ramp, NewRampTimesApplyAtOnce) {
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, wider, at(670)), 9.0);
     ramp.follow(0.0, wider, at(670));
     const RampTimes slower_down{20.0, milliseconds(1000), milliseconds(1000)};
-    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(690)), 5.0);  // 20 in 100 ms until now
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(690)), 5.0);  // until 690 ms: 9 - 20 * 20 / 100 = 5
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slower_down, at(740)), 4.0);
 }
 

@@ -234,7 +234,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     times.on_delay = milliseconds(5);
     run("#", normal);
     EXPECT_EQ(relay.next_change().us, 5000U);
-    run("######", normal);  // until 7 ms
+    run("######", normal);  // the last call is at 6 ms: the relay has changed at 5 ms
     EXPECT_EQ(relay.next_change(), never);
     times.on_delay = Duration{};
     run(".", normal);

@@ -30,7 +30,7 @@ class Converter : public testing::Test {
 
 TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
     verifies<req::TCS_IN_002>();
-    convert(1000.0);  // 1000 / 0.59605 = 1677.72: step 1678 = 1000.17 uV
+    convert(1000.0);  // 1000 / 0.596046 = 1677.72: step 1678 = 1000.17 uV
     EXPECT_NEAR(adc.microvolts(), 1678 * 19531.25 / 32768, 1e-9);
     convert(-0.29);  // less than half a step
     EXPECT_EQ(adc.microvolts(), 0.0);

@@ -21,7 +21,7 @@ const ThermocoupleCurve& curve_of(const Its90Type& type) {
     return thermocouple_curve(static_cast<generated::ax188001::SensorType>(type.number));
 }
 
-/// Returns the temperature from which on each voltage belongs to one temperature only: the voltage of type B falls up
+/// Returns the temperature from which on each voltage belongs to one temperature only. The voltage of type B falls up
 /// to 21.02 degC and is 0 mV again at about 42 degC.
 long double lowest_convertible(const Its90Type& type) {
     return type.letter == 'B' ? 42.0L : type.lowest();
@@ -270,8 +270,8 @@ TEST(Thermocouple, ReferenceFunctionOfTypeBContinuesBelowItsRange) {
 
 TEST(ThermocoupleArithmetic, PolynomialEndsWithItsLastNonZeroCoefficient) {
     shows_rule("thermocouples in fixed point");
-    // The array is not constant and is as long as in the firmware, because mutation does not alter code that the
-    // compiler evaluates or that is instantiated for a test only.
+    // The array is not constant and is as long as in the firmware: mutation alters neither code that the compiler
+    // evaluates nor code that only a test instantiates.
     std::array<double, ReferencePiece::size> coefficients{1.0, -2.0};
     EXPECT_EQ(terms_of(coefficients), 2U);
     coefficients = {0.0, 0.0, 1e-30};

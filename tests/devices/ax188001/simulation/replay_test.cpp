@@ -49,15 +49,15 @@ std::string ramp() {
 }  // namespace
 
 // Readings fall on multiples of 165 ms; a fault is reported 5000 ms after its first reading:
-//   0.000  -32 degC at power-on, below -20                       reported at  5.000
-//  12      -12 degC, first above -19; read at 73 * 165 = 12.045  clears at 12.045
-//  26      128 degC, first above 125; read at 158 * 165 = 26.070 reported at 31.070
-//  39      258 degC, first above 250; read at 237 * 165 = 39.105 reported at 44.105
-//  46      wire breaks; read at 279 * 165 = 46.035, two gains of 660 ms each: open at 47.355, reported at 52.355
-//  55      repaired; read at 334 * 165 = 55.110
-//  61      248 degC, first below 249; read at 370 * 165 = 61.050
-//  74      118 degC, first below 124; read at 449 * 165 = 74.085
-//  88      -22 degC, first below -20; read at 534 * 165 = 88.110 reported at 93.110
+//   0.000  -32 degC at power-on, below -20                         reported at  5.000
+//  12      -12 degC, first above -19; read at 73 * 0.165 = 12.045  clears at 12.045
+//  26      128 degC, first above 125; read at 158 * 0.165 = 26.070 reported at 31.070
+//  39      258 degC, first above 250; read at 237 * 0.165 = 39.105 reported at 44.105
+//  46      wire breaks; read at 279 * 0.165 = 46.035, two gains of 660 ms each: open at 47.355, reported at 52.355
+//  55      repaired; read at 334 * 0.165 = 55.110
+//  61      248 degC, first below 249; read at 370 * 0.165 = 61.050
+//  74      118 degC, first below 124; read at 449 * 0.165 = 74.085
+//  88      -22 degC, first below -20; read at 534 * 0.165 = 88.110 reported at 93.110
 TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
              req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();

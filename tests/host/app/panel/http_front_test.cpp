@@ -109,7 +109,7 @@ TEST_F(HttpFrontEnd, SlowClientsDoNotDelayOtherClients) {
 TEST_F(HttpFrontEnd, ConnectionsAreBounded_AndALateClientIsStillServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
-    EXPECT_TRUE(slow.front()->ended());  // the oldest connection has given way
+    EXPECT_TRUE(slow.front()->ended());  // the server has closed the oldest connection
     EXPECT_FALSE(slow.back()->ended());
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
@@ -146,7 +146,7 @@ TEST_F(HttpFrontEnd, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
 TEST_F(HttpFrontEnd, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
-    ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all, and keeps its side open
+    ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all and does not close its side
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
     EXPECT_EQ(front.connections(), 1U);
     now = now + HttpFront::close_limit;
