@@ -57,8 +57,8 @@ class FailedSelfTest : public testing::Test {
 /// bit rate, compares the outputs, keeps them after the computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    mutable int looks{0};
-    bool changes{false};
+    int* looks{nullptr};  ///< outside the device, because its state must not change while it does not compute
+    bool* changes{nullptr};
 
     void power_on(const cbx_ao412::Inputs&, Instant) {}
     void set_inputs(const cbx_ao412::Inputs&, Instant) {}
@@ -66,13 +66,13 @@ struct ChangingDevice {
     void advance(Instant) {}
     Instant next_deadline() const { return Instant{UINT64_MAX}; }
     std::uint32_t bit_rate() const {
-        looks = 0;
+        *looks = 0;
         return 1000000;
     }
     const cbx_ao412::Outputs& outputs() const {
         static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
-        ++looks;
-        return changes && looks > 2 ? changed : values;
+        ++*looks;
+        return *changes && *looks > 2 ? changed : values;
     }
 };
 
@@ -111,20 +111,41 @@ TEST_F(FailedSelfTest, ClockOfTwiceThePlannedFrequencyEndsInTheSafeState) {
     expect_safe_state(SelfTest::clock, 10);
 }
 
-TEST_F(FailedSelfTest, OutputThatChangesBetweenPassesIsNotDriven) {
+TEST_F(FailedSelfTest, OutputThatChangesBeforeTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
-    outputs().aout[2] = 8.0F;
+    unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
     unit_.run(1);
     EXPECT_EQ(unit_.board.driven.aout[2], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
 }
 
+TEST_F(FailedSelfTest, ParameterThatChangesBetweenPassesIsNotUsed) {
+    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    // 2405h calibration gain of output 1: a gain of another value would give other than 5 V.
+    const EntryRef gain = unit_.device.objects().lookup(0x2405, 1);
+    ASSERT_TRUE(gain.exists());
+    const_cast<std::uint8_t*>(unit_.device.objects().bytes(*gain.row).data())[1] ^= 0x40;
+    Frame request = data_frame(0x603, 8);
+    request.data = {0x2B, 0x11, 0x64, 0x01, 0xB3, 0x3E, 0x00, 0x00};
+    chips_.can.receive(request);
+    EXPECT_THAT(unit_.run(20), IsEmpty());
+    EXPECT_EQ(unit_.board.driven.aout[0], 0.0F);
+    expect_safe_state(SelfTest::state, 0);
+}
+
+TEST_F(FailedSelfTest, FrameThatChangesInTheQueueIsNotSent) {
+    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // PDO1, which the device has not queued
+    EXPECT_THAT(unit_.run(1), IsEmpty());
+    expect_safe_state(SelfTest::state, 0);
+}
+
 TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
+    unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
     Frame request = data_frame(0x603, 8);
     request.data = {0x2B, 0x11, 0x64, 0x02, 0xB3, 0x3E, 0x00, 0x00};  // 5.0 V at output 2
     chips_.can.receive(request);
-    outputs().aout[2] = 8.0F;
     EXPECT_THAT(unit_.run(20), IsEmpty());
     EXPECT_EQ(unit_.device.outputs().aout[1], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
@@ -149,7 +170,11 @@ TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Chips chips;
     Unit unit{chips};  // its drivers, without its device
+    int looks = 0;
+    bool changes = false;
     ChangingDevice device;
+    device.looks = &looks;
+    device.changes = &changes;
     stm32f405::DeviceLoop<ChangingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
                                                           unit.time, unit.watchdog, unit.tests};
     loop.power_on(true);
@@ -160,7 +185,7 @@ TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     };
     pass();
     EXPECT_EQ(loop.failed(), SelfTest::none);
-    device.changes = true;
+    changes = true;
     pass();
     EXPECT_EQ(loop.failed(), SelfTest::outputs);
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);

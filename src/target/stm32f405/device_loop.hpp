@@ -11,12 +11,20 @@
 #include "target/stm32f405/selftest/flow_monitor.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
 #include "target/stm32f405/selftest/self_tests.hpp"
+#include "target/stm32f405/selftest/state_guard.hpp"
 #include "target/stm32f405/time_base.hpp"
 #include "target/stm32f405/watchdog.hpp"
 
 namespace canproof::stm32f405 {
 
-template <typename Device, typename Board>
+/// The drivers of a device on the chip. An emulated image has others.
+struct ChipDrivers {
+    using Can = Bxcan;
+    using Time = TimeBase;
+    using Watchdog = stm32f405::Watchdog;
+};
+
+template <typename Device, typename Board, typename Drivers = ChipDrivers>
 class DeviceLoop {
   public:
     /// A pass takes at most this many waiting frames, so that outputs and watchdog are served in time.
@@ -24,8 +32,8 @@ class DeviceLoop {
     /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
 
-    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, Bxcan& can, TimeBase& time, Watchdog& watchdog,
-               SelfTests& tests) noexcept
+    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, typename Drivers::Can& can,
+               typename Drivers::Time& time, typename Drivers::Watchdog& watchdog, SelfTests& tests) noexcept
         : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog}, tests_{tests} {}
 
     /// Starts the watchdog, tests processor and RAM, and powers the device on unless a test fails. `may_join`: the
@@ -40,6 +48,7 @@ class DeviceLoop {
             take_inputs(now);
             device_.power_on(inputs_, now);
             copy_.keep(device_.outputs());
+            state_.keep();
             flow_ = FlowMonitor{};
         }
     }
@@ -67,12 +76,19 @@ class DeviceLoop {
     SelfTest failed() const noexcept { return failed_; }
 
   private:
+    /// Compares the state of device and queue with its checksum before anything uses it, then serves the controller.
     void serve_bus(const Instant now) noexcept {
-        static_assert(implements<req::CO_CLOCK_003>);
-        if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
-            can_.set_bit_rate(device_.bit_rate(), now);
+        static_assert(implements<req::CO_SELF_011>);
+        if (!state_.matches()) {
+            fail(SelfTest::state);
         }
-        can_.advance(queue_, now);
+        if (failed_ == SelfTest::none) {
+            static_assert(implements<req::CO_CLOCK_003>);
+            if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
+                can_.set_bit_rate(device_.bit_rate(), now);
+            }
+            can_.advance(queue_, now);
+        }
         flow_.note(Step::bus);
     }
 
@@ -103,6 +119,7 @@ class DeviceLoop {
     void transmit(const Instant now) noexcept {
         if (failed_ == SelfTest::none) {
             can_.advance(queue_, now);
+            state_.keep();  // until the next pass only constant functions of the device run
         }
         flow_.note(Step::transmit);
     }
@@ -149,12 +166,13 @@ class DeviceLoop {
     Device& device_;
     TransmitQueue& queue_;
     Board& board_;
-    Bxcan& can_;
-    TimeBase& time_;
-    Watchdog& watchdog_;
+    typename Drivers::Can& can_;
+    typename Drivers::Time& time_;
+    typename Drivers::Watchdog& watchdog_;
     SelfTests& tests_;
     FlowMonitor flow_{};
     OutputCopy<typename Board::Outputs> copy_{};
+    StateGuard state_{object_bytes(device_), object_bytes(queue_)};
     SelfTest failed_{SelfTest::none};
     typename Board::Inputs inputs_{};
     Instant overrun_until_{};

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A checksum of the state of a device and of its transmit queue, kept while neither of them runs, so that a change of
+// the state in RAM is noticed before the device uses it.
+#pragma once
+
+#include "firmware/base/bytes.hpp"
+
+namespace canproof::stm32f405 {
+
+/// Returns the bytes of an object. Bytes between its members belong to them; nothing changes these bytes either.
+template <typename Object>
+ByteView object_bytes(const Object& object) noexcept {
+    static_assert((sizeof(Object) % sizeof(std::uint32_t)) == 0U, "the checksum adds whole words");
+    return ByteView{reinterpret_cast<const std::uint8_t*>(&object), sizeof(Object)};
+}
+
+/// The checksum turns by one bit and adds the next word, 32 bits each. Each step has an inverse, so one changed word
+/// always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
+class StateGuard {
+  public:
+    /// Both parts consist of whole words.
+    StateGuard(const ByteView device, const ByteView queue) noexcept : device_{device}, queue_{queue} {}
+
+    void keep() noexcept { complement_ = ~sum(); }
+    /// Returns whether the state is that of the last keep().
+    bool matches() const noexcept { return complement_ == ~sum(); }
+    /// Returns the checksum of the present state.
+    std::uint32_t sum() const noexcept;
+
+  private:
+    ByteView device_;
+    ByteView queue_;
+    std::uint32_t complement_{0U};
+};
+
+}  // namespace canproof::stm32f405
