@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the workload once without a fault and records it. Then, for each fault: restores the state of the device before
-// the pass of the fault, injects the fault, and compares each pass with the record, until a self-test fails, the
-// processor raises an exception, the state equals that of the record, or the workload ends.
+// Runs the workload once without a fault and records it. Then, for each fault, restores the state of the device before
+// the pass of the fault and injects the fault. Compares each following pass with the record. A run ends when a
+// self-test fails, the processor raises an exception, the state equals that of the record, or the workload ends.
 #include "target/faults/campaign.hpp"
 
 #include "target/faults/machine.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A campaign of faults in an emulated processor: the interface between the device (subject.hpp), whose memory and
-// registers get the faults, and the harness (campaign.cpp), which injects them and judges their effects. The harness has
-// its own flash, RAM and stack, which get no faults.
+// registers get the faults, and the harness (campaign.cpp), which injects them and judges their effects. The harness
+// has its own flash, RAM and stack, which get no faults.
 #pragma once
 
 #include <array>
@@ -58,7 +58,7 @@ class Subject {
 /// Returns the device; each image has one.
 Subject& subject();
 
-// What the device's drivers do, in the harness.
+// The harness does the work of the device's drivers.
 Instant time_now();
 bool take_frame(Frame& frame);
 void frame_sent(const Frame& frame);

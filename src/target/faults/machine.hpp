@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the harness needs of the processor: a stack for each side, a timer that interrupts the device, exceptions, and
+// The harness needs these of the processor: a stack for each side, a timer that interrupts the device, exceptions, and
 // lines to the host.
 #pragma once
 

@@ -21,7 +21,7 @@ constexpr std::size_t most_events = 512;
 constexpr std::size_t most_outputs = 8192;
 constexpr std::size_t most_ram = 32768;
 
-/// What the harness itself remembers from pass to pass.
+/// The state of the harness from pass to pass.
 struct Memory {
     std::uint32_t next_event;
     std::uint32_t inputs;  ///< number of the event with the present inputs
@@ -282,6 +282,10 @@ void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t)) {
     }
     for (; kept_pass < pass; ++kept_pass) {
         do_pass(kept_pass);
+    }
+    if (ram_sum() != passes[pass - 1U].sum) {
+        say("broken: a run without a fault differs from the record\n");
+        end_emulation();
     }
     kept_memory = memory;
     copy_bytes(kept_ram, ram_begin, variable_bytes());

@@ -14,7 +14,7 @@ constexpr std::uintptr_t harness_start = 0x21000000U;
 /// How a run ended. Numbers below 16 are those of SelfTest.
 enum class End : std::uint32_t { equal = 16, workload, exception, hangs };
 
-/// What differed from the record, as bits: the same kinds as in host/assess/inject/fault_effect.hpp.
+/// Differences from the record, as bits: the same kinds as in host/assess/inject/fault_effect.hpp.
 struct Effect {
     static constexpr std::uint32_t emergency = 1U;
     static constexpr std::uint32_t network = 2U;

@@ -3,45 +3,27 @@
 
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"
+#include "target/stm32f405/selftest/core.hpp"
 
 namespace canproof::stm32f405 {
 
 namespace {
 
 constexpr std::size_t word = sizeof(std::uint32_t);
-
-/// Adds the word at a position, which lies within the bytes.
-[[gnu::always_inline]] inline std::uint32_t add_word(const std::uint32_t sum, const ByteView bytes,
-                                                     const std::size_t at) noexcept {
-    const std::uint32_t turned = (sum << 1U) | (sum >> 31U);
-    return turned + static_cast<std::uint32_t>(load_le<word>(bytes.data() + at));
-}
-
-/// Adds eight words in each turn of the loop, because a device computes this sum twice in each pass.
-std::uint32_t add(std::uint32_t sum, const ByteView bytes) noexcept {
-    constexpr std::size_t block = 8U * word;
-    std::size_t at{0U};
-    for (; (bytes.size() - at) >= block; at += block) {
-        sum = add_word(sum, bytes, at);
-        sum = add_word(sum, bytes, at + word);
-        sum = add_word(sum, bytes, at + (2U * word));
-        sum = add_word(sum, bytes, at + (3U * word));
-        sum = add_word(sum, bytes, at + (4U * word));
-        sum = add_word(sum, bytes, at + (5U * word));
-        sum = add_word(sum, bytes, at + (6U * word));
-        sum = add_word(sum, bytes, at + (7U * word));
-    }
-    for (; at < bytes.size(); at += word) {
-        sum = add_word(sum, bytes, at);
-    }
-    return sum;
-}
+constexpr std::size_t block = 8U * word;
 
 }  // namespace
 
+/// Adds blocks of eight words by core_sum(), because a device computes this sum twice for each computation, then the
+/// rest.
 static_assert(implements<req::CO_SELF_011>);
 std::uint32_t StateGuard::sum() const noexcept {
-    return add(add(0U, device_), queue_);
+    const std::size_t blocks = object_.size() / block;
+    std::uint32_t sum = core_sum(0U, object_.data(), static_cast<std::uint32_t>(blocks * 8U));
+    for (std::size_t at = blocks * block; at < object_.size(); at += word) {
+        sum = ((sum << 1U) | (sum >> 31U)) + read_u32(object_, at);
+    }
+    return sum;
 }
 
 }  // namespace canproof::stm32f405

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A checksum of the state of a device and of its transmit queue, kept while neither of them runs, so that a change of
-// the state in RAM is noticed before the device uses it.
+// A checksum of an object, kept while nothing may change it, so that a change in RAM is noticed before the object is
+// used.
 #pragma once
 
 #include "firmware/base/bytes.hpp"
@@ -18,18 +18,17 @@ ByteView object_bytes(const Object& object) noexcept {
 /// always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
 class StateGuard {
   public:
-    /// Both parts consist of whole words.
-    StateGuard(const ByteView device, const ByteView queue) noexcept : device_{device}, queue_{queue} {}
+    /// `object` consists of whole words.
+    explicit StateGuard(const ByteView object) noexcept : object_{object} {}
 
     void keep() noexcept { complement_ = ~sum(); }
-    /// Returns whether the state is that of the last keep().
+    /// Returns whether the object is as it was at the last keep().
     bool matches() const noexcept { return complement_ == ~sum(); }
-    /// Returns the checksum of the present state.
+    /// Returns the checksum of the present object.
     std::uint32_t sum() const noexcept;
 
   private:
-    ByteView device_;
-    ByteView queue_;
+    ByteView object_;
     std::uint32_t complement_{0U};
 };
 
