@@ -265,6 +265,8 @@ End run_tests() {
         const Fault& fault = faults()[next_fault];
         const std::uint32_t pass = pass_at(fault.time);
         run = Run{};
+        unmask_interrupts();
+        restore_flash();
         go_to(pass, [](std::uint32_t number) {
             run.pass = number;
             do_pass();
@@ -275,6 +277,9 @@ End run_tests() {
         End end = run_to_end();
         if (end == End::workload && order().with_tests != 0U && is_silent(differences())) {
             end = run_tests();
+        }
+        if (!run.injected && pass >= order().passes) {
+            run.fault_pass = pass;  // after the last instruction of the workload
         }
         report(end);
     }
@@ -310,6 +315,7 @@ void resume(bool was_exception) {
 
 void start_campaign() {
     next_fault = order().skip;
+    keep_flash();
     record_all();
     campaign();
 }

@@ -58,6 +58,19 @@ constexpr int sys_exit_extended = 0x20;
     )");
 }
 
+bool takes_interrupts() {
+    std::uint32_t mask = 0;
+    std::uint32_t fault_mask = 0;
+    std::uint32_t priority = 0;
+    asm volatile("mrs %0, primask\n mrs %1, faultmask\n mrs %2, basepri"
+                 : "=r"(mask), "=r"(fault_mask), "=r"(priority));
+    return (mask | fault_mask | priority) == 0U;
+}
+
+void unmask_interrupts() {
+    asm volatile("cpsie i\n cpsie f\n msr basepri, %0" ::"r"(0) : "memory");
+}
+
 void arm_timer(std::uint32_t ticks) {
     timer().control = 0U;
     timer().reload = ticks == 0U ? 1U : ticks;

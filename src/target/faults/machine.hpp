@@ -20,6 +20,10 @@ struct Interrupted {
 
 /// Calls `run` on the stack of the device. Returns when `run` returns.
 void run_on_device_stack(void (*run)());
+/// Returns whether the processor takes interrupts.
+bool takes_interrupts();
+/// Takes all interrupts and exceptions again, whatever the device has masked.
+void unmask_interrupts();
 /// Interrupts the device after about `ticks` of the timer (1.25 instructions each).
 void arm_timer(std::uint32_t ticks);
 void stop_timer();

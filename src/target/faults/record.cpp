@@ -8,6 +8,10 @@ extern "C" {
 extern std::uint8_t ram_begin[];
 extern std::uint8_t ram_test_stack_begin[];
 extern std::uint8_t stack_top[];
+extern std::uint8_t vectors_begin[];
+extern std::uint8_t vectors_end[];
+extern std::uint8_t image_begin[];
+extern std::uint8_t image_end[];
 }
 
 namespace canproof::faults {
@@ -20,6 +24,8 @@ constexpr std::size_t most_frames_of_pass = 64;
 constexpr std::size_t most_events = 512;
 constexpr std::size_t most_outputs = 8192;
 constexpr std::size_t most_ram = 32768;
+constexpr std::size_t most_vectors = 1024;
+constexpr std::size_t most_image = 114688;
 
 /// The state of the harness from pass to pass.
 struct Memory {
@@ -59,6 +65,9 @@ Memory kept_memory;
 std::uint32_t kept_pass;
 stm32f405::CaptureRegisters capture;
 
+std::uint8_t kept_vectors[most_vectors];
+std::uint8_t kept_image[most_image];
+
 bool same_outputs(const RawBytes& a, const RawBytes& b) {
     bool same = true;
     for (std::size_t i = 0; i < most_bytes; ++i) {
@@ -72,6 +81,17 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
     const auto* const source = reinterpret_cast<const volatile std::uint32_t*>(from);
     for (std::size_t i = 0; i < (count + 3U) / 4U; ++i) {
         target[i] = source[i];
+    }
+}
+
+/// Copies only words that differ, because a store makes the emulator translate the code again.
+void copy_changed(std::uint8_t* to, const std::uint8_t* from, std::size_t count) {
+    auto* const target = reinterpret_cast<volatile std::uint32_t*>(to);
+    const auto* const source = reinterpret_cast<const volatile std::uint32_t*>(from);
+    for (std::size_t i = 0; i < (count + 3U) / 4U; ++i) {
+        if (target[i] != source[i]) {
+            target[i] = source[i];
+        }
     }
 }
 
@@ -274,6 +294,17 @@ std::uint32_t pass_at(std::uint32_t time) {
     return low;
 }
 
+void keep_flash() {
+    copy_bytes(kept_vectors, vectors_begin, static_cast<std::size_t>(vectors_end - vectors_begin));
+    copy_bytes(kept_image, image_begin, static_cast<std::size_t>(image_end - image_begin));
+}
+
+void restore_flash() {
+    copy_changed(vectors_begin, kept_vectors, static_cast<std::size_t>(vectors_end - vectors_begin));
+    copy_changed(image_begin, kept_image, static_cast<std::size_t>(image_end - image_begin));
+    asm volatile("dsb\n isb" ::: "memory");
+}
+
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t)) {
     copy_bytes(ram_begin, kept_ram, variable_bytes());
     memory = kept_memory;
@@ -317,7 +348,11 @@ Instant time_now() {
     return Instant{now_pass * pass_us};
 }
 
+/// On the microcontroller an interrupt moves received frames to the ring from which the device takes them.
 bool take_frame(Frame& frame) {
+    if (!takes_interrupts()) {
+        return false;
+    }
     while (memory.next_event < event_count && events[memory.next_event].time_us <= now_pass * pass_us) {
         const Event& event = events[memory.next_event++];
         if (event.is_frame != 0U) {

@@ -39,6 +39,11 @@ std::uint32_t ticks_before(std::uint32_t pass);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 
+/// Keeps a copy of the flash, and restores the flash from it. A stray store of a damaged device changes the emulated
+/// flash; that of the microcontroller stays.
+void keep_flash();
+void restore_flash();
+
 /// Restores the recorded state before `pass`, which is not smaller than in the call before. `do_pass` does one pass.
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t));
 /// Returns whether the RAM is that of the record after `pass`.
