@@ -27,6 +27,13 @@ class FailedSelfTest : public testing::Test {
 
     cbx_ao412::Outputs& outputs() { return const_cast<cbx_ao412::Outputs&>(unit_.device.outputs()); }
 
+    /// Inverts a bit of 2405h calibration gain, of output 1.
+    void change_gain() {
+        const EntryRef gain = unit_.device.objects().lookup(0x2405, 1);
+        ASSERT_TRUE(gain.exists());
+        const_cast<std::uint8_t*>(unit_.device.objects().bytes(*gain.row).data())[1] ^= 0x40;
+    }
+
     /// Runs until the self-test fails, for at most `passes` passes. Then checks that the outputs are off, the bus is
     /// silent and the watchdog is not refreshed any more.
     void expect_safe_state(SelfTest test, std::uint32_t passes) {
@@ -54,25 +61,25 @@ class FailedSelfTest : public testing::Test {
 };
 
 /// A device whose outputs change after their computation and before they are driven. In each pass the loop asks for the
-/// bit rate, compares the outputs, keeps them after the computation, compares them again and drives them.
+/// bit rate, compares the outputs, keeps them after a computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    mutable int looks{0};
-    bool changes{false};
+    int* looks{nullptr};  ///< outside the device, because its state must not change while it does not compute
+    bool* changes{nullptr};
 
     void power_on(const cbx_ao412::Inputs&, Instant) {}
     void set_inputs(const cbx_ao412::Inputs&, Instant) {}
     void receive(const Frame&, Instant) {}
     void advance(Instant) {}
-    Instant next_deadline() const { return Instant{UINT64_MAX}; }
+    Instant next_deadline() const { return Instant{}; }  // it computes in each pass
     std::uint32_t bit_rate() const {
-        looks = 0;
+        *looks = 0;
         return 1000000;
     }
     const cbx_ao412::Outputs& outputs() const {
         static const cbx_ao412::Outputs changed{{0.0F, 8.0F, 0.0F, 0.0F}, false, false, false, false};
-        ++looks;
-        return changes && looks > 2 ? changed : values;
+        ++*looks;
+        return *changes && *looks > 2 ? changed : values;
     }
 };
 
@@ -111,20 +118,50 @@ TEST_F(FailedSelfTest, ClockOfTwiceThePlannedFrequencyEndsInTheSafeState) {
     expect_safe_state(SelfTest::clock, 10);
 }
 
-TEST_F(FailedSelfTest, OutputThatChangesBetweenPassesIsNotDriven) {
+TEST_F(FailedSelfTest, OutputThatChangesBeforeTheComputationIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
-    outputs().aout[2] = 8.0F;
-    unit_.run(1);
+    unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
+    unit_.run(10);  // the inputs are read once in 1 ms
     EXPECT_EQ(unit_.board.driven.aout[2], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
 }
 
+TEST_F(FailedSelfTest, ParameterThatChangesIsNotUsedForTheNextFrame) {
+    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    change_gain();
+    Frame request = data_frame(0x603, 8);
+    request.data = {0x2B, 0x11, 0x64, 0x01, 0xB3, 0x3E, 0x00, 0x00};
+    chips_.can.receive(request);
+    EXPECT_THAT(unit_.run(1), IsEmpty());
+    EXPECT_EQ(unit_.board.driven.aout[0], 0.0F);
+    expect_safe_state(SelfTest::state, 0);
+}
+
+TEST_F(FailedSelfTest, ParameterThatChangesIsNoticedWithinAMillisecond) {
+    verifies<req::CO_SELF_011, req::CO_SELF_012>();
+    change_gain();
+    expect_safe_state(SelfTest::state, 10);
+}
+
+TEST_F(FailedSelfTest, FrameThatAppearsInTheQueueIsNotSent) {
+    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // PDO1, which the device has not queued
+    EXPECT_THAT(unit_.run(1), IsEmpty());
+    expect_safe_state(SelfTest::state, 0);
+}
+
 TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
+    bool sampled = false;
+    unit_.board.on_read = [&sampled] { sampled = true; };
+    while (!sampled) {
+        unit_.run(1);
+    }
+    unit_.run(9);  // the next pass reads the inputs again
+    unit_.board.on_read = [this] { outputs().aout[2] = 8.0F; };
     Frame request = data_frame(0x603, 8);
     request.data = {0x2B, 0x11, 0x64, 0x02, 0xB3, 0x3E, 0x00, 0x00};  // 5.0 V at output 2
     chips_.can.receive(request);
-    outputs().aout[2] = 8.0F;
     EXPECT_THAT(unit_.run(20), IsEmpty());
     EXPECT_EQ(unit_.device.outputs().aout[1], 0.0F);
     expect_safe_state(SelfTest::outputs, 0);
@@ -133,7 +170,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
 TEST_F(FailedSelfTest, PassWithinAPassEndsInTheSafeState) {
     verifies<req::CO_SELF_005, req::CO_SELF_008>();
     unit_.board.on_read = [this] { unit_.loop.pass(); };
-    expect_safe_state(SelfTest::flow, 1);
+    expect_safe_state(SelfTest::flow, 10);
 }
 
 TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
@@ -145,11 +182,30 @@ TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
     EXPECT_GE(unit_.tests.ram().passes(), 80U);    // 5000 / 3 / 21, and one at power-on
 }
 
+TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
+    verifies<req::CO_SELF_012>();
+    Chips chips;
+    Unit unit{chips};
+    unit.run(5);
+    for (int i = 0; i < 50; ++i) {
+        int reads = 0;
+        for (int pass = 0; pass < 10; ++pass) {  // of 100 µs
+            unit.board.on_read = [&reads] { ++reads; };
+            unit.run(1);
+        }
+        EXPECT_EQ(reads, 1);
+    }
+}
+
 TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Chips chips;
     Unit unit{chips};  // its drivers, without its device
+    int looks = 0;
+    bool changes = false;
     ChangingDevice device;
+    device.looks = &looks;
+    device.changes = &changes;
     stm32f405::DeviceLoop<ChangingDevice, TestBoard> loop{device,    unit.queue,    unit.board, unit.can,
                                                           unit.time, unit.watchdog, unit.tests};
     loop.power_on(true);
@@ -160,7 +216,7 @@ TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     };
     pass();
     EXPECT_EQ(loop.failed(), SelfTest::none);
-    device.changes = true;
+    changes = true;
     pass();
     EXPECT_EQ(loop.failed(), SelfTest::outputs);
     EXPECT_EQ(unit.board.driven.aout[1], 0.0F);

@@ -4,9 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/selftest/flow_monitor.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
+#include "target/stm32f405/selftest/state_guard.hpp"
 #include "tests/support/stm32f405/capture_model.hpp"
 #include "tests/support/stm32f405/clock_model.hpp"
 #include "tests/support/stm32f405/ram_model.hpp"
@@ -193,6 +196,43 @@ TEST(OutputCopy, CopyNoticesEachFlippedBitOfTheOutputsAndOfTheCopy) {
     EXPECT_TRUE(copy.matches(outputs));
 }
 
+TEST(StateGuard, GuardNoticesEachFlippedBit) {
+    verifies<req::CO_SELF_011>();
+    // 11 words are one block of eight words and three single words.
+    std::array<std::uint32_t, 11> words{};
+    std::iota(words.begin(), words.end(), 0xFFFFFFFAU);
+    StateGuard guard{object_bytes(words)};
+    guard.keep();
+    EXPECT_TRUE(guard.matches());
+    for (std::uint32_t& word : words) {
+        for (std::uint32_t bit = 0; bit < 32; ++bit) {
+            word ^= 1U << bit;
+            EXPECT_FALSE(guard.matches()) << bit;
+            word ^= 1U << bit;
+        }
+    }
+    EXPECT_TRUE(guard.matches());
+}
+
+TEST(StateGuard, GuardNoticesSwappedWords) {
+    verifies<req::CO_SELF_011>();
+    std::array<std::uint32_t, 10> words{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    StateGuard guard{object_bytes(words)};
+    guard.keep();
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        std::swap(words[i], words[i + 1]);
+        EXPECT_FALSE(guard.matches()) << i;
+        std::swap(words[i], words[i + 1]);
+    }
+}
+
+TEST(StateGuard, ChecksumTurnsByOneBitAndAddsTheNextWord) {
+    verifies<req::CO_SELF_011>();
+    const std::array<std::uint32_t, 3> words{0x80000001, 0x00000010, 0xFFFFFFFF};
+    // 80000001h; turned 00000003h, plus 10h: 00000013h; turned 00000026h, minus 1: 00000025h
+    EXPECT_EQ(StateGuard{object_bytes(words)}.sum(), 0x25U);
+}
+
 TEST(ClockCheck, OscillatorFrom17To47KilohertzIsAccepted) {
     verifies<req::CO_SELF_006>();
     for (const double khz : {17.0, 25.0, 32.0, 47.0}) {
@@ -277,7 +317,7 @@ TEST(FailureRecord, RecordReturnsTheKeptSelfTestOnce) {
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};
     for (const SelfTest test : {SelfTest::core, SelfTest::stack, SelfTest::clock, SelfTest::ram, SelfTest::flash,
-                                SelfTest::outputs, SelfTest::flow}) {
+                                SelfTest::outputs, SelfTest::flow, SelfTest::state}) {
         record.keep(test);
         EXPECT_EQ(record.take(), test);
         EXPECT_EQ(record.take(), SelfTest::none);
@@ -307,7 +347,7 @@ TEST(FailureRecord, CoreClockRamAndFlashTestsFindFailedHardware) {
     for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
         EXPECT_TRUE(finds_hardware(test));
     }
-    for (const SelfTest test : {SelfTest::none, SelfTest::stack, SelfTest::outputs, SelfTest::flow}) {
+    for (const SelfTest test : {SelfTest::none, SelfTest::stack, SelfTest::outputs, SelfTest::flow, SelfTest::state}) {
         EXPECT_FALSE(finds_hardware(test));
     }
 }

@@ -33,6 +33,22 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
+/// Loads eight words by one instruction, and turns and adds each by one.
+[[gnu::naked]] std::uint32_t core_sum(std::uint32_t, const std::uint8_t*, std::uint32_t) noexcept {
+    asm volatile(R"(
+        push {r4-r11}
+        b 2f
+    1:  ldmia r1!, {r4-r11}
+        .irp reg, r4, r5, r6, r7, r8, r9, r10, r11
+        add.w r0, \reg, r0, ror #31
+        .endr
+    2:  subs r2, r2, #8
+        bhs 1b
+        pop {r4-r11}
+        bx lr
+    )");
+}
+
 /// Checks that each of r0 to r12 and lr keeps each pattern while all others contain the same pattern. Then each of
 /// them, and each of s0 to s31, contains another number, so that a write that reaches another register is noticed. The
 /// flags are all set, then all clear; they are checked by their bits and by branches.

@@ -11,21 +11,32 @@
 #include "target/stm32f405/selftest/flow_monitor.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
 #include "target/stm32f405/selftest/self_tests.hpp"
+#include "target/stm32f405/selftest/state_guard.hpp"
 #include "target/stm32f405/time_base.hpp"
 #include "target/stm32f405/watchdog.hpp"
 
 namespace canproof::stm32f405 {
 
-template <typename Device, typename Board>
+/// The drivers of a device on the chip. An emulated image has others.
+struct ChipDrivers {
+    using Can = Bxcan;
+    using Time = TimeBase;
+    using Watchdog = stm32f405::Watchdog;
+};
+
+template <typename Device, typename Board, typename Drivers = ChipDrivers>
 class DeviceLoop {
   public:
     /// A pass takes at most this many waiting frames, so that outputs and watchdog are served in time.
     static constexpr std::uint32_t frames_a_pass = 8U;
     /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
+    /// Time from one sample of the physical inputs to the next. In between, the device computes only when a frame comes
+    /// or a deadline is due; its state is under the checksum for the rest of the time.
+    static constexpr Duration sample_time = milliseconds(1U);
 
-    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, Bxcan& can, TimeBase& time, Watchdog& watchdog,
-               SelfTests& tests) noexcept
+    DeviceLoop(Device& device, TransmitQueue& queue, Board& board, typename Drivers::Can& can,
+               typename Drivers::Time& time, typename Drivers::Watchdog& watchdog, SelfTests& tests) noexcept
         : device_{device}, queue_{queue}, board_{board}, can_{can}, time_{time}, watchdog_{watchdog}, tests_{tests} {}
 
     /// Starts the watchdog, tests processor and RAM, and powers the device on unless a test fails. `may_join`: the
@@ -37,9 +48,12 @@ class DeviceLoop {
         failed_ = tests_.start(time_.now());
         if (failed_ == SelfTest::none) {
             const Instant now = time_.now();
+            samples_ = true;
             take_inputs(now);
             device_.power_on(inputs_, now);
             copy_.keep(device_.outputs());
+            device_state_.keep();
+            queue_state_.keep();
             flow_ = FlowMonitor{};
         }
     }
@@ -49,6 +63,7 @@ class DeviceLoop {
         const Instant now = time_.now();
         if (failed_ == SelfTest::none) {
             serve_bus(now);
+            prepare(now);
             take_inputs(now);
             run_device(now);
             transmit(now);
@@ -67,35 +82,58 @@ class DeviceLoop {
     SelfTest failed() const noexcept { return failed_; }
 
   private:
+    /// Compares the queue with its checksum before anything uses it, then serves the controller.
     void serve_bus(const Instant now) noexcept {
-        static_assert(implements<req::CO_CLOCK_003>);
-        if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
-            can_.set_bit_rate(device_.bit_rate(), now);
+        static_assert(implements<req::CO_SELF_011>);
+        if (!queue_state_.matches()) {
+            fail(SelfTest::state);
         }
-        can_.advance(queue_, now);
+        if (failed_ == SelfTest::none) {
+            static_assert(implements<req::CO_CLOCK_003>);
+            if (may_join_ && (can_.bit_rate() != device_.bit_rate())) {
+                can_.set_bit_rate(device_.bit_rate(), now);
+            }
+            can_.advance(queue_, now);
+        }
         flow_.note(Step::bus);
     }
 
-    void take_inputs(const Instant now) noexcept {
-        board_.read(inputs_);
-        const CanState state = may_join_ ? can_.state() : CanState::bus_off;
-        inputs_.can_state = static_cast<std::uint8_t>(state);
-        if (can_.take_overrun()) {
-            overrun_until_ = now + overrun_time;
+    /// Decides whether the device computes in this pass: a sample of the inputs, a frame or a deadline is due. If so,
+    /// compares its state with the checksum.
+    static_assert(implements<req::CO_SELF_011> && implements<req::CO_SELF_012>);
+    void prepare(const Instant now) noexcept {
+        samples_ = next_sample_ <= now;
+        has_frame_ = can_.receive(frame_);
+        computes_ = samples_ || has_frame_ || (device_.next_deadline() <= now);
+        if (computes_ && (!device_state_.matches())) {
+            fail(SelfTest::state);
         }
-        inputs_.can_overrun = now < overrun_until_;
+    }
+
+    void take_inputs(const Instant now) noexcept {
+        if (samples_) {
+            next_sample_ = now + sample_time;
+            board_.read(inputs_);
+            const CanState state = may_join_ ? can_.state() : CanState::bus_off;
+            inputs_.can_state = static_cast<std::uint8_t>(state);
+            if (can_.take_overrun()) {
+                overrun_until_ = now + overrun_time;
+            }
+            inputs_.can_overrun = now < overrun_until_;
+        }
         flow_.note(Step::inputs);
     }
 
     void run_device(const Instant now) noexcept {
         compare_outputs();
-        if (failed_ == SelfTest::none) {
+        if (computes_ && (failed_ == SelfTest::none)) {
             device_.set_inputs(inputs_, now);
             take_frames(now);
             if (device_.next_deadline() <= now) {
                 device_.advance(now);
             }
             copy_.keep(device_.outputs());
+            device_state_.keep();  // until the next computation only constant functions of the device run
         }
         flow_.note(Step::device);
     }
@@ -103,20 +141,15 @@ class DeviceLoop {
     void transmit(const Instant now) noexcept {
         if (failed_ == SelfTest::none) {
             can_.advance(queue_, now);
+            queue_state_.keep();
         }
         flow_.note(Step::transmit);
     }
 
     void take_frames(const Instant now) noexcept {
-        Frame frame{};
-        bool any{true};
-        for (std::uint32_t count = 0U; count < frames_a_pass; ++count) {
-            if (any) {
-                any = can_.receive(frame);
-            }
-            if (any) {
-                device_.receive(frame, now);
-            }
+        for (std::uint32_t count = 0U; has_frame_ && (count < frames_a_pass); ++count) {
+            device_.receive(frame_, now);
+            has_frame_ = ((count + 1U) < frames_a_pass) && can_.receive(frame_);
         }
     }
 
@@ -149,15 +182,22 @@ class DeviceLoop {
     Device& device_;
     TransmitQueue& queue_;
     Board& board_;
-    Bxcan& can_;
-    TimeBase& time_;
-    Watchdog& watchdog_;
+    typename Drivers::Can& can_;
+    typename Drivers::Time& time_;
+    typename Drivers::Watchdog& watchdog_;
     SelfTests& tests_;
     FlowMonitor flow_{};
     OutputCopy<typename Board::Outputs> copy_{};
+    StateGuard device_state_{object_bytes(device_)};
+    StateGuard queue_state_{object_bytes(queue_)};
     SelfTest failed_{SelfTest::none};
     typename Board::Inputs inputs_{};
     Instant overrun_until_{};
+    Instant next_sample_{};
+    Frame frame_{};  ///< the next received frame; valid when has_frame_
+    bool has_frame_{false};
+    bool samples_{false};   ///< the inputs are read in this pass
+    bool computes_{false};  ///< the device runs in this pass
     bool may_join_{false};
 };
 

@@ -4,6 +4,7 @@
 // TIM5 captures nothing, so the check of the clock is not here.
 #include "target/stm32f405/selftest/self_tests.hpp"
 
+#include "devices/ax130751/firmware/ax130751.hpp"
 #include "generated/ax130751/signals.hpp"
 #include "instruction_clock.hpp"
 #include "target/image/image.hpp"
@@ -11,6 +12,7 @@
 #include "target/stm32f405/image_check.hpp"
 #include "target/stm32f405/selftest/core.hpp"
 #include "target/stm32f405/selftest/output_copy.hpp"
+#include "target/stm32f405/selftest/state_guard.hpp"
 
 namespace {
 
@@ -23,11 +25,20 @@ constexpr int sys_exit_extended = 0x20;
 /// Variables with known contents, in the middle of the RAM that is tested.
 std::array<std::uint32_t, 2048> content;
 
+/// Memory of the size of the largest device and of its queue.
+template <typename Object>
+struct alignas(Object) SameSize {
+    std::array<std::uint8_t, sizeof(Object)> bytes;
+};
+SameSize<ax130751::Device> device_memory;
+SameSize<TransmitQueue> queue_memory;
+
 void say(const char* text) {
     target::semihost(sys_write0, text);
 }
 
-/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`; for flash_crc the number is that of the bytes.
+/// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`. For flash_crc and state_changed the number is
+/// that of the bytes.
 void say(const char* name, bool ok, std::uint32_t instructions) {
     std::array<char, 12> digits{};
     std::size_t first = digits.size() - 1;
@@ -104,6 +115,19 @@ extern "C" void image_main() {
     measure("outputs", 1, [&] {
         copy.keep(outputs);
         return copy.matches(outputs) && copy.matches(outputs);
+    });
+
+    StateGuard state{object_bytes(device_memory)};
+    measure("state", 1, [&state] {
+        state.keep();
+        return state.matches();
+    });
+    device_memory.bytes[1000] = 1;
+    say("state_changed", !state.matches(), sizeof device_memory);
+    StateGuard queue{object_bytes(queue_memory)};
+    measure("queue", 1, [&queue] {
+        queue.keep();
+        return queue.matches();
     });
 
     // Measures all self-tests of a pass except those of the outputs. Time stands still, because QEMU's timer captures

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/stm32f405/core_model.hpp"
 
+#include <cstring>
+
 #include "target/stm32f405/selftest/core.hpp"
 
 namespace canproof::test {
@@ -34,6 +36,15 @@ bool core_march_on(Register* first, std::uint32_t count, std::uint32_t backgroun
     ++core_model().marches;
     core_model().stack_end = stack_end;
     return ram_march(first, count, background);
+}
+
+std::uint32_t core_sum(std::uint32_t sum, const std::uint8_t* words, std::uint32_t count) noexcept {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, words + i * sizeof word, sizeof word);
+        sum = (sum << 1 | sum >> 31) + word;
+    }
+    return sum;
 }
 
 }  // namespace canproof::stm32f405

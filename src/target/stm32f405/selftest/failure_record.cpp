@@ -22,8 +22,8 @@ void FailureRecord::keep(const SelfTest test) noexcept {
 
 static_assert(implements<req::CO_SELF_009>);
 SelfTest FailureRecord::take() noexcept {
-    constexpr std::array<SelfTest, 7U> all{SelfTest::core,  SelfTest::stack,   SelfTest::clock, SelfTest::ram,
-                                           SelfTest::flash, SelfTest::outputs, SelfTest::flow};
+    constexpr std::array<SelfTest, 8U> all{SelfTest::core,  SelfTest::stack,   SelfTest::clock, SelfTest::ram,
+                                           SelfTest::flash, SelfTest::outputs, SelfTest::flow,  SelfTest::state};
     const std::uint32_t code = words_.code.read();
     SelfTest found{SelfTest::none};
     if (words_.complement.read() == ~code) {

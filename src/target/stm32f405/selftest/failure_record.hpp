@@ -8,7 +8,7 @@
 
 namespace canproof::stm32f405 {
 
-enum class SelfTest : std::uint8_t { none, core, stack, clock, ram, flash, outputs, flow };
+enum class SelfTest : std::uint8_t { none, core, stack, clock, ram, flash, outputs, flow, state };
 
 /// Returns whether a test finds failed hardware; the others find failed software.
 constexpr bool finds_hardware(const SelfTest test) noexcept {

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the workload once without a fault and records it. Then, for each fault, restores the state of the device before
+// the pass of the fault and injects the fault. Compares each following pass with the record. A run ends when a
+// self-test fails, the processor raises an exception, the state equals that of the record, or the workload ends.
+#include "target/faults/campaign.hpp"
+
+#include "target/faults/machine.hpp"
+#include "target/faults/record.hpp"
+
+extern "C" {
+extern std::uint8_t vectors_begin[];
+extern std::uint8_t vectors_end[];
+extern std::uint8_t image_begin[];
+extern std::uint8_t image_end[];
+}
+
+namespace canproof::faults {
+
+namespace {
+
+/// The order from the script: where QEMU's loader puts it.
+struct Order {
+    std::uint32_t passes;
+    std::uint32_t with_tests;
+    std::uint32_t events;
+    std::uint32_t faults;
+    std::uint32_t skip;  ///< faults of an earlier run of the emulator
+};
+enum class Kind : std::uint32_t { ram, core_register, program_counter, flash };
+struct Fault {
+    std::uint32_t time;  ///< in ticks since power-on, of all passes
+    Kind kind;
+    std::uint32_t place;
+    std::uint32_t bit;
+};
+
+const Order& order() {
+    return *reinterpret_cast<const Order*>(order_address);
+}
+const Event* events() {
+    return reinterpret_cast<const Event*>(events_address);
+}
+const Fault* faults() {
+    return reinterpret_cast<const Fault*>(faults_address);
+}
+
+constexpr std::uint32_t most_further_passes = 50000;  ///< two rounds of the tests of RAM and flash fit in these
+constexpr std::uint32_t hangs_after = 500000;         ///< in ticks: 625,000 instructions in one pass
+constexpr std::uint32_t retry_after = 16;             ///< in ticks, when the interrupt met the harness
+
+/// The present run. It is not on a stack, because an exception leaves every function.
+struct Run {
+    const Fault* fault;
+    std::uint32_t pass;
+    std::uint32_t fault_pass;
+    std::uint32_t region;
+    std::uint32_t address;
+    std::uint8_t* turned;  ///< a byte of flash with an inverted bit; nullptr when there is none
+    std::uint32_t turned_bit;
+    bool injected;
+    bool armed;
+};
+Run run;
+std::uint32_t next_fault;
+bool is_recording;
+
+void turn_byte(std::uint8_t* at, std::uint32_t bit) {
+    *at = static_cast<std::uint8_t>(*at ^ (1U << bit));
+}
+
+/// Inverts a bit of the RAM that the device uses at this moment: its variables, or its stack from `sp` on.
+void turn_ram(std::uint32_t place, std::uint32_t bit, std::uint32_t sp) {
+    const std::uint32_t variables = variable_bytes();
+    const std::uint32_t on_stack = stack_end() - sp;
+    const std::uint32_t at = place % (variables + on_stack);
+    auto* const byte = reinterpret_cast<std::uint8_t*>(at < variables ? ram_start() + at : sp + (at - variables));
+    run.address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(byte));
+    run.region = region_of(run.address);
+    turn_byte(byte, bit & 7U);
+}
+
+void turn_flash(std::uint32_t place, std::uint32_t bit) {
+    const auto vectors = static_cast<std::uint32_t>(vectors_end - vectors_begin);
+    const auto image = static_cast<std::uint32_t>(image_end - image_begin);
+    const std::uint32_t at = place % (vectors + image);
+    run.turned = at < vectors ? vectors_begin + at : image_begin + (at - vectors);
+    run.turned_bit = bit & 7U;
+    run.address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(run.turned));
+    turn_byte(run.turned, run.turned_bit);
+    asm volatile("dsb\n isb" ::: "memory");
+}
+
+/// Inverts a bit of r0 to r12, lr, the flags N, Z, C, V and Q, or s0 to s31. The stack pointer gets no faults.
+void turn_register(Interrupted& interrupted, bool has_floats, std::uint32_t place, std::uint32_t bit) {
+    const std::uint32_t number = place % 47U;
+    const std::uint32_t mask = 1U << (bit & 31U);
+    run.region = number;
+    run.address = interrupted.pc;
+    if (number < 4U) {
+        interrupted.r0_to_r3[number] ^= mask;
+    } else if (number < 12U) {
+        interrupted.r4_to_r11[number - 4U] ^= mask;
+    } else if (number == 12U) {
+        interrupted.r12 ^= mask;
+    } else if (number == 13U) {
+        interrupted.lr ^= mask;
+    } else if (number == 14U) {
+        interrupted.flags ^= 1U << (27U + ((bit & 31U) % 5U));
+    } else {
+        turn_float_register(interrupted, has_floats, number - 15U, bit & 31U);
+    }
+}
+
+/// Inverts a bit of the program counter. Where the microcontroller has neither flash nor RAM, it raises an exception;
+/// the emulated machine has other memory there, so the device continues where that machine has nothing.
+void turn_program_counter(Interrupted& interrupted, std::uint32_t bit) {
+    constexpr std::uint32_t flash_end = 0x00100000U;  // 1 MiB
+    constexpr std::uint32_t ram_end = 0x20020000U;    // 128 KiB
+    constexpr std::uint32_t nothing = 0xF0000000U;
+    const std::uint32_t pc = interrupted.pc ^ (1U << (1U + (bit % 31U)));  // bit 0 is no part of an address
+    run.address = pc;
+    const bool exists = pc < flash_end || (pc >= ram_start() && pc < ram_end);
+    interrupted.pc = exists ? pc : nothing;
+}
+
+void inject(Interrupted& interrupted, bool has_floats) {
+    const Fault& fault = *run.fault;
+    run.injected = true;
+    run.fault_pass = run.pass;
+    const auto sp = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&interrupted.s0_to_s15[0])) +
+                    (has_floats ? 72U : 0U);
+    switch (fault.kind) {
+        case Kind::ram:
+            turn_ram(fault.place, fault.bit, sp);
+            break;
+        case Kind::core_register:
+            turn_register(interrupted, has_floats, fault.place, fault.bit);
+            break;
+        case Kind::program_counter:
+            turn_program_counter(interrupted, fault.bit);
+            break;
+        case Kind::flash:
+        default:
+            turn_flash(fault.place, fault.bit);
+            break;
+    }
+}
+
+void pass_of_device() {
+    subject().pass();
+}
+void power_on_device() {
+    subject().power_on(order().with_tests != 0U);
+}
+
+/// Runs one pass. Injects the fault when it is due in this pass.
+void do_pass() {
+    begin_pass(run.pass);
+    if (run.fault != nullptr && !run.injected && (run.armed || run.pass >= pass_at(run.fault->time))) {
+        const std::uint32_t start = ticks_before(run.pass);
+        arm_timer(run.armed || run.fault->time <= start ? retry_after : run.fault->time - start);
+        run.armed = true;
+    } else if (run.fault != nullptr) {
+        arm_timer(hangs_after);
+    } else {
+        start_measurement();
+    }
+    run_on_device_stack(pass_of_device);
+    if (run.fault != nullptr) {
+        stop_timer();
+    }
+}
+
+void record_all() {
+    is_recording = true;
+    run = Run{};
+    begin_record(events(), order().events);
+    begin_pass(0);
+    run_on_device_stack(power_on_device);
+    for (run.pass = 1; run.pass <= order().passes; ++run.pass) {
+        do_pass();
+        end_recorded_pass(run.pass, measured_ticks());
+    }
+    is_recording = false;
+    say("passes ");
+    say_number(order().passes);
+    say(" ticks ");
+    say_number(ticks_before(run.pass));
+    say(" ram ");
+    say_number(variable_bytes());
+    say(" flash ");
+    say_number(static_cast<std::uint32_t>((image_end - image_begin) + (vectors_end - vectors_begin)));
+    say(" failed ");
+    say_number(subject().failed());
+    say(" tested ");
+    say_number(subject().tested());
+    for (const Area& area : subject().areas()) {
+        say(" area ");
+        say_number(static_cast<std::uint32_t>(area.size));
+    }
+    say("\n");
+}
+
+/// Writes the result of the present run: number of the fault, kind, region, pass of the fault, end of the run (a number
+/// of SelfTest, or the numbers of End), pass of the end, pass of the first wrong value, effects, address.
+void report(End end) {
+    if (run.turned != nullptr) {
+        turn_byte(run.turned, run.turned_bit);
+        run.turned = nullptr;
+        asm volatile("dsb\n isb" ::: "memory");
+    }
+    const Differences& seen = differences();
+    const std::uint32_t numbers[] = {next_fault,
+                                     static_cast<std::uint32_t>(run.fault->kind),
+                                     run.region,
+                                     run.fault_pass,
+                                     static_cast<std::uint32_t>(end),
+                                     run.pass,
+                                     seen.first_wrong,
+                                     seen.effects,
+                                     run.address};
+    say("fault");
+    for (const std::uint32_t number : numbers) {
+        say(" ");
+        say_number(number);
+    }
+    say("\n");
+    ++next_fault;
+}
+
+/// Returns whether the state is compared after this pass: often at first, because most states soon equal the record.
+bool compares_state() {
+    const std::uint32_t since = run.pass - run.fault_pass;
+    return run.injected && run.fault->kind != Kind::flash && ((since & (since - 1U)) == 0U || (since % 32U) == 0U);
+}
+
+End run_to_end() {
+    for (; run.pass <= order().passes; ++run.pass) {
+        do_pass();
+        if (subject().failed() != 0U) {
+            return static_cast<End>(subject().failed());
+        }
+        compare_pass(run.pass);
+        if (compares_state() && state_is_recorded(run.pass)) {
+            return End::equal;
+        }
+    }
+    return End::workload;
+}
+
+/// After the workload, waits for the tests of RAM and flash, which need more passes than the workload has.
+End run_tests() {
+    const std::uint32_t wanted = subject().tested() + 2U;
+    for (std::uint32_t i = 0; i < most_further_passes && subject().tested() < wanted; ++i, ++run.pass) {
+        do_pass();
+        if (subject().failed() != 0U) {
+            return static_cast<End>(subject().failed());
+        }
+    }
+    return End::workload;
+}
+
+[[noreturn]] void campaign() {
+    while (next_fault < order().faults) {
+        const Fault& fault = faults()[next_fault];
+        const std::uint32_t pass = pass_at(fault.time);
+        run = Run{};
+        unmask_interrupts();
+        restore_flash();
+        go_to(pass, [](std::uint32_t number) {
+            run.pass = number;
+            do_pass();
+        });
+        run.pass = pass;
+        run.fault = &fault;
+        clear_differences();
+        End end = run_to_end();
+        if (end == End::workload && order().with_tests != 0U && is_silent(differences())) {
+            end = run_tests();
+        }
+        if (!run.injected && pass >= order().passes) {
+            run.fault_pass = pass;  // after the last instruction of the workload
+        }
+        report(end);
+    }
+    say("end\n");
+    end_emulation();
+}
+
+}  // namespace
+
+bool timer_fired(Interrupted& interrupted, bool has_floats) {
+    stop_timer();
+    if (run.injected) {
+        return false;
+    }
+    if (interrupted.pc >= harness_start) {
+        arm_timer(retry_after);
+        return true;
+    }
+    inject(interrupted, has_floats);
+    arm_timer(hangs_after);
+    return true;
+}
+
+void resume(bool was_exception) {
+    stop_timer();
+    if (is_recording || run.fault == nullptr || !run.injected) {
+        say(was_exception ? "broken: exception without a fault\n" : "broken: a run without a fault hangs\n");
+        end_emulation();
+    }
+    report(was_exception ? End::exception : End::hangs);
+    campaign();
+}
+
+void start_campaign() {
+    next_fault = order().skip;
+    keep_flash();
+    record_all();
+    campaign();
+}
+
+}  // namespace canproof::faults

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The harness needs these of the processor: a stack for each side, a timer that interrupts the device, exceptions, and
+// lines to the host.
+#pragma once
+
+#include <cstdint>
+
+namespace canproof::faults {
+
+/// The registers of the interrupted device: r4 to r11, then what the processor stacks.
+struct Interrupted {
+    std::uint32_t r4_to_r11[8];
+    std::uint32_t r0_to_r3[4];
+    std::uint32_t r12;
+    std::uint32_t lr;
+    std::uint32_t pc;
+    std::uint32_t flags;
+    std::uint32_t s0_to_s15[16];  ///< only when has_floats
+};
+
+/// Calls `run` on the stack of the device. Returns when `run` returns.
+void run_on_device_stack(void (*run)());
+/// Returns whether the processor takes interrupts.
+bool takes_interrupts();
+/// Takes all interrupts and exceptions again, whatever the device has masked.
+void unmask_interrupts();
+/// Interrupts the device after about `ticks` of the timer (1.25 instructions each).
+void arm_timer(std::uint32_t ticks);
+void stop_timer();
+void start_measurement();
+std::uint32_t measured_ticks();
+/// Inverts a bit of s0 to s31. `interrupted` has s0 to s15 when `has_floats`.
+void turn_float_register(Interrupted& interrupted, bool has_floats, std::uint32_t number, std::uint32_t bit);
+void say(const char* text);
+void say_number(std::uint32_t number);
+[[noreturn]] void end_emulation();
+
+// The campaign defines these.
+
+/// Called by the interrupt of the timer. Returns true to continue the device, false to end the run as hanging.
+bool timer_fired(Interrupted& interrupted, bool has_floats);
+/// Continues after an exception of the processor or a hanging run, on the stack of the harness.
+[[noreturn]] void resume(bool was_exception);
+[[noreturn]] void start_campaign();
+
+}  // namespace canproof::faults

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The record of the run without a fault, and the comparison of a run with it.
+#pragma once
+
+#include "target/faults/campaign.hpp"
+
+namespace canproof::faults {
+
+constexpr std::uintptr_t order_address = 0x21000000U;
+constexpr std::uintptr_t events_address = 0x21000100U;
+constexpr std::uintptr_t faults_address = 0x21100000U;
+constexpr std::uintptr_t harness_start = 0x21000000U;
+
+/// How a run ended. Numbers below 16 are those of SelfTest.
+enum class End : std::uint32_t { equal = 16, workload, exception, hangs };
+
+/// Differences from the record, as bits: the same kinds as in host/assess/inject/fault_effect.hpp.
+struct Effect {
+    static constexpr std::uint32_t emergency = 1U;
+    static constexpr std::uint32_t network = 2U;
+    static constexpr std::uint32_t safe_output = 4U;
+    static constexpr std::uint32_t wrong_output = 8U;
+    static constexpr std::uint32_t wrong_pdo = 16U;
+    static constexpr std::uint32_t missing_pdo = 32U;
+    static constexpr std::uint32_t wrong_answer = 64U;
+};
+struct Differences {
+    std::uint32_t effects;
+    std::uint32_t first_wrong;  ///< pass of the first wrong output or PDO; 0 when there is none
+};
+
+/// Prepares the events, and the record of a new run.
+void begin_record(const Event* events, std::uint32_t count);
+/// Sets time, inputs and bus for a pass.
+void begin_pass(std::uint32_t pass);
+void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
+/// Returns the ticks of all passes before `pass`.
+std::uint32_t ticks_before(std::uint32_t pass);
+/// Returns the pass during which the ticks of all passes reach `time`.
+std::uint32_t pass_at(std::uint32_t time);
+
+/// Keeps a copy of the flash, and restores the flash from it. A stray store of a damaged device changes the emulated
+/// flash; that of the microcontroller stays.
+void keep_flash();
+void restore_flash();
+
+/// Restores the recorded state before `pass`, which is not smaller than in the call before. `do_pass` does one pass.
+void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t));
+/// Returns whether the RAM is that of the record after `pass`.
+bool state_is_recorded(std::uint32_t pass);
+void compare_pass(std::uint32_t pass);
+void clear_differences();
+const Differences& differences();
+/// Returns whether a wrong value left the device without an EMCY, boot-up or heartbeat message that differs.
+bool is_silent(const Differences& seen);
+
+std::uint32_t ram_start();
+std::uint32_t variable_bytes();
+std::uint32_t stack_end();
+/// Returns the number of the part of the RAM: 0 device, 1 queue, 2 parameter memory, 3 main loop and self-tests, 4
+/// stack, 5 other.
+std::uint32_t region_of(std::uintptr_t address);
+
+}  // namespace canproof::faults

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A checksum of an object, kept while nothing may change it, so that a change in RAM is noticed before the object is
+// used.
+#pragma once
+
+#include "firmware/base/bytes.hpp"
+
+namespace canproof::stm32f405 {
+
+/// Returns the bytes of an object. Bytes between its members belong to them; nothing changes these bytes either.
+template <typename Object>
+ByteView object_bytes(const Object& object) noexcept {
+    static_assert((sizeof(Object) % sizeof(std::uint32_t)) == 0U, "the checksum adds whole words");
+    return ByteView{reinterpret_cast<const std::uint8_t*>(&object), sizeof(Object)};
+}
+
+/// The checksum turns by one bit and adds the next word, 32 bits each. Each step has an inverse, so one changed word
+/// always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
+class StateGuard {
+  public:
+    /// `object` consists of whole words.
+    explicit StateGuard(const ByteView object) noexcept : object_{object} {}
+
+    void keep() noexcept { complement_ = ~sum(); }
+    /// Returns whether the object is as it was at the last keep().
+    bool matches() const noexcept { return complement_ == ~sum(); }
+    /// Returns the checksum of the present object.
+    std::uint32_t sum() const noexcept;
+
+  private:
+    ByteView object_;
+    std::uint32_t complement_{0U};
+};
+
+}  // namespace canproof::stm32f405
