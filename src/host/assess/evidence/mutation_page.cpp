@@ -14,9 +14,9 @@ namespace canproof::host {
 
 namespace {
 
-std::vector<std::vector<std::string>> survivors_in(const std::string& json, const ItemLinks& links) {
+std::vector<std::vector<std::string>> survivors_in(const std::string& text, const ItemLinks& links) {
     std::vector<std::vector<std::string>> rows;
-    const auto document = nlohmann::json::parse(json);
+    const auto document = nlohmann::json::parse(text);
     for (const auto& one : document.at("survivors")) {
         const std::string reason = one.at("reason");
         rows.push_back({link_to(links, one.at("item")), escaped(one.at("cell").get<std::string>()),
