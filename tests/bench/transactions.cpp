@@ -212,9 +212,9 @@ const std::vector<Transaction>& transactions() {
     static const Frame download = frame_of("605#2B025F0134120000");
     const auto nothing = [](Server&) {};
     static const std::vector<Transaction> all{
-        {"expedited upload u32", 220, 231, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
-        {"expedited download u16", 243, 257, nothing, [](Server& server) { exchange(server, download, 0x60); }},
-        {"segmented upload, 64 bytes", 1655, 1750, nothing, segmented_upload},
+        {"expedited upload u32", 219, 231, nothing, [](Server& server) { exchange(server, upload, 0x43); }},
+        {"expedited download u16", 241, 257, nothing, [](Server& server) { exchange(server, download, 0x60); }},
+        {"segmented upload, 64 bytes", 1645, 1750, nothing, segmented_upload},
         {"block download, 64 KiB", 1.1e6, 1.28e6, nothing, block_download},
         {"block upload, 64 KiB", 0.96e6, 0.975e6, nothing, block_upload},
         {"RPDO, 4 x 16 bit, values as before", 156, 168, prepare_to_receive, receive_same_words},

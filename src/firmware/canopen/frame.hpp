@@ -21,7 +21,7 @@ struct Frame {
     alignas(std::uint64_t) std::array<std::uint8_t, max_frame_length> data{};
 
     /// Returns whether this is a data frame with an 11-bit identifier.
-    bool is_plain() const noexcept { return (std::uint32_t{extended} | std::uint32_t{remote}) == 0U; }
+    bool is_plain() const noexcept { return ((extended ? 1U : 0U) | (remote ? 1U : 0U)) == 0U; }
     ByteView payload() const noexcept { return ByteView{data.data(), remote ? std::size_t{0U} : std::size_t{length}}; }
 };
 

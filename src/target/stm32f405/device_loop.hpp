@@ -147,9 +147,11 @@ class DeviceLoop {
     }
 
     void take_frames(const Instant now) noexcept {
-        for (std::uint32_t count = 0U; has_frame_ && (count < frames_a_pass); ++count) {
-            device_.receive(frame_, now);
-            has_frame_ = ((count + 1U) < frames_a_pass) && can_.receive(frame_);
+        for (std::uint32_t more = frames_a_pass; more > 0U; --more) {
+            if (has_frame_) {
+                device_.receive(frame_, now);
+                has_frame_ = (more > 1U) ? can_.receive(frame_) : false;
+            }
         }
     }
 
