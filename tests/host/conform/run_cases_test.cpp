@@ -56,6 +56,26 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
+TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
+    const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
+    EXPECT_EQ(returned.verdict, Verdict::failed);
+    ASSERT_EQ(returned.left.size(), 1U);
+    EXPECT_EQ(returned.left.front(), "the restore step `return 1` failed: a `return` stands outside of a procedure");
+    const CaseResult next =
+        run_steps_on_slave("read 1000:00", "restore = '''\nnext unless 0 \"nothing to restore\"\n'''");
+    EXPECT_EQ(next.verdict, Verdict::failed);
+    ASSERT_EQ(next.left.size(), 1U);
+    EXPECT_THAT(next.left.front(), HasSubstr("failed: nothing to restore"));
+}
+
+TEST(ConformRun, ReturnFromALoopEndsTheNameOfItsIteration) {
+    const std::string procedure =
+        "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report = run_on(target, case_text("some", "do second -> c\nfail \"here\"") + procedure);
+    EXPECT_EQ(report.results.at(0).why, "here");
+}
+
 TEST(ConformRun, PeriodCountAndSilenceAreMeasured) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
