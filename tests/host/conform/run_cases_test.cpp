@@ -94,6 +94,24 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 
+// Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
+TEST(ConformRun, WatchKeepsTheValuesThatItsDataHadWhenItBegan) {
+    const CaseResult changed = run_steps_on_slave(
+        "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
+        "check $hb.count == 10 \"ten\"");
+    EXPECT_EQ(changed.verdict, Verdict::passed) << changed.why;
+    const std::string procedure =
+        "[[procedure]]\nname = \"watching\"\ntakes = [\"state\"]\n"
+        "steps = '''\nwatch 700+N: $state:u8 as hb\nreturn $hb\n'''\n";
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report =
+        run_on(target, case_text("some",
+                                 "write 1017:00 = 100\ndo watching 0x7F -> seen\nread 1000:00\nwait 1 s\n"
+                                 "check $seen.count == 10 \"ten\"") +
+                           procedure);
+    EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
+}
+
 TEST(ConformRun, BlockTransfersCarryEveryByte) {
     const CaseResult result = run_steps_on_slave(
         "choose D: domain, writable, readable\nfor n in 1, 7, 8, 889, 890 {\nblock write $D = pattern($n) crc\n"

@@ -221,4 +221,14 @@ bool DataPattern::matches(const Scope& scope, const Bytes& data, Captures& captu
     return rest_ ? at <= data.size() : at == data.size();
 }
 
+DataPattern DataPattern::with_values_of(const Scope& scope) const {
+    DataPattern fixed = *this;
+    for (DataPart& one : fixed.parts_) {
+        if (one.bytes) {
+            one = computed_part(one.width, [bytes = one.bytes(scope)](const Scope&) { return bytes; });
+        }
+    }
+    return fixed;
+}
+
 }  // namespace canproof::host::conform
