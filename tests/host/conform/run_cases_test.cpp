@@ -112,6 +112,14 @@ TEST(ConformRun, WatchKeepsTheValuesThatItsDataHadWhenItBegan) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
+TEST(ConformRun, ElapsedTimeOfAnAnswerEndsWhenItsFrameCame) {
+    const CaseResult result = run_steps_on_slave(
+        "sdo 40 00 10 00\nwait 100 ms\nanswer 43 00 10 00 -> a\ncheck $elapsed < 50 ms \"at once\"\n"
+        "let first = $elapsed\nsdo 40 00 10 00\nwait 100 ms\nexpect 580+N: 43 ... -> e\n"
+        "check $elapsed == $first \"as expect measures\"");
+    EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
+}
+
 TEST(ConformRun, BlockTransfersCarryEveryByte) {
     const CaseResult result = run_steps_on_slave(
         "choose D: domain, writable, readable\nfor n in 1, 7, 8, 889, 890 {\nblock write $D = pattern($n) crc\n"
