@@ -24,7 +24,7 @@ foreach(file ${device_files})
   install(FILES ${file} DESTINATION ${home}/${folder})
 endforeach()
 install(DIRECTORY misra DESTINATION ${home} USE_SOURCE_PERMISSIONS
-        PATTERN reviews.toml EXCLUDE PATTERN cache_check EXCLUDE PATTERN __pycache__ EXCLUDE)
+        PATTERN reviews.toml EXCLUDE PATTERN "*_check" EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY spec/canopen DESTINATION ${home}/spec)
 install(FILES tests/CMakeLists.txt DESTINATION ${home}/tests)
 install(DIRECTORY tests/support DESTINATION ${home}/tests)

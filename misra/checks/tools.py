@@ -83,7 +83,7 @@ def compile_each(units, generated, graphs, faults, flags=GCC):
     """Writes the call graphs of units and ignores their findings."""
     class NoRules:
         @staticmethod
-        def of_check(name):
+        def of_check(name, text):
             return ()
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         list(pool.map(lambda unit: list(compile_with_gcc(NoRules, [unit], generated, graphs, faults, flags)), units))

@@ -40,7 +40,9 @@ constexpr std::array<std::uint8_t, 256> digit_values = [] {
         const bool decimal = c >= '0' && c <= '9';
         const char lower = lower_case(static_cast<char>(c));
         const bool letter = lower >= 'a' && lower <= 'f';
-        values[c] = static_cast<std::uint8_t>(decimal ? c - '0' : letter ? lower - 'a' + 10 : no_digit);
+        values[c] = static_cast<std::uint8_t>(decimal  ? c - '0'
+                                              : letter ? static_cast<unsigned>(lower - 'a') + 10U
+                                                       : no_digit);
     }
     return values;
 }();

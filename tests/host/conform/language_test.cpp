@@ -57,6 +57,16 @@ TEST(ConformExpression, RadixFollowsFromPrefixSuffixOrContext) {
     EXPECT_EQ(number_of(evaluated("600+N", Radix::hexadecimal)), 0x605);
 }
 
+// The greatest number of 64 bits is 2^64 - 1 = 18446744073709551615; as a signed number its bits are -1.
+TEST(ConformExpression, NumbersHave64BitsInEachRadix) {
+    EXPECT_EQ(number("18446744073709551615"), -1);
+    EXPECT_EQ(number("0xFFFFFFFFFFFFFFFF"), -1);
+    EXPECT_EQ(number("12000000000000000000 == 0xA688906BD8B00000"), 1);
+    EXPECT_THROW(number("18446744073709551616"), LanguageError);
+    EXPECT_THROW(number("0x10000000000000000"), LanguageError);
+    EXPECT_THROW(number("100000000000000000000"), LanguageError);
+}
+
 TEST(ConformExpression, TimesAreCountedInMicroseconds) {
     EXPECT_EQ(number("100 us"), 100);
     EXPECT_EQ(number("2 ms + 1 s"), 1002000);

@@ -56,6 +56,26 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
+TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
+    const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
+    EXPECT_EQ(returned.verdict, Verdict::failed);
+    ASSERT_EQ(returned.left.size(), 1U);
+    EXPECT_EQ(returned.left.front(), "the restore step `return 1` failed: a `return` stands outside of a procedure");
+    const CaseResult next =
+        run_steps_on_slave("read 1000:00", "restore = '''\nnext unless 0 \"nothing to restore\"\n'''");
+    EXPECT_EQ(next.verdict, Verdict::failed);
+    ASSERT_EQ(next.left.size(), 1U);
+    EXPECT_THAT(next.left.front(), HasSubstr("failed: nothing to restore"));
+}
+
+TEST(ConformRun, ReturnFromALoopEndsTheNameOfItsIteration) {
+    const std::string procedure =
+        "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report = run_on(target, case_text("some", "do second -> c\nfail \"here\"") + procedure);
+    EXPECT_EQ(report.results.at(0).why, "here");
+}
+
 TEST(ConformRun, PeriodCountAndSilenceAreMeasured) {
     const std::string steps = "write 1017:00 = 100\n";
     EXPECT_EQ(run_steps_on_slave(steps + "period 700+N = 100 ms +- 1 % over 10 jitter 1 %").verdict, Verdict::passed);
@@ -71,6 +91,32 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
         "write 1017:00 = 100\nwatch 700+N as hb\nread 1000:00\nwait 1 s\nend hb\nwait 1 s\n"
         "check $hb.count == 10 \"ten\"\ncheck $hb.max <= 101 ms \"in time\"\ncheck $hb.data == hex(7F) \"state\"",
         "allow = []");
+    EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
+}
+
+// Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
+TEST(ConformRun, WatchKeepsTheValuesThatItsDataHadWhenItBegan) {
+    const CaseResult changed = run_steps_on_slave(
+        "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
+        "check $hb.count == 10 \"ten\"");
+    EXPECT_EQ(changed.verdict, Verdict::passed) << changed.why;
+    const std::string procedure =
+        "[[procedure]]\nname = \"watching\"\ntakes = [\"state\"]\n"
+        "steps = '''\nwatch 700+N: $state:u8 as hb\nreturn $hb\n'''\n";
+    VirtualTarget target{sound_slave(), 5};
+    const ConformReport report =
+        run_on(target, case_text("some",
+                                 "write 1017:00 = 100\ndo watching 0x7F -> seen\nread 1000:00\nwait 1 s\n"
+                                 "check $seen.count == 10 \"ten\"") +
+                           procedure);
+    EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
+}
+
+TEST(ConformRun, ElapsedTimeOfAnAnswerEndsWhenItsFrameCame) {
+    const CaseResult result = run_steps_on_slave(
+        "sdo 40 00 10 00\nwait 100 ms\nanswer 43 00 10 00 -> a\ncheck $elapsed < 50 ms \"at once\"\n"
+        "let first = $elapsed\nsdo 40 00 10 00\nwait 100 ms\nexpect 580+N: 43 ... -> e\n"
+        "check $elapsed == $first \"as expect measures\"");
     EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
 }
 

@@ -57,10 +57,19 @@ std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
                        y2);
 }
 
-/// Returns a title that fits into the box. Cuts a title of more than 13 bytes after 12 bytes and adds an ellipsis.
+/// Returns a title that fits into the box. Cuts a title of more than 13 characters of UTF-8 after 12 characters and
+/// adds an ellipsis.
 std::string shortened(const std::string& title) {
     constexpr std::size_t most = 13;
-    return title.size() <= most ? title : title.substr(0, most - 1) + "…";
+    std::size_t characters = 0;
+    std::size_t last = 0;  // where character number `most` begins
+    for (std::size_t at = 0; at < title.size(); ++at) {
+        const bool begins = (static_cast<unsigned char>(title[at]) & 0xC0U) != 0x80U;
+        if (begins && ++characters == most) {
+            last = at;
+        }
+    }
+    return characters <= most ? title : title.substr(0, last) + "…";
 }
 
 std::vector<const Claim*> children_of(const Argument& argument, const std::string& id) {

@@ -31,6 +31,7 @@ struct Chunk {
     Inputs inputs;
     int status{0};
     bool done{false};
+    bool first{false};  ///< whether it is the first chunk of its target
 };
 
 Task under_valgrind(const CampaignContext& context, Chunk& chunk, const std::filesystem::path& log) {
@@ -62,7 +63,7 @@ std::vector<Chunk> chunks_of(const CampaignContext& context) {
             if (from < all.size()) {
                 const auto begin = all.begin() + static_cast<std::ptrdiff_t>(from);
                 const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), from + chunk_size));
-                chunks.push_back({&target, Inputs(begin, end), 0, false});
+                chunks.push_back({&target, Inputs(begin, end), 0, false, from == 0});
                 more = true;
             }
         }
@@ -76,7 +77,7 @@ bool name_inputs(const CampaignContext& context, const Chunk& chunk) {
     std::size_t found = 0;
     for (const auto& input : chunk.inputs) {
         const auto log = context.files.log("valgrind-" + chunk.target->name + "-" + input.filename().string());
-        Chunk one{chunk.target, {input}, 0, false};
+        Chunk one{chunk.target, {input}, 0, false, false};
         if (!run_tasks({under_valgrind(context, one, log)}, 1, context.interrupted, [] {})) {
             return false;
         }
@@ -112,9 +113,8 @@ bool look_again_with_valgrind(const CampaignContext& context) {
     }
     std::vector<Chunk> chunks = chunks_of(context);
     // The first chunk of every target runs without a limit for the pass; the other chunks run until this limit.
-    const auto first_of = [&](const Chunk& chunk) { return chunk.target == chunks.front().target; };
-    const auto second_round = chunks.empty() ? chunks.end() : std::find_if(chunks.begin() + 1, chunks.end(), first_of);
-    const auto sure = static_cast<std::size_t>(second_round - chunks.begin());
+    const auto sure = static_cast<std::size_t>(
+        std::count_if(chunks.begin(), chunks.end(), [](const Chunk& chunk) { return chunk.first; }));
     const auto start = Clock::now();
     look_at(context, chunks, 0, sure, context.interrupted);
     look_at(context, chunks, sure, chunks.size(),

@@ -14,7 +14,8 @@ namespace canproof::host::conform {
 
 namespace {
 
-const char* const fix = "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
+const char* const forms_of_bytes =
+    "write bytes such as 40, ??, 4?, C2|C6, %100xx000, $x:u32, @1017:00, ->name:u16 or ...";
 
 struct BytePattern {
     unsigned mask{0};
@@ -184,7 +185,7 @@ DataPattern DataPattern::parse(Scanner& line) {
         } else if (std::isalpha(static_cast<unsigned char>(text.front())) != 0 || text == "->") {
             break;  // a word such as `within` or `every`, or the arrow of `-> f`, ends the pattern
         } else {
-            line.fail(fmt::format("`{}` is no byte", text), fix);
+            line.fail(fmt::format("`{}` is no byte", text), forms_of_bytes);
         }
         line.token();
     }
@@ -218,6 +219,16 @@ bool DataPattern::matches(const Scope& scope, const Bytes& data, Captures& captu
         at += one.width != 0 ? one.width : one.bytes ? one.bytes(scope).size() : data.size() - at;
     }
     return rest_ ? at <= data.size() : at == data.size();
+}
+
+DataPattern DataPattern::with_values_of(const Scope& scope) const {
+    DataPattern fixed = *this;
+    for (DataPart& one : fixed.parts_) {
+        if (one.bytes) {
+            one = computed_part(one.width, [bytes = one.bytes(scope)](const Scope&) { return bytes; });
+        }
+    }
+    return fixed;
 }
 
 }  // namespace canproof::host::conform

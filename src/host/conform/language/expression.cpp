@@ -134,10 +134,11 @@ Expression constant(Scanner& line, const std::string& digits, int base) {
         if (std::isxdigit(static_cast<unsigned char>(c)) == 0 || digit >= base) {
             line.fail(fmt::format("`{}` is not a number", digits), "write 100, 0x64 or 64h");
         }
-        if (number > UINT64_MAX / 16U) {
+        const auto added = static_cast<std::uint64_t>(digit);
+        if (number > (UINT64_MAX - added) / static_cast<unsigned>(base)) {
             line.fail(fmt::format("`{}` is too large", digits), "numbers have 64 bits");
         }
-        number = number * static_cast<unsigned>(base) + static_cast<unsigned>(digit);
+        number = number * static_cast<unsigned>(base) + added;
     }
     return [value = Value{signed_of(number)}](const Scope&) { return value; };
 }

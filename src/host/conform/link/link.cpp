@@ -90,22 +90,25 @@ void Link::send_background() {
         }
     }
     while (next_traffic_ <= now()) {
-        if (target_.waiting() < most_waiting) {
-            target_.send(traffic_frame());
+        if (const auto frame = target_.waiting() < most_waiting ? traffic_frame() : std::nullopt) {
+            target_.send(*frame);
         }
         next_traffic_ = next_traffic_ + traffic_period_;
     }
 }
 
-Frame Link::traffic_frame() {
+/// Returns the next traffic frame. Returns nothing when the slave may use every identifier of the traffic.
+std::optional<Frame> Link::traffic_frame() {
     const std::uint32_t first = traffic_high_ ? first_high : first_low;
-    Frame frame{};
-    do {
-        frame.id = first + ++traffic_number_ % ids_of_a_kind;
-    } while (reserved_.count(frame.id) != 0 && traffic_number_ % ids_of_a_kind != 0);
-    frame.length = max_frame_length;
-    frame.data.fill(static_cast<std::uint8_t>(traffic_number_ * 37U));
-    return frame;
+    for (std::uint32_t tried = 0; tried < ids_of_a_kind; ++tried) {
+        const std::uint32_t id = first + ++traffic_number_ % ids_of_a_kind;
+        if (reserved_.count(id) == 0) {
+            Frame frame = data_frame(id, max_frame_length);
+            frame.data.fill(static_cast<std::uint8_t>(traffic_number_ * 37U));
+            return frame;
+        }
+    }
+    return std::nullopt;
 }
 
 void Link::pass(Instant until) {

@@ -103,7 +103,7 @@ class Link {
     void pass(Instant until);
     Instant next_background() const;
     void send_background();
-    Frame traffic_frame();
+    std::optional<Frame> traffic_frame();
 
     Target& target_;
     std::deque<FrameRecord> inbox_;

@@ -60,7 +60,7 @@ void SdoClient::send(const Bytes& bytes) {
     link_.send(frame);
 }
 
-Bytes SdoClient::answer(Duration within) {
+FrameRecord SdoClient::answer_frame(Duration within) {
     const auto record = link_.take(answer_key(), link_.now() + within);
     if (!record) {
         throw NoAnswer{fmt::format("no answer of the SDO server came within {} ms", within.us / 1000U)};
@@ -70,7 +70,12 @@ Bytes SdoClient::answer(Duration within) {
     if (record->frame.length != max_frame_length) {
         throw SlaveFailed{fmt::format("an SDO answer has {} bytes instead of 8", record->frame.length)};
     }
-    return Bytes(record->frame.data.begin(), record->frame.data.end());
+    return *record;
+}
+
+Bytes SdoClient::answer(Duration within) {
+    const Frame frame = answer_frame(within).frame;
+    return Bytes(frame.data.begin(), frame.data.end());
 }
 
 SdoOutcome SdoClient::read(const ObjectPlace& place) {

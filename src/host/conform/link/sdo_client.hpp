@@ -61,8 +61,10 @@ class SdoClient {
     /// Sends the bytes, padded with zeros to eight. Throws SlaveFailed when an unsolicited frame of the server waits
     /// and is not allowed.
     void send(const Bytes& bytes);
-    /// Returns the server's next frame, which has eight bytes. Throws NoAnswer when none comes in time, and SlaveFailed
-    /// when it has another length.
+    /// Returns the server's next frame, which has eight bytes, with its time. Throws NoAnswer when none comes in time,
+    /// and SlaveFailed when it has another length.
+    FrameRecord answer_frame(Duration within);
+    /// Returns the data of answer_frame().
     Bytes answer(Duration within);
     Bytes answer() { return answer(timeout_); }
 

@@ -24,6 +24,7 @@ constexpr std::uint16_t identity_index = 0x1018;
 constexpr std::uint16_t store_index = 0x1010;
 constexpr std::uint16_t restore_index = 0x1011;
 constexpr std::uint8_t highest_node = 127;
+const char* const return_outside = "a `return` stands outside of a procedure";
 
 std::set<std::uint32_t> listened_to(const ConformSheet& sheet) {
     std::set<std::uint32_t> ids;
@@ -295,7 +296,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     } catch (const BrokenCase& broken) {
         end(Verdict::broken, broken.what());
     } catch (const Returned&) {
-        end(Verdict::broken, "a `return` stands outside of a procedure");
+        end(Verdict::broken, return_outside);
     }
 }
 
@@ -334,10 +335,17 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     if (result.verdict != Verdict::skipped && !one.restore.empty()) {
         Context context{link_, sdo_, sheet_, book_.procedures, journal_};
         set_variables(context.root);
+        const auto tell = [&](const std::string& why) {
+            result.left.push_back(fmt::format("the restore step `{}` failed: {}", context.at->text, why));
+        };
         try {
             run_steps(one.restore, context);
         } catch (const std::runtime_error& failed) {
-            result.left.push_back(fmt::format("the restore step `{}` failed: {}", context.at->text, failed.what()));
+            tell(failed.what());
+        } catch (const NextTurn& turn) {
+            tell(turn.reason);
+        } catch (const Returned&) {
+            tell(return_outside);
         }
     }
     const std::set<ObjectPlace> written = written_;

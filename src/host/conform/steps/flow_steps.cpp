@@ -309,6 +309,7 @@ Value call(const Procedure& procedure, const std::vector<Value>& given, Context&
         throw BrokenCase{fmt::format("calls of procedures are nested more than {} deep", deepest_call)};
     }
     Scope* const outer = context.scope;
+    const std::size_t turns = context.turns.size();
     Scope own{outer};
     for (std::size_t i = 0; i < given.size(); ++i) {
         own.set(procedure.takes[i], given[i]);
@@ -319,6 +320,7 @@ Value call(const Procedure& procedure, const std::vector<Value>& given, Context&
         run_steps(procedure.steps, context);
     } catch (const Returned& returned) {
         value = returned.value;
+        context.turns.resize(turns);  // a `return` also ends the loops of the procedure around it
     } catch (...) {
         context.scope = outer;
         --context.depth;

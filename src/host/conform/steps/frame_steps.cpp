@@ -116,15 +116,14 @@ Action parse_answer(Scanner& line, StepSource&) {
     line.finish();
     return [data, name, within, has_time](Context& context) {
         const Duration time = has_time ? Duration{microseconds_of(within, *context.scope)} : context.sdo.timeout();
-        const Bytes bytes = context.sdo.answer(time);
+        const FrameRecord record = context.sdo.answer_frame(time);
+        const Bytes bytes = data_of(record.frame);
         Captures captures;
         if (!data.matches(*context.scope, bytes, captures)) {
             const auto code = abort_code(bytes);
             throw SlaveFailed{fmt::format("the SDO server answered {}{}, which the step does not accept",
                                           hex_words(bytes), code ? fmt::format(" ({})", abort_words(*code)) : "")};
         }
-        FrameRecord record{context.link.now(), data_frame(context.sdo.answer_key().id, max_frame_length), false};
-        std::copy(bytes.begin(), bytes.end(), record.frame.data.begin());
         keep(context, record, captures, name);
     };
 }
