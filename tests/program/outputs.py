@@ -125,6 +125,24 @@ def no_register(folder):
     refused(canproof("spec", "check", "--spec", spec / "pipe.toml"), "a pipe as register", "is no folder")
 
 
+def no_folder(folder):
+    """A file in the place of a folder, or a missing folder, gives one clear message. The file stays as it is."""
+    empty, full = folder / "empty", folder / "full"
+    for file, text in ((empty, ""), (full, "x")):
+        file.write_text(text)
+        for name in (file, file / "x"):
+            says = f"canproof: {file} is no folder; name a folder, or remove this file\n"
+            for command in (["conform", "cbx-ao412", "--only", "nmt", "--report"], ["run", "cbx-ao412", "--seconds", "0", "--nvm"],
+                            ["evidence", "--out"]):
+                result = canproof(*command, name)
+                expect((result.returncode, result.stdout, result.stderr) == (2, "", says), f"{command} {name}: {result}")
+        expect(file.read_text() == text, f"{file} was changed")
+    for command in (["conform", "--list", "--cases"], ["inject", "cbx-ao412", "--merge"]):
+        for name, why in ((folder / "none", "No such file or directory"), (full, "Not a directory")):
+            refused(canproof(*command, name), f"{command} {name}",
+                    f"canproof: cannot read the folder {name}: {why}; name an existing folder that you may read")
+
+
 def nothing_is_emptied(folder):
     """A refused start does not change the files of another run."""
     log, outputs = folder / "old.log", folder / "old.csv"
@@ -154,7 +172,8 @@ def nothing_is_emptied(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for number, check in enumerate((full_disk, closed_output, unreadable_inputs, no_register, nothing_is_emptied)):
+    for number, check in enumerate((full_disk, closed_output, unreadable_inputs, no_register, no_folder,
+                                    nothing_is_emptied)):
         place = pathlib.Path(name) / str(number)
         place.mkdir()
         check(place)
