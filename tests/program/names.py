@@ -83,6 +83,14 @@ def part_numbers():
         assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
 
 
+def workload_of_a_part_number():
+    """`inject` finds the workload of a device by its part number, with a dot in it, too."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    results = [call("inject", name, "--faults", "1", "--root", str(root)) for name in ("cbx-ao412", "C.3040.02")]
+    assert [one[0] for one in results] == [0, 0], results
+    assert results[0][1].replace("cbx-ao412", "C.3040.02") == results[1][1], results
+
+
 def one_word_each():
     """An option takes one word: the next word is a device, a file or another argument of the command."""
     with tempfile.TemporaryDirectory() as folder:
@@ -124,6 +132,7 @@ def version():
 version()
 refused()
 part_numbers()
+workload_of_a_part_number()
 factory()
 named()
 shared()
