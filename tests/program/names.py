@@ -112,6 +112,25 @@ def one_word_each():
         assert status == 2 and "no-such-word" in err, out + err
 
 
+def folders_with_at():
+    """An `@` in the name of a folder begins no node-ID."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = os.path.join(folder, "a@b")
+        os.mkdir(place)
+        eds = os.path.join(place, "box.eds")
+        with open(eds, "w") as out:
+            out.write(call("eds", "ax188001")[1])
+        status, _, err = call("run", "--eds", f"{eds}@7", "--seconds", "0.05")
+        assert status == 0 and "box@7: node-ID 7" in err.splitlines(), err
+        status, out, err = call("run", "--eds", eds, "--seconds", "0.05")
+        assert status == 0 and "cannot read" not in err, out + err
+        assert call("replay", "--eds", eds, "-")[0] == 0
+        assert call("conform", "--eds", eds, "--case", "nmt-power-on")[0] == 0
+        for node in ("", "@7"):
+            status, out, err = call("run", "--arm", f"{place}/no.elf{node}", "--seconds", "0")
+            assert status == 2 and f"there is no image {place}/no.elf;" in err, out + err
+
+
 def images():
     """Checks that a missing ARM image, and --arm beside another slave or bus, are refused."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
@@ -138,5 +157,6 @@ named()
 shared()
 switches()
 images()
+folders_with_at()
 one_word_each()
 print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, one word an option")
