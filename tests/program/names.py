@@ -131,6 +131,16 @@ def folders_with_at():
             assert status == 2 and f"there is no image {place}/no.elf;" in err, out + err
 
 
+def keywords():
+    """`new` refuses the name of a device that becomes a keyword of C++."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("static-cast", "reinterpret-cast", "static-assert", "char16-t", "and-eq", "co-await", "requires", "int", "canopen"):
+            done = subprocess.run([os.path.abspath(program), "new", name], stdin=subprocess.DEVNULL, capture_output=True,
+                                  text=True, timeout=120, cwd=folder)
+            assert done.returncode == 2 and f"`{name}` is a word of C++ or of canproof; choose another" in done.stderr, done
+        assert os.listdir(folder) == [], os.listdir(folder)
+
+
 def images():
     """Checks that a missing ARM image, and --arm beside another slave or bus, are refused."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
@@ -157,6 +167,7 @@ named()
 shared()
 switches()
 images()
+keywords()
 folders_with_at()
 one_word_each()
 print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, one word an option")
