@@ -113,10 +113,9 @@ void set_default(Entry& entry, const toml::node& node) {
     const auto* text = std::get_if<std::string>(&value);
     if (text != nullptr && !is_string_type(entry.type) && text->rfind(node_id_mark, 0) == 0) {
         try {
-            const std::string number = text->substr(node_id_mark.size());
             std::size_t used = 0;
-            const std::int64_t base = std::stoll(number, &used, 0);
-            if (used == number.size()) {
+            const std::int64_t base = std::stoll(text->substr(node_id_mark.size()), &used, 0);
+            if (node_id_mark.size() + used == text->size()) {
                 entry.value = base;
                 entry.node_id = true;
                 return;
