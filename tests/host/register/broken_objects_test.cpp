@@ -117,11 +117,6 @@ const std::vector<Broken> cases{
          "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
          "inputs = [\"a\"]\noutputs = [\"b\"]\nrows = [[\"-9223372036854775808..9223372036854775807\", 1]]\n",
      8, "table AO4-T1 has a range of more than 65537 numbers", "as `min` and `max`"},
-    {"RangeTableOfGreatestNumber", items_file,
-     rw16 +
-         "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
-         "inputs = [\"a\"]\noutputs = [\"b\"]\nrows = [[\"9223372036854775806..9223372036854775807\", 1]]\n",
-     8, "2000h:0 limit 9223372036854775806 is no INTEGER16", "use a whole number from -32768 to 32767"},
     {"StringLongerThanLength", items_file,
      var + "type = \"VISIBLE_STRING\"\naccess = \"rw\"\nlength = 3\ndefault = \"four\"\n", 8,
      "2000h:0 default has 4 bytes, its length is 3", "shorten the default or raise `length`"},
