@@ -83,6 +83,14 @@ def part_numbers():
         assert status == 0 and err.splitlines()[0] == f"{number.lower()}@5: node-ID 5", err
 
 
+def workload_of_a_part_number():
+    """`inject` finds the workload of a device by its part number, with a dot in it, too."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    results = [call("inject", name, "--faults", "1", "--root", str(root)) for name in ("cbx-ao412", "C.3040.02")]
+    assert [one[0] for one in results] == [0, 0], results
+    assert results[0][1].replace("cbx-ao412", "C.3040.02") == results[1][1], results
+
+
 def one_word_each():
     """An option takes one word: the next word is a device, a file or another argument of the command."""
     with tempfile.TemporaryDirectory() as folder:
@@ -102,6 +110,35 @@ def one_word_each():
         assert status == 0 and os.path.exists(drawing), out + err
         status, out, err = call("fuzz", "--targets", "eds", "no-such-word")
         assert status == 2 and "no-such-word" in err, out + err
+
+
+def folders_with_at():
+    """An `@` in the name of a folder begins no node-ID."""
+    with tempfile.TemporaryDirectory() as folder:
+        place = os.path.join(folder, "a@b")
+        os.mkdir(place)
+        eds = os.path.join(place, "box.eds")
+        with open(eds, "w") as out:
+            out.write(call("eds", "ax188001")[1])
+        status, _, err = call("run", "--eds", f"{eds}@7", "--seconds", "0.05")
+        assert status == 0 and "box@7: node-ID 7" in err.splitlines(), err
+        status, out, err = call("run", "--eds", eds, "--seconds", "0.05")
+        assert status == 0 and "cannot read" not in err, out + err
+        assert call("replay", "--eds", eds, "-")[0] == 0
+        assert call("conform", "--eds", eds, "--case", "nmt-power-on")[0] == 0
+        for node in ("", "@7"):
+            status, out, err = call("run", "--arm", f"{place}/no.elf{node}", "--seconds", "0")
+            assert status == 2 and f"there is no image {place}/no.elf;" in err, out + err
+
+
+def keywords():
+    """`new` refuses the name of a device that becomes a keyword of C++."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("static-cast", "reinterpret-cast", "static-assert", "char16-t", "and-eq", "co-await", "requires", "int", "canopen"):
+            done = subprocess.run([os.path.abspath(program), "new", name], stdin=subprocess.DEVNULL, capture_output=True,
+                                  text=True, timeout=120, cwd=folder)
+            assert done.returncode == 2 and f"`{name}` is a word of C++ or of canproof; choose another" in done.stderr, done
+        assert os.listdir(folder) == [], os.listdir(folder)
 
 
 def images():
@@ -124,10 +161,13 @@ def version():
 version()
 refused()
 part_numbers()
+workload_of_a_part_number()
 factory()
 named()
 shared()
 switches()
 images()
+keywords()
+folders_with_at()
 one_word_each()
 print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, one word an option")

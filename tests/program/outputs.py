@@ -4,6 +4,7 @@
 
 Runs commands that print with /dev/full as their standard output: each must end with status 2 and one line of error. A folder is
 refused as a log, a pipe is refused as a file of the register, and no file is emptied before everything else was checked."""
+import fcntl
 import os
 import pathlib
 import signal
@@ -125,6 +126,41 @@ def no_register(folder):
     refused(canproof("spec", "check", "--spec", spec / "pipe.toml"), "a pipe as register", "is no folder")
 
 
+def no_folder(folder):
+    """A file in the place of a folder, or a missing folder, gives one clear message. The file stays as it is."""
+    empty, full = folder / "empty", folder / "full"
+    for file, text in ((empty, ""), (full, "x")):
+        file.write_text(text)
+        for name in (file, file / "x"):
+            says = f"canproof: {file} is no folder; name a folder, or remove this file\n"
+            for command in (["conform", "cbx-ao412", "--only", "nmt", "--report"], ["run", "cbx-ao412", "--seconds", "0", "--nvm"],
+                            ["evidence", "--out"]):
+                result = canproof(*command, name)
+                expect((result.returncode, result.stdout, result.stderr) == (2, "", says), f"{command} {name}: {result}")
+        expect(file.read_text() == text, f"{file} was changed")
+    for command in (["conform", "--list", "--cases"], ["inject", "cbx-ao412", "--merge"]):
+        for name, why in ((folder / "none", "No such file or directory"), (full, "Not a directory")):
+            refused(canproof(*command, name), f"{command} {name}",
+                    f"canproof: cannot read the folder {name}: {why}; name an existing folder that you may read")
+
+
+def file_that_cannot_be_emptied(folder):
+    """A file that opens for appending, but cannot be emptied, is refused: a sealed file in memory behaves like this."""
+    log = folder / "one.log"
+    log.write_text("(0.100000) can0 603#4000100000000000\n")
+    sealed = os.memfd_create("sealed", os.MFD_ALLOW_SEALING)
+    os.write(sealed, b"kept\n")
+    fcntl.fcntl(sealed, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK)
+    path = f"/proc/{os.getpid()}/fd/{sealed}"
+    for command in (["replay", "cbx-ao412", "--node", "3", log, "--outputs"],
+                    ["run", "cbx-ao412@3", "--seconds", "0.01", "--outputs"],
+                    ["run", "cbx-ao412@3", "--seconds", "0.01", "--log"]):
+        refused(canproof(*command, path), f"{command} of a sealed file",
+                f"cannot write {path} (Operation not permitted); name a file that you may write")
+    expect(os.pread(sealed, 100, 0) == b"kept\n", "the sealed file was changed")
+    os.close(sealed)
+
+
 def nothing_is_emptied(folder):
     """A refused start does not change the files of another run."""
     log, outputs = folder / "old.log", folder / "old.csv"
@@ -154,7 +190,8 @@ def nothing_is_emptied(folder):
 
 
 with tempfile.TemporaryDirectory() as name:
-    for number, check in enumerate((full_disk, closed_output, unreadable_inputs, no_register, nothing_is_emptied)):
+    for number, check in enumerate((full_disk, closed_output, unreadable_inputs, no_register, no_folder,
+                                    file_that_cannot_be_emptied, nothing_is_emptied)):
         place = pathlib.Path(name) / str(number)
         place.mkdir()
         check(place)

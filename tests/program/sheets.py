@@ -74,6 +74,9 @@ def databases(folder):
     """--format dbc works for a device and for a file, and accepts --node only where it has a meaning."""
     of_device = canproof("eds", "ax188001", "--format", "dbc", "--node", 5)
     expect(of_device.returncode == 0 and "BO_ 1797 ax188001_Heartbeat: 1 ax188001\n" in of_device.stdout, "dbc")
+    by_number = canproof("eds", "c.3040.02", "--format", "dbc", "--node", 5)  # the part number of the CAN-CBX-AO412
+    by_name = canproof("eds", "cbx-ao412", "--format", "dbc", "--node", 5)
+    expect(by_number.returncode == 0 and by_number.stdout == by_name.stdout, f"dbc of a part number: {by_number}")
     sheet = folder / "ax188001.eds"
     sheet.write_text(canproof("eds", "ax188001").stdout)
     of_file = canproof("eds", sheet, "--format", "dbc", "--node", 5)

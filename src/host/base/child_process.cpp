@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -25,6 +26,20 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
         all.push_back(const_cast<char*>(word.c_str()));
     }
     all.push_back(nullptr);
+    return all;
+}
+
+/// Returns the environment of this process, in which the settings of `more` (NAME=VALUE) replace those of the same
+/// name.
+std::vector<std::string> environment_with(const std::vector<std::string>& more) {
+    std::vector<std::string> all = more;
+    for (char** one = environ; *one != nullptr; ++one) {
+        const std::string setting{*one};
+        const std::string name = setting.substr(0, setting.find('=')) + "=";
+        if (std::none_of(more.begin(), more.end(), [&](const auto& own) { return own.rfind(name, 0) == 0; })) {
+            all.push_back(setting);
+        }
+    }
     return all;
 }
 
@@ -55,10 +70,7 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     }
-    std::vector<std::string> environment = more_environment;
-    for (char** one = environ; *one != nullptr; ++one) {
-        environment.emplace_back(*one);
-    }
+    const std::vector<std::string> environment = environment_with(more_environment);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, streams.apart ? POSIX_SPAWN_SETPGROUP : 0);

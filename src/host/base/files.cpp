@@ -32,4 +32,37 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
     }
 }
 
+std::filesystem::directory_iterator open_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::directory_iterator entries{folder, error};
+    if (error) {
+        throw InputError{fmt::format("cannot read the folder {}: {}; name an existing folder that you may read",
+                                     folder.string(), error.message())};
+    }
+    return entries;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    check_folder_place(folder);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        throw InputError{fmt::format("cannot make the folder {}: {}; name a folder where you may write",
+                                     folder.string(), error.message())};
+    }
+}
+
+void check_folder_place(const std::filesystem::path& folder) {
+    for (std::filesystem::path place = folder; !place.empty(); place = place.parent_path()) {
+        std::error_code none;
+        const auto status = std::filesystem::status(place, none);
+        if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
+            throw InputError{fmt::format("{} is no folder; name a folder, or remove this file", place.string())};
+        }
+        if (std::filesystem::exists(status) || place == place.parent_path()) {
+            return;
+        }
+    }
+}
+
 }  // namespace canproof::host

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "host/base/descriptor.hpp"
+#include "host/base/files.hpp"
 #include "host/base/replace_file.hpp"
 
 namespace canproof::host {
@@ -66,6 +67,7 @@ void restore(const fs::path& old, const fs::path& folder) {
 }  // namespace
 
 void replace_folder(const fs::path& folder, const std::map<std::string, std::string>& files) {
+    check_folder_place(folder);
     const fs::path named = fs::weakly_canonical(fs::absolute(folder));
     const fs::path target = named.has_filename() ? named : named.parent_path();
     const fs::path fresh = target.parent_path() / ("." + target.filename().string() + ".new");

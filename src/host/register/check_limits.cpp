@@ -133,7 +133,7 @@ class LimitCheck {
     End object_end(const Entry& entry, const Limit& limit) {
         const int sub = limit.subindex < 0 ? entry.subindex : limit.subindex;
         const std::string name = fmt::format("{:04X}h:{}", limit.index, sub);
-        const auto found = entries_.find({limit.index, static_cast<std::uint8_t>(sub)});
+        const auto found = sub > 0xFF ? entries_.end() : entries_.find({limit.index, static_cast<std::uint8_t>(sub)});
         if (found == entries_.end()) {
             fault(limit.place, fmt::format("is limited by {}, which does not exist", name),
                   "name an object of this device");

@@ -234,7 +234,9 @@ class TableCheck {
             for (const auto& row : table_.rows) {
                 for (const auto& part : row.cells[i].parts) {
                     starts.insert(std::get<std::int64_t>(part.first));
-                    starts.insert(std::get<std::int64_t>(part.last) + 1);
+                    if (const auto last = std::get<std::int64_t>(part.last); last < *column.maximum) {
+                        starts.insert(last + 1);
+                    }
                 }
             }
             for (const std::int64_t start : starts) {

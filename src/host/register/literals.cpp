@@ -57,17 +57,22 @@ std::string type_words(const std::string& type) {
 namespace {
 
 const std::set<std::string>& keywords() {
+    // The keywords of C++17 and C++20, and the alternative spellings of operators.
     static const std::set<std::string> words{
-        "alignas",   "alignof",  "and",      "and_eq",   "asm",          "auto",        "bitand",     "bitor",
-        "bool",      "break",    "case",     "catch",    "char",         "class",       "compl",      "const",
-        "constexpr", "continue", "decltype", "default",  "delete",       "do",          "double",     "else",
-        "enum",      "explicit", "export",   "extern",   "false",        "float",       "for",        "friend",
-        "goto",      "if",       "inline",   "int",      "long",         "mutable",     "namespace",  "new",
-        "noexcept",  "not",      "not_eq",   "nullptr",  "operator",     "or",          "or_eq",      "private",
-        "protected", "public",   "register", "return",   "short",        "signed",      "sizeof",     "static",
-        "struct",    "switch",   "template", "this",     "throw",        "true",        "try",        "typedef",
-        "typeid",    "typename", "union",    "unsigned", "using",        "virtual",     "void",       "volatile",
-        "wchar_t",   "while",    "xor",      "xor_eq",   "dynamic_cast", "static_cast", "const_cast", "thread_local"};
+        "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+        "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+        "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+        "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+        "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+        "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+        "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+        "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+        "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+        "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+        "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+        "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+        "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+        "xor_eq"};
     return words;
 }
 

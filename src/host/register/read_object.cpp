@@ -113,9 +113,13 @@ void set_default(Entry& entry, const toml::node& node) {
     const auto* text = std::get_if<std::string>(&value);
     if (text != nullptr && !is_string_type(entry.type) && text->rfind(node_id_mark, 0) == 0) {
         try {
-            entry.value = static_cast<std::int64_t>(std::stoll(text->substr(node_id_mark.size()), nullptr, 0));
-            entry.node_id = true;
-            return;
+            std::size_t used = 0;
+            const std::int64_t base = std::stoll(text->substr(node_id_mark.size()), &used, 0);
+            if (node_id_mark.size() + used == text->size()) {
+                entry.value = base;
+                entry.node_id = true;
+                return;
+            }
         } catch (const std::exception&) {
             // The check of the default's type reports a text that is not a number.
         }

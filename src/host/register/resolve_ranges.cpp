@@ -14,7 +14,12 @@ namespace {
 
 /// Greatest difference between the two ends of a cell's range. A table with a longer range cannot give the values of an
 /// object.
-constexpr std::int64_t most_values = 0x10000;
+constexpr std::uint64_t most_values = 0x10000;
+
+/// Returns the difference `high` - `low`, which may be greater than an int64_t. `low` must not exceed `high`.
+std::uint64_t difference(std::int64_t low, std::int64_t high) {
+    return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+}
 
 const Table* find_table(const Register& content, const Part& part, const std::string& id) {
     for (const Part* place : {&part, content.part("canopen")}) {
@@ -40,14 +45,15 @@ bool add_cell(std::set<std::int64_t>& numbers, const Column& column, const Cell&
     for (const auto& part : parts) {
         const auto* first = std::get_if<std::int64_t>(&part.first);
         const auto* last = std::get_if<std::int64_t>(&part.last);
-        if (first == nullptr || last == nullptr) {
+        if (first == nullptr || last == nullptr || *last < *first) {
             continue;
         }
-        if (*last - *first > most_values) {
+        const std::uint64_t length = difference(*first, *last);
+        if (length > most_values) {
             return false;
         }
-        for (std::int64_t value = *first; value <= *last; ++value) {
-            numbers.insert(value);
+        for (std::uint64_t i = 0; i <= length; ++i) {
+            numbers.insert(*first + static_cast<std::int64_t>(i));
         }
     }
     return true;
@@ -79,7 +85,7 @@ std::optional<std::set<std::int64_t>> numbers_of(const Register& content, const 
 void put(const std::set<std::int64_t>& numbers, Range& range) {
     const std::int64_t low = *numbers.begin();
     const std::int64_t high = *numbers.rbegin();
-    if (high - low + 1 == static_cast<std::int64_t>(numbers.size())) {
+    if (difference(low, high) == numbers.size() - 1) {
         range.minimum = Limit{Limit::Kind::number, low, 0, -1, 0, range.place};
         range.maximum = Limit{Limit::Kind::number, high, 0, -1, 0, range.place};
     } else {

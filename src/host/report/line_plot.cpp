@@ -27,6 +27,17 @@ constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e0
 /// After all colours are used once, further curves are dashed, then dotted.
 constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
 
+/// Greatest value of a curve that is drawn. The difference of two such values is finite.
+constexpr double greatest = 1e300;
+/// Smallest range of an axis: its ticks differ as floating-point numbers.
+constexpr double least_range = 1e-300;
+/// Smallest range of an axis, as a share of its greatest value.
+constexpr double least_share = 1e-12;
+
+bool is_drawn(double value) {
+    return std::isfinite(value) && std::fabs(value) <= greatest;
+}
+
 struct AxisRange {
     double low{0.0};
     double high{1.0};
@@ -38,15 +49,17 @@ struct AxisRange {
         for (const Curve& curve : curves) {
             for (const auto& [x, y] : curve.points) {
                 const double value = of_x ? x : y;
-                if (std::isfinite(value)) {
+                if (is_drawn(value)) {
                     range.low = any ? std::min(range.low, value) : value;
                     range.high = any ? std::max(range.high, value) : value;
                     any = true;
                 }
             }
         }
-        if (range.high <= range.low) {
-            range = {range.low - 0.5, range.low + 0.5};
+        const double share = least_share * std::max(std::fabs(range.low), std::fabs(range.high));
+        if (range.high - range.low <= std::max(share, least_range)) {
+            const double more = std::max(0.5, share);
+            range = {range.low - more, range.high + more};
         }
         const double step = tick_step(range.low, range.high);
         return {std::floor(range.low / step) * step, std::ceil(range.high / step) * step};
@@ -114,13 +127,13 @@ class Canvas {
         return grouped(std::fabs(shown) < 1e5 ? fmt::format("{:.6g}", shown) : fmt::format("{:.0f}", shown));
     }
 
-    /// Draws a curve with a gap where a value is NaN or infinite.
+    /// Draws a curve with a gap where a value is NaN, infinite or above the greatest value that is drawn.
     void draw(const Curve& curve, std::size_t i) {
         const char* colour = colours[i % std::size(colours)];
         std::string path;
         bool drawing = false;
         for (const auto& [x, y] : curve.points) {
-            if (!std::isfinite(y)) {
+            if (!is_drawn(x) || !is_drawn(y)) {
                 drawing = false;
                 continue;
             }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 
 #include "host/base/input_error.hpp"
 
@@ -49,6 +50,18 @@ TEST(ChildProcess, ProgramThatCannotRunIsNamedWithTheReason) {
                      "cannot run /nonexistent/program: No such file or directory; check that /nonexistent/program is "
                      "built or installed and may be executed");
     }
+}
+
+TEST(ChildProcess, AddedSettingReplacesTheOneOfTheCaller) {
+    ASSERT_EQ(setenv("CANPROOF_TEST_SETTING", "caller", 1), 0);
+    ASSERT_EQ(setenv("CANPROOF_TEST_SETTING_2", "kept", 1), 0);
+    const char* const script =
+        "test $(env | grep -c ^CANPROOF_TEST_SETTING=) = 1 && test $CANPROOF_TEST_SETTING = own && "
+        "test $CANPROOF_TEST_SETTING_2 = kept";
+    const pid_t child = host::start_process({"sh", "-c", script}, {"CANPROOF_TEST_SETTING=own"}, {});
+    unsetenv("CANPROOF_TEST_SETTING");
+    unsetenv("CANPROOF_TEST_SETTING_2");
+    EXPECT_EQ(host::wait_for_process(child), 0);
 }
 
 TEST(ChildProcess, WaitForAProcessThatIsNoChildIsRefused) {

@@ -6,6 +6,7 @@
 
 #include <system_error>
 
+#include "host/base/input_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace canproof::host::test {
@@ -39,6 +40,16 @@ TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
     EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "1");
     EXPECT_EQ(folder.names(), Names{"pack"});
+}
+
+TEST(ReplaceFolder, FileInThePlaceOfTheFolderOrAboveItStays) {
+    const ScratchFolder folder;
+    ScratchFolder::fill(folder / "empty", "");
+    for (const char* place : {"empty", "empty/", "empty/pack", "empty/a/pack"}) {
+        EXPECT_THROW(replace_folder(folder / place, {{"a", "1"}}), InputError) << place;
+    }
+    EXPECT_EQ(ScratchFolder::content(folder / "empty"), "");
+    EXPECT_EQ(folder.names(), Names{"empty"});
 }
 
 // Such a program stops on a file system that cannot exchange two folders in one step.

@@ -51,6 +51,8 @@ const std::vector<Broken> cases{
      "use a whole number"},
     {"NodeIdWithoutNumber", items_file, rw16 + "default = \"$NODEID+x\"\n", 7, "default $NODEID+x is no INTEGER16",
      "use a whole number"},
+    {"NodeIdWithMoreThanANumber", items_file, rw16 + "default = \"$NODEID+180h\"\n", 7,
+     "default $NODEID+180h is no INTEGER16", "use a whole number"},
     {"DefaultAboveMaximum", items_file, rw16 + "default = 11\nrange = { min = 0, max = 10 }\n", 7,
      "2000h:0 default 11 exceeds its limit (10)", "lower the default or raise the limit"},
     {"DefaultBelowMinimum", items_file, rw16 + "default = -1\nrange = { min = 0, max = 10 }\n", 7,
@@ -78,6 +80,10 @@ const std::vector<Broken> cases{
      "limit max is neither a number nor an object", "write a number, \"4020\""},
     {"LimitObjectMissing", items_file, rw16 + "default = 5\nrange = { max = \"4020\" }\n", 8,
      "2000h:0 is limited by 4020h:0, which does not exist", "name an object of this device"},
+    {"LimitSubIndexAbove255", items_file,
+     rw16 + "default = 5\nrange = { max = \"4020:100\" }\n[[object]]\nindex = 0x4020\nname = \"b\"\nsource = "
+            "[\"M1:1\"]\ntype = \"INTEGER16\"\naccess = \"rw\"\ndefault = 9\n",  // 100h = 256, the low byte is 0
+     8, "2000h:0 is limited by 4020h:256, which does not exist", "name an object of this device"},
     {"LimitObjectOfOtherType", items_file,
      rw16 + "default = 5\nrange = { max = \"4020\" }\n[[object]]\nindex = 0x4020\nname = \"b\"\nsource = [\"M1:1\"]\n"
             "type = \"UNSIGNED16\"\naccess = \"rw\"\ndefault = 9\n",
@@ -105,6 +111,11 @@ const std::vector<Broken> cases{
      rw16 +
          "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
          "inputs = [{ name = \"a\", min = 0, max = 65537 }]\noutputs = [\"b\"]\nrows = [[\"*\", 1]]\n",
+     8, "table AO4-T1 has a range of more than 65537 numbers", "as `min` and `max`"},
+    {"RangeTableOfAllNumbers", items_file,
+     rw16 +
+         "default = 5\nrange = { table = \"AO4-T1\" }\n[[table]]\nid = \"AO4-T1\"\ntitle = \"t\"\nsource = [\"M1:1\"]\n"
+         "inputs = [\"a\"]\noutputs = [\"b\"]\nrows = [[\"-9223372036854775808..9223372036854775807\", 1]]\n",
      8, "table AO4-T1 has a range of more than 65537 numbers", "as `min` and `max`"},
     {"StringLongerThanLength", items_file,
      var + "type = \"VISIBLE_STRING\"\naccess = \"rw\"\nlength = 3\ndefault = \"four\"\n", 8,

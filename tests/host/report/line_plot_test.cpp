@@ -104,6 +104,21 @@ TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
     parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
 }
 
+TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {
+    const double tiny = std::numeric_limits<double>::denorm_min();
+    const double huge = std::numeric_limits<double>::max();
+    for (const auto& [one, other] : std::vector<std::pair<double, double>>{
+             {1e17, 1e17}, {-1e17, -1e17}, {1e17, 1e17 + 16.0}, {0.0, tiny}, {-huge, huge}, {1e300, 1e300}}) {
+        const std::string svg = write_svg(LinePlot{"", "", "", {{"", {{0.0, one}, {1.0, other}}}}, {}});
+        EXPECT_EQ(svg.find("nan"), std::string::npos) << one;
+        EXPECT_EQ(svg.find("inf"), std::string::npos) << one;
+        EXPECT_LT(svg.size(), 20000U) << one;
+    }
+    // A constant value lies in the middle between 44 and 360.
+    const LinePlot flat{"", "", "", {{"one", {{0.0, 1e17}, {1.0, 1e17}}}}, {}};
+    EXPECT_STREQ(parsed(write_svg(flat)).child("svg").child("path").attribute("d").value(), "M84.0 202.0L940.0 202.0");
+}
+
 TEST(LinePlot, DescriptionNamesTitleAxesAndCurves) {
     const LinePlot plot{"Output after a step", "time in s", "voltage in V", {{"aout1", {}}, {"aout2", {}}}, {}};
     EXPECT_EQ(plot_words(plot), "Output after a step. Plot of voltage in V against time in s: aout1, aout2.");

@@ -57,6 +57,13 @@ const Part& device_part(const std::string& name) {
     return *(known->second ? *known->second : built_in_register()).part(name);
 }
 
+/// Returns whether the part is a device with this name or part number.
+bool is_called(const Part& part, const std::string& name) {
+    const auto& numbers = part.info.part_numbers;
+    return part.is_device() && (part.name == name || std::any_of(numbers.begin(), numbers.end(),
+                                                                 [&](const auto& n) { return same(n, name); }));
+}
+
 }  // namespace
 
 const Register& built_in_register() {
@@ -65,11 +72,14 @@ const Register& built_in_register() {
     return content;
 }
 
+bool is_device_name(const std::string& name) {
+    const auto& parts = device_files().parts;
+    return std::any_of(parts.begin(), parts.end(), [&](const Part& one) { return is_called(one, name); });
+}
+
 const Part& device_named(const std::string& name) {
     for (const Part& one : device_files().parts) {
-        const auto& numbers = one.info.part_numbers;
-        if (one.is_device() && (one.name == name || std::any_of(numbers.begin(), numbers.end(),
-                                                                [&](const auto& n) { return same(n, name); }))) {
+        if (is_called(one, name)) {
             return device_part(one.name);
         }
     }

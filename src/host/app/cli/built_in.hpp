@@ -9,6 +9,8 @@
 namespace canproof::host {
 
 const Register& built_in_register();
+/// Returns whether a device has this name or part number.
+bool is_device_name(const std::string& name);
 /// Returns the device with this name or part number. Throws InputError when there is none.
 const Part& device_named(const std::string& name);
 

@@ -83,8 +83,9 @@ int list_signals(const std::string& device) {
 
 namespace {
 
+/// Returns whether the word is the path of a file. A part number may contain a dot too.
 bool names_file(const std::string& word) {
-    return word.find_first_of("./") != std::string::npos;
+    return word.find_first_of("./") != std::string::npos && !is_device_name(word);
 }
 
 int print_dbc(const Part& part, int node) {

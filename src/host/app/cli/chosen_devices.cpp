@@ -28,6 +28,12 @@ int number_of(const std::string& text) {
     return number ? std::stoi(text) : -1;
 }
 
+/// Returns where `@NODE` begins in FILE@NODE; npos without a node. An `@` in the name of a folder begins no node.
+std::size_t place_of_node(const std::string& text) {
+    const auto at = text.rfind('@');
+    return at != std::string::npos && text.find('/', at) == std::string::npos ? at : std::string::npos;
+}
+
 ChosenDevice from_catalogue(const Part& part, const std::string& name, FactoryOptions& factory) {
     ChosenDevice chosen;
     chosen.name = name;
@@ -76,7 +82,7 @@ ChosenDevice choose_device(const std::string& text, FactoryOptions& factory) {
 }
 
 ChosenDevice choose_eds(const std::string& text) {
-    const auto at = text.rfind('@');
+    const auto at = place_of_node(text);
     const std::string path = text.substr(0, at);
     auto device = read_eds_device(path);
     ChosenDevice chosen;
@@ -92,7 +98,7 @@ ChosenDevice choose_eds(const std::string& text) {
 }
 
 ChosenDevice choose_image(const std::string& text) {
-    const auto at = text.rfind('@');
+    const auto at = place_of_node(text);
     const std::string node = at == std::string::npos ? "" : text.substr(at + 1);
     auto link = start_image(text.substr(0, at));
     const ImageGreeting greeting = link->greeting();

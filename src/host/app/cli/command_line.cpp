@@ -315,6 +315,14 @@ class WordsCommands : Command {
     std::vector<std::string> manual_of_;
 };
 
+/// Returns the message of an error. A command without a message of its own for a path gets a general one.
+std::string message_of(const std::exception& error) {
+    const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    return path == nullptr ? error.what()
+                           : fmt::format("cannot use {}: {}; name a path that exists and that you may use",
+                                         path->path1().string(), path->code().message());
+}
+
 /// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that
 /// failure is the cause.
 std::string why(const std::exception& error) {
@@ -323,7 +331,7 @@ std::string why(const std::exception& error) {
     } catch (const InputError& output) {
         return output.what();
     }
-    return error.what();
+    return message_of(error);
 }
 
 int run_chosen(CLI::App& app, const Chosen& chosen, int argc, char** argv) {

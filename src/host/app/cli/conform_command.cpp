@@ -17,6 +17,7 @@
 #include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/make_bus.hpp"
 #include "host/app/cli/standard_streams.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/base/replace_folder.hpp"
@@ -56,7 +57,7 @@ conform::CaseBook read_cases(const std::string& folder) {
         return conform::built_in_cases();
     }
     std::map<std::string, std::string> files;
-    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    for (const auto& file : open_folder(folder)) {
         if (file.path().extension() == ".toml") {
             files[file.path().string()] = read_file(file.path(), longest_toml_file);
         }
@@ -179,10 +180,11 @@ bool is_of_a_report(const std::filesystem::directory_entry& entry) {
 /// Checks that the report may replace this folder: it is absent or empty, or it contains only an earlier report. Throws
 /// InputError for any other folder.
 void check_report_folder(const std::filesystem::path& folder) {
+    check_folder_place(folder);
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
     }
-    const std::filesystem::directory_iterator entries{folder};
+    const std::filesystem::directory_iterator entries = open_folder(folder);
     if (!std::filesystem::exists(folder / "report.json") ||
         !std::all_of(begin(entries), end(entries), is_of_a_report)) {
         throw InputError{fmt::format(

@@ -29,6 +29,7 @@
 #include "host/assess/mutation/mutation_json.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
 #include "host/base/sha256.hpp"
@@ -118,6 +119,7 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
 
 /// Checks that the folder may be replaced: it is absent or empty, or it holds an earlier pack. Throws InputError.
 void check_place(const std::filesystem::path& folder) {
+    check_folder_place(folder);
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
         return;
     }

@@ -26,7 +26,7 @@ ChosenDevice made_device(const InjectOptions& options) {
 
 /// Returns the frames and stimuli that the user names, or those of tests/devices/NAME/workload.
 ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
-    const auto folder = std::filesystem::path{options.root} / "tests" / "devices" / options.device / "workload";
+    const auto folder = std::filesystem::path{options.root} / "tests" / "devices" / chosen.part->name / "workload";
     const bool own = options.log.empty();
     if (own && !std::filesystem::exists(folder / "bus.log")) {
         throw InputError{

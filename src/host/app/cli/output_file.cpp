@@ -14,6 +14,11 @@ namespace canproof::host {
 
 namespace {
 
+[[noreturn]] void refuse_to_write(const std::string& path) {
+    throw InputError{fmt::format("cannot write {} ({}); name a file that you may write, in a folder that exists", path,
+                                 std::strerror(errno))};
+}
+
 /// Returns whether both names refer to one regular file. A device such as /dev/null may be named several times.
 bool same_file(const std::string& one, const std::string& other) {
     std::error_code none;
@@ -44,9 +49,7 @@ void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<s
         // Opening for appending creates the file if necessary and keeps its content.
         file->out_.open(file->path_, std::ios::binary | std::ios::app);
         if (!file->out_) {
-            throw InputError{
-                fmt::format("cannot write {} ({}); name a file that you may write, in a folder that exists",
-                            file->path_, std::strerror(errno))};
+            refuse_to_write(file->path_);
         }
         if (std::any_of(taken.begin(), taken.end(), [&](const auto& one) { return same_file(file->path_, one); })) {
             throw InputError{fmt::format("{} is named twice; name another file to write", file->path_)};
@@ -57,6 +60,9 @@ void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<s
         if (file->is_wanted()) {
             file->out_.close();
             file->out_.open(file->path_, std::ios::binary | std::ios::trunc);
+            if (!file->out_) {
+                refuse_to_write(file->path_);
+            }
         }
     }
 }

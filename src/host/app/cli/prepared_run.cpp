@@ -92,7 +92,7 @@ std::vector<Stimulus> read_stimulus_file(const std::string& path, const std::vec
 /// Keeps the device's memory in a file of `folder`. Creates a missing folder. Does nothing when `folder` is empty.
 void keep_memory(const ChosenDevice& one, const std::string& folder, const NoticeListener& notice) {
     if (!folder.empty()) {
-        std::filesystem::create_directories(folder);
+        make_folder(folder);
         keep_in_file(one.device->memory(), std::filesystem::path{folder} / (one.name + ".bin"), notice);
     }
 }

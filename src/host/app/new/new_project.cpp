@@ -12,6 +12,7 @@
 #include "host/app/new/templates.hpp"
 #include "host/base/input_error.hpp"
 #include "host/datasheet/write_objects_toml.hpp"
+#include "host/register/literals.hpp"
 
 namespace canproof::host {
 
@@ -21,18 +22,10 @@ constexpr std::int64_t usual_bit_rate = 125000;
 constexpr int usual_node_id = 1;
 constexpr std::size_t longest_name = 40;
 
-/// Returns the words that cannot be names because C++ or canproof reserves them.
+/// Returns the names that canproof uses for itself. is_cpp_name() refuses the keywords of C++.
 const std::set<std::string>& taken_words() {
-    static const std::set<std::string> words{
-        "alignas",  "alignof", "and",     "asm",       "auto",      "bool",      "break",     "canopen",  "canproof",
-        "case",     "catch",   "char",    "class",     "compl",     "const",     "constexpr", "continue", "decltype",
-        "default",  "delete",  "do",      "double",    "else",      "enum",      "explicit",  "export",   "extern",
-        "false",    "float",   "for",     "friend",    "fuzz",      "generated", "goto",      "host",     "if",
-        "inline",   "int",     "long",    "mutable",   "namespace", "new",       "noexcept",  "not",      "nullptr",
-        "operator", "or",      "private", "protected", "public",    "register",  "req",       "return",   "short",
-        "signed",   "sizeof",  "static",  "std",       "struct",    "switch",    "target",    "template", "test",
-        "this",     "throw",   "true",    "try",       "typedef",   "typeid",    "typename",  "union",    "unsigned",
-        "using",    "virtual", "void",    "volatile",  "wchar_t",   "while",     "xor"};
+    static const std::set<std::string> words{"canopen", "canproof", "fuzz",   "generated", "host",
+                                             "req",     "std",      "target", "test"};
     return words;
 }
 
@@ -60,7 +53,7 @@ void check_name(const std::string& name) {
                         "at most {} characters",
                         name, longest_name)};
     }
-    if (taken_words().count(cpp_word(name)) != 0) {
+    if (taken_words().count(cpp_word(name)) != 0 || !is_cpp_name(cpp_word(name))) {
         throw InputError{fmt::format("`{}` is a word of C++ or of canproof; choose another name", name)};
     }
 }

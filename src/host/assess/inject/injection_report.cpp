@@ -217,7 +217,7 @@ InjectionCampaign merge_injection_shards(const std::filesystem::path& folder, co
                                          InjectionOptions& options) {
     std::vector<ShardFile> files;
     const std::string start = "inject-" + device + "-";
-    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+    for (const auto& entry : open_folder(folder)) {
         const std::string name = entry.path().filename().string();
         if (name.rfind(start, 0) == 0 && entry.path().extension() == ".json") {
             files.push_back(read_shard(entry.path()));
