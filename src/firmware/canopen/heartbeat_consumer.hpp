@@ -22,9 +22,10 @@ class HeartbeatConsumer {
 
     /// Reads the parameters. Monitoring of each producer starts with its first heartbeat.
     void reset() noexcept;
-    /// Processes a data frame. Returns true when it has the format of a heartbeat and any producer is or was watched.
+    /// Processes a data frame with an 11-bit identifier. Returns true when it has the length of a heartbeat and any
+    /// producer is or was watched.
     bool receive(const Frame& frame, const Instant now) noexcept {
-        const bool heard = any_ && (frame.length == 1U) && !frame.extended;
+        const bool heard = any_ && (frame.length == 1U);
         if (heard) {
             hear(frame.id, now);
         }
