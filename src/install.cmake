@@ -7,7 +7,7 @@ if(TARGET canproof-prove)
   install(TARGETS canproof-prove DESTINATION bin)  # `canproof prove` looks for it beside itself
 endif()
 install(TARGETS speccompiler canproof_base canproof_register canproof_datasheet canproof_codegen canproof_sim
-                canproof_report canproof_conform canproof_assess canproof_http canproof_app
+                canproof_report canproof_selection canproof_conform canproof_assess canproof_http canproof_app
         RUNTIME DESTINATION ${home}/prebuilt ARCHIVE DESTINATION ${home}/prebuilt)
 install(FILES CMakeLists.txt LICENSE DESTINATION ${home})
 install(DIRECTORY src/firmware src/target DESTINATION ${home}/src USE_SOURCE_PERMISSIONS)

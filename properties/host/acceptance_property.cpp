@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/device_node.hpp"
 #include "tests/support/every_device.hpp"

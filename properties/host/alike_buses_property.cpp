@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/socketcan_bus.hpp"
 #include "host/sim/run/run_session.hpp"

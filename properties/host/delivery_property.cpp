@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/advance_device.hpp"

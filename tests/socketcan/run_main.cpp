@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "host/app/cli/run_arguments.hpp"
-#include "host/app/cli/standard_streams.hpp"
+#include "host/base/standard_streams.hpp"
 
 namespace {
 

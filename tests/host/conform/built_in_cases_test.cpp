@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/conform/run/cases.hpp"
+#include "host/selection/built_in.hpp"
 
 namespace canproof::host::conform::test {
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/built_in.hpp"
 #include "host/conform/link/virtual_target.hpp"
 #include "host/conform/run/case_files.hpp"
 #include "host/conform/run/run_cases.hpp"
+#include "host/selection/built_in.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 #include "tests/support/every_device.hpp"
 #include "tests/support/slave_register.hpp"

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/write_xdd.hpp"
+#include "host/selection/built_in.hpp"
 
 namespace canproof::host::test {
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "firmware/base/time.hpp"
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/write_eds.hpp"
+#include "host/selection/built_in.hpp"
 #include "host/sim/bus/acceptance.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"

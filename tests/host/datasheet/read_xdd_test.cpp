@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "firmware/base/time.hpp"
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/read_eds.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
 #include "host/register/literals.hpp"
+#include "host/selection/built_in.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 #include "tests/host/datasheet/box_eds.hpp"

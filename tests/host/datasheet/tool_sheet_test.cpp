@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/eds_values.hpp"
 #include "host/datasheet/read_eds.hpp"
 #include "host/datasheet/write_dictionary.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
 #include "host/register/load.hpp"
+#include "host/selection/built_in.hpp"
 #include "tests/host/register/small_register.hpp"
 
 namespace canproof::host::test {

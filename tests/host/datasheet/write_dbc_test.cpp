@@ -12,9 +12,9 @@
 #include <set>
 #include <sstream>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/dbc_text.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/selection/built_in.hpp"
 #include "tests/host/datasheet/check/good_sheet.hpp"
 
 namespace canproof::host::test {

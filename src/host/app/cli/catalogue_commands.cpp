@@ -8,15 +8,15 @@
 #include <iostream>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/eds_device.hpp"
-#include "host/app/cli/factory_options.hpp"
 #include "host/base/input_error.hpp"
 #include "host/datasheet/eds_values.hpp"
 #include "host/datasheet/write_dbc.hpp"
 #include "host/datasheet/write_dictionary.hpp"
 #include "host/datasheet/write_eds.hpp"
 #include "host/datasheet/write_xdd.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/eds_device.hpp"
+#include "host/selection/factory_options.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::host {

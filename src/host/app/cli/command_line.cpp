@@ -26,8 +26,8 @@
 #include "host/app/cli/run_command.hpp"
 #include "host/app/cli/shell_completion.hpp"
 #include "host/app/cli/spec_command.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/standard_streams.hpp"
 
 namespace canproof::host {
 

@@ -13,20 +13,20 @@
 #include <set>
 
 #include "generated/version.hpp"
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/make_bus.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/base/replace_folder.hpp"
+#include "host/base/standard_streams.hpp"
 #include "host/conform/link/bus_target.hpp"
 #include "host/conform/link/virtual_target.hpp"
 #include "host/conform/report/report_files.hpp"
 #include "host/conform/report/report_records.hpp"
 #include "host/conform/run/run_cases.hpp"
 #include "host/datasheet/read_eds.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/chosen_devices.hpp"
 
 namespace canproof::host {
 

@@ -5,12 +5,12 @@
 
 #include <filesystem>
 
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/progress.hpp"
 #include "host/assess/inject/injection_report.hpp"
 #include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/source_hash.hpp"
+#include "host/selection/chosen_devices.hpp"
 
 namespace canproof::host {
 

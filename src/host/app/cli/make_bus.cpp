@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "firmware/base/time.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/standard_streams.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/bus/linux_can_system.hpp"
 #include "host/sim/bus/socketcan_bus.hpp"

@@ -7,13 +7,13 @@
 #include <ctime>
 #include <filesystem>
 
-#include "host/app/cli/eds_device.hpp"
 #include "host/app/new/new_project.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/replace_folder.hpp"
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
+#include "host/selection/eds_device.hpp"
 #include "host/sim/devices/served_pdos.hpp"
 
 namespace canproof::host {

@@ -7,11 +7,11 @@
 #include <chrono>
 #include <iostream>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/app/cli/prepared_run.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/app/panel/http_front.hpp"
 #include "host/app/panel/panel.hpp"
+#include "host/base/standard_streams.hpp"
+#include "host/selection/built_in.hpp"
 #include "host/sim/run/event_loop.hpp"
 
 namespace canproof::host {

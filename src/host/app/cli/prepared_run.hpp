@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/output_file.hpp"
 #include "host/app/cli/run_command.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/run/node_ids.hpp"
 #include "host/sim/run/run_session.hpp"
 

@@ -8,10 +8,10 @@
 #include <fstream>
 #include <iostream>
 
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/app/cli/output_file.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/files.hpp"
+#include "host/base/standard_streams.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/devices/stored_memory_file.hpp"
 #include "host/sim/replay/replay.hpp"
 

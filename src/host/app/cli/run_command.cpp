@@ -16,8 +16,8 @@
 
 #include "firmware/base/time.hpp"
 #include "host/app/cli/prepared_run.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
+#include "host/base/standard_streams.hpp"
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/run/event_loop.hpp"
 #include "host/sim/run/line_input.hpp"

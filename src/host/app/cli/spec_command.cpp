@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "host/app/cli/sound_register.hpp"
-#include "host/app/cli/standard_streams.hpp"
 #include "host/assess/manual/text_coverage.hpp"
 #include "host/assess/trace/audit_filter.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/base/standard_streams.hpp"
 #include "host/register/advice.hpp"
 #include "host/register/embedded_spec.hpp"
 #include "host/register/load.hpp"

@@ -9,8 +9,8 @@
 
 #include "firmware/base/time.hpp"
 #include "generated/ax060805/requirements.hpp"
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/base/input_error.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "firmware/base/time.hpp"
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/base/input_error.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/devices/node_id.hpp"
 #include "host/sim/replay/replay.hpp"
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/app/panel/panel.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 
 namespace canproof::host::test {

@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "host/app/cli/built_in.hpp"
 #include "host/datasheet/check/check_eds.hpp"
 #include "host/datasheet/write_eds.hpp"
+#include "host/selection/built_in.hpp"
 
 namespace canproof::host::test {
 

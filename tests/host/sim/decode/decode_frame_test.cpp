@@ -7,8 +7,8 @@
 
 #include "firmware/base/time.hpp"
 #include "firmware/canopen/frame.hpp"
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::test {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/base/time.hpp"
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/candump.hpp"
 
 namespace canproof::host::test {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/run/live_table.hpp"
 

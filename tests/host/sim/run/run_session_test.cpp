@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/base/input_error.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "host/sim/bus/arbitrated_bus.hpp"
 #include "host/sim/replay/replay.hpp"
 #include "host/sim/run/live_table.hpp"

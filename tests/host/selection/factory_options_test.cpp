@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // --factory: factory data of one unit. Each key of the register sets its entry in the dictionary of the device.
-#include "host/app/cli/factory_options.hpp"
+#include "host/selection/factory_options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/chosen_devices.hpp"
 #include "host/base/input_error.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/chosen_devices.hpp"
 #include "tests/support/every_device.hpp"
 
 namespace canproof::host::test {

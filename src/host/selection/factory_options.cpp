@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "host/app/cli/factory_options.hpp"
+#include "host/selection/factory_options.hpp"
 
 #include <fmt/ranges.h>
 

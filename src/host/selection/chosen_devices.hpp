@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "host/app/cli/factory_options.hpp"
 #include "host/register/register.hpp"
+#include "host/selection/factory_options.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::host {

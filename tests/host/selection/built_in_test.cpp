@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The register that is built into the program. A device that is read alone equals the same device in the whole
 // register.
-#include "host/app/cli/built_in.hpp"
+#include "host/selection/built_in.hpp"
 
 #include <gtest/gtest.h>
 

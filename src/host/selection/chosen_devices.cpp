@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "host/app/cli/chosen_devices.hpp"
+#include "host/selection/chosen_devices.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 
 #include "devices/catalogue.hpp"
-#include "host/app/cli/built_in.hpp"
-#include "host/app/cli/eds_device.hpp"
 #include "host/base/input_error.hpp"
+#include "host/selection/built_in.hpp"
+#include "host/selection/eds_device.hpp"
 #include "host/sim/devices/generic_simulation.hpp"
 #include "host/sim/image/image_device.hpp"
 #include "host/sim/image/start_image.hpp"

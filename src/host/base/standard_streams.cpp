@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "host/app/cli/standard_streams.hpp"
+#include "host/base/standard_streams.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

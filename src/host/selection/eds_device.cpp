@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "host/app/cli/eds_device.hpp"
+#include "host/selection/eds_device.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "host/app/cli/standard_streams.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
+#include "host/base/standard_streams.hpp"
 #include "host/datasheet/read_eds.hpp"
 #include "host/sim/devices/served_pdos.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "host/app/cli/built_in.hpp"
+#include "host/selection/built_in.hpp"
 
 #include <fmt/format.h>
 
