@@ -141,10 +141,10 @@ void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         put_version(index::manufacturer_hardware_version, factory_.hardware_version);
         put_version(index::manufacturer_software_version, factory_.software_version);
-        objects_.set(field::o1f52_1_application_software_date, factory_.software_date);
-        objects_.set(field::o1f52_2_application_software_time, factory_.software_time);
-        objects_.set(field::o1018_3_revision_number, factory_.revision);
-        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+        objects_.set_given(field::o1f52_1_application_software_date, factory_.software_date);
+        objects_.set_given(field::o1f52_2_application_software_time, factory_.software_time);
+        objects_.set_given(field::o1018_3_revision_number, factory_.revision);
+        objects_.set_given(field::o1018_4_serial_number, factory_.serial_number);
     }
     for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
         static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_AOUT_012>);
