@@ -10,7 +10,9 @@
 #include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
+
+using namespace host;
 
 namespace {
 
@@ -177,4 +179,4 @@ LinePlot settling_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -10,7 +10,9 @@
 #include "generated/ax060805/requirements.hpp"
 #include "generated/ax060805/tables.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
+
+using namespace host;
 
 namespace {
 
@@ -65,4 +67,4 @@ Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temp
     return {axis(felt.x, felt.y), axis(felt.y, felt.z), axis(felt.z, felt.x)};
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

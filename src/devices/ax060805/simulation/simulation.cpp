@@ -9,7 +9,9 @@
 #include "generated/ax060805/requirements.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
+
+using namespace host;
 
 namespace {
 
@@ -86,12 +88,8 @@ class Ax060805Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax060805 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax060805Simulation>(factory);
+    return std::make_unique<Ax060805Simulation>(factory);
 }
 
 }  // namespace canproof::ax060805

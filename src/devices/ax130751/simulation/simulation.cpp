@@ -5,7 +5,9 @@
 #include "generated/ax130751/constants.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax130751 {
+
+using namespace host;
 
 namespace {
 
@@ -40,12 +42,8 @@ class Ax130751Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax130751 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax130751Simulation>(factory);
+    return std::make_unique<Ax130751Simulation>(factory);
 }
 
 }  // namespace canproof::ax130751

@@ -6,7 +6,9 @@
 #include "generated/ax188001/constants.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
+
+using namespace host;
 
 namespace {
 
@@ -70,12 +72,8 @@ class Ax188001Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax188001 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax188001Simulation>(factory);
+    return std::make_unique<Ax188001Simulation>(factory);
 }
 
 }  // namespace canproof::ax188001

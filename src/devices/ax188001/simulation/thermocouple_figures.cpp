@@ -15,7 +15,9 @@
 #include "generated/ax188001/enumerations.hpp"
 #include "host/sim/replay/replay.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
+
+using namespace host;
 
 namespace {
 
@@ -184,4 +186,4 @@ LinePlot ramp_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

@@ -4,7 +4,9 @@
 #include "devices/ax188001/firmware/thermocouple_curves.hpp"
 #include "generated/ax188001/tables.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
+
+using namespace host;
 
 namespace {
 
@@ -46,4 +48,4 @@ bool ThermocouplePlant::drive(ax188001::Inputs& inputs,
     return changed;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001
