@@ -262,22 +262,7 @@ IndicatorState Device::status_indicator() const noexcept {
 
 static_assert(implements<req::AO4_LED_002> && implements<req::AO4_T6>);
 IndicatorState Device::can_error_indicator() const noexcept {
-    namespace table = own::can_error_led;
-    table::Can can{table::Can::bus_off};
-    switch (inputs_.can_state) {
-        case static_cast<std::uint8_t>(CanState::error_active):
-            can = table::Can::active;
-            break;
-        case static_cast<std::uint8_t>(CanState::warning):
-            can = table::Can::warning;
-            break;
-        case static_cast<std::uint8_t>(CanState::error_passive):
-            can = table::Can::passive;
-            break;
-        default:
-            break;
-    }
-    return led_of(table::find(!runs_, can, node_.has_error(ErrorId::guard_or_heartbeat)));
+    return led_of(own::can_error_led::find(!runs_, node_.can_state(), node_.has_error(ErrorId::guard_or_heartbeat)));
 }
 
 bool Device::show(const IndicatorState state, const Duration shift, const Instant now) noexcept {
