@@ -30,13 +30,9 @@ class Ax130751Simulation final
   public:
     explicit Ax130751Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax130751;
-        LssStore store{memory_};
-        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = node_id.value();
-        store.store(configuration);
+        store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate});
     }
 };
 

@@ -26,13 +26,9 @@ class Ax188001Simulation final
   public:
     explicit Ax188001Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax188001;
-        LssStore store{memory_};
-        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = node_id.value();
-        store.store(configuration);
+        store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate});
     }
     void power_on(Instant now) override {
         // The wires have the sensor types of the stored parameters. A second unit reads these types from the same
