@@ -16,8 +16,6 @@ using namespace host;
 
 namespace {
 
-using namespace ax060805;
-
 constexpr double pi = 3.14159265358979323846;
 constexpr double turn_seconds = 20.0;
 constexpr double tumble_seconds = 3.0 * turn_seconds;

@@ -11,11 +11,7 @@
 
 namespace canproof::ax060805 {
 
-using namespace host;
-
 namespace {
-
-using namespace ax060805;
 
 namespace own = generated::ax060805;
 

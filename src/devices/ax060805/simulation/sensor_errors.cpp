@@ -12,11 +12,8 @@
 
 namespace canproof::ax060805 {
 
-using namespace host;
-
 namespace {
 
-using namespace ax060805;
 namespace own = generated::ax060805;
 
 constexpr double pi = 3.14159265358979323846;

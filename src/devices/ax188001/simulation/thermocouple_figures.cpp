@@ -21,8 +21,6 @@ using namespace host;
 
 namespace {
 
-using namespace ax188001;
-
 using generated::ax188001::SensorType;
 
 struct NamedType {

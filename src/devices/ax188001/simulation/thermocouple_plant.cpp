@@ -6,11 +6,7 @@
 
 namespace canproof::ax188001 {
 
-using namespace host;
-
 namespace {
-
-using namespace ax188001;
 
 ax188001::SensorType wire_type(std::uint8_t number, ax188001::SensorType configured) {
     const auto type = static_cast<ax188001::SensorType>(number);
