@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one of the four devices under any events - frames, physical inputs, time, failing memory, power cuts - and
+// Runs one device under any events - frames, physical inputs, time, failing memory, power cuts - and
 // checks what must hold after each of them. A `Unit` describes the device: its types, the size of its memory and its
 // own checks; see the headers named _unit.hpp.
 //

@@ -30,8 +30,8 @@ function(canproof_check_device root name)
   canproof_device_part("fuzz/devices/${name}/${word}.options" "7" "the options of its fuzz target")
   canproof_device_part("fuzz/devices/${name}/corpus/${word}/*" "7" "the seeds of its fuzz target")
   if(EXISTS ${root}/src/devices/README.md)  # the pages of this repository; an outside project has none
-    canproof_device_row("README.md")
-    canproof_device_row("src/target/README.md")
+    canproof_device_rows("README.md" 1)
+    canproof_device_rows("src/target/README.md" 2)
   endif()
 endfunction()
 
@@ -44,11 +44,13 @@ function(canproof_device_part path step meaning)
   endif()
 endfunction()
 
-# Stops when no row of a table of this page begins with the name of the device.
-function(canproof_device_row page)
+# Stops when fewer than `least` rows of the tables of this page begin with the name of the device.
+function(canproof_device_rows page least)
   file(STRINGS ${root}/${page} found REGEX "^\\| `${name}` \\|")
-  if(NOT found)
-    message(FATAL_ERROR "device ${name} has no row in ${page}: see step 8 of \"Add a device\" in src/devices/README.md")
+  list(LENGTH found rows)
+  if(rows LESS least)
+    message(FATAL_ERROR "device ${name} has no row in a table of ${page} (${rows} of ${least}): "
+                        "see step 8 of \"Add a device\" in src/devices/README.md")
   endif()
 endfunction()
 

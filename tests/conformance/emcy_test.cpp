@@ -257,6 +257,15 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 
+TEST_F(Errors, EachValueOfTheSignalIsAStateOfTheController) {
+    verifies<req::CO_E_CAN_STATE>();
+    EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first entry of 1003h
+    EXPECT_TRUE(can_state(3).empty());                          // bus-off
+    // The recovery is the second entry; then error passive has ended.
+    EXPECT_EQ(can_state(0), (Frames{"083#4081110200000000", "083#0000000200000000"}));
+}
+
 TEST_F(Errors, UnknownControllerStateCountsAsBusOff) {
     verifies<req::AO4_ERR_008>();
     EXPECT_TRUE(can_state(4).empty());

@@ -5,6 +5,7 @@
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/device_by_sdo.hpp"
+#include "tests/support/every_device.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -37,7 +38,7 @@ class Stored : public DeviceBySdo {
     std::uint32_t code_of_damage;
 };
 
-class StoredSetOfTheDevice : public testing::TestWithParam<const char*> {};
+class StoredSetOfTheDevice : public testing::TestWithParam<std::string> {};
 
 /// Returns offsets in a bank: all of its header, some of its values, all of its CRC.
 std::vector<std::size_t> places(std::size_t bank_size) {
@@ -136,10 +137,8 @@ TEST_P(StoredSetOfTheDevice, InterruptedFirstSaveIsNotReportedAsDamage) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::Values("ax060805", "ax130751", "ax188001", "cbx-ao412"),
-                         [](const auto& one) {
-                             return std::string{one.param}.substr(0, 3) + std::to_string(one.index);
-                         });
+INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::ValuesIn(every_device_with(0x1010)),
+                         [](const auto& one) { return one.param.substr(0, 3) + std::to_string(one.index); });
 
 // The CAN-CBX-AO412 has switches instead of LSS.
 TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {

@@ -13,9 +13,14 @@ import tempfile
 import canmatrix.formats
 
 PROGRAM = sys.argv[1]
-DEVICES = ("cbx-ao412", "ax130751", "ax188001", "ax060805")
 NODE = 3
 faults = []
+
+
+def device_names():
+    """Returns the names of the catalogue: the words at the beginning of a line of `canproof devices`, below its heading."""
+    lines = subprocess.run([PROGRAM, "devices"], stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()[1:]
+    return [line.split()[0] for line in lines if line[:1].strip()]
 
 
 def matrix_of(device, folder):
@@ -62,11 +67,11 @@ def check_telegrams(matrices):
 
 
 with tempfile.TemporaryDirectory() as scratch:
-    all_matrices = {device: matrix_of(device, scratch) for device in DEVICES}
+    all_matrices = {device: matrix_of(device, scratch) for device in device_names()}
 for name, one in all_matrices.items():
     check_every(name, one)
 check_telegrams(all_matrices)
 for fault in faults:
     print(fault, file=sys.stderr)
-print(f"{len(DEVICES)} databases, {sum(len(one.frames) for one in all_matrices.values())} frames, {len(faults)} fault(s)")
+print(f"{len(all_matrices)} databases, {sum(len(one.frames) for one in all_matrices.values())} frames, {len(faults)} fault(s)")
 sys.exit(1 if faults else 0)

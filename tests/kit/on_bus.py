@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""on_bus.py PROGRAM: runs the RC-22 on a bus in real time and talks to it as another program: a client of socketcand. The kernel chooses
-the port. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+"""on_bus.py PROGRAM: runs the RC-22 on a bus in real time and talks to it as another program: a client of socketcand. Then shows it on the
+panel, which must have its card. The kernel chooses the ports. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+import json
 import re
 import signal
 import socket
 import subprocess
 import sys
 import tempfile
+import urllib.request
 
 PATIENCE = 60  # seconds; reached only by a broken program
 CONVERSATION = (  # a frame to the device, and the answer that is awaited: None where the data sheet names none
@@ -50,6 +52,20 @@ def port_of(run):
     raise AssertionError("the program ended before it named its port")
 
 
+def show_on_panel(program):
+    panel = subprocess.Popen([program, "panel", "relay-counter@1", "--port", "0"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    try:
+        address = re.search(r"http://\S+/", panel.stdout.readline()).group(0)
+        with urllib.request.urlopen(f"{address}api/panel", timeout=PATIENCE) as answer:
+            shown = json.load(answer)["devices"]
+        names = [(one["name"], one["view"]["unit"], [lamp["signal"] for lamp in one["view"]["lamps"]]) for one in shown]
+        assert names == [("relay-counter@1", "RC-22", ["lamp", "relay1", "relay2"])], names
+        panel.send_signal(signal.SIGTERM)
+        panel.wait(PATIENCE)
+    finally:
+        panel.kill()
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         outputs = f"{folder}/outputs.csv"
@@ -71,6 +87,8 @@ def main():
             relay = [line.strip().split(",")[2] for line in changes if ",relay1," in line]
     assert relay[-2:] == ["1", "0"], f"relay 1 was {relay}"
     print("on a bus: asked, started, switched")
+    show_on_panel(sys.argv[1])
+    print("on the panel: its card")
 
 
 main()

@@ -32,7 +32,7 @@ void check_voltage(SensorType type, double mv) {
     if (mv > reference_mv(curve, curve.lowest_c()) && mv < reference_mv(curve, curve.highest_c())) {
         const double slope = reference_slope(curve, celsius);
         const double excess =
-            static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
+            static_cast<double>(ax188001::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
         // At the low end of the branch of type B the slope is 0, so the voltage itself must match.
         require(std::fabs(excess) < std::fmax(0.02 * slope, 1e-9));
     }
@@ -46,7 +46,7 @@ void check_temperature(SensorType type, double fraction) {
         return;  // NaN or infinity
     }
     const double celsius = curve.lowest_c() + (curve.highest_c() - curve.lowest_c()) * part;
-    const double mv = static_cast<double>(host::reference_mv_exactly(type, static_cast<long double>(celsius)));
+    const double mv = static_cast<double>(ax188001::reference_mv_exactly(type, static_cast<long double>(celsius)));
     const double tolerance = reference_slope(curve, celsius) < 2e-5 ? 0.5 : 0.02;
     require(std::fabs(exact_celsius(curve, mv) - celsius) < tolerance);
 }

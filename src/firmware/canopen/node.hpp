@@ -32,9 +32,6 @@ struct NodeProfile {
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
-/// State of the CAN controller (ISO 11898-1 fault confinement); warning: an error counter has reached 96.
-enum class CanState : std::uint8_t { error_active = 0U, warning = 1U, error_passive = 2U, bus_off = 3U };
-
 /// The functions of the device that the node calls. All its functions are defined in this header, for the reason given
 /// at LssApplication.
 class Application : public LssApplication {
@@ -168,6 +165,8 @@ class Node final : private ObjectAccess {
     std::uint8_t saved_tag() const noexcept { return store_.saved_tag(); }
 
     NmtState state() const noexcept { return state_; }
+    /// Returns the state of the CAN controller that set_controller() has set last.
+    CanState can_state() const noexcept { return can_state_; }
     /// Returns the active node-ID; unconfigured_node_id when there is none.
     std::uint8_t node_id() const noexcept { return node_id_; }
     bool has_error(const ErrorId error) const noexcept { return emcy_.is_active(error); }

@@ -28,8 +28,7 @@ TEST(Ax188001Tables, ChannelStatusTableFollowsTheManual) {
         const bool high = (told & 4) != 0;
         const bool low = (told & 8) != 0;
         const int status = open ? 5 : shutdown ? 3 : high ? 2 : low ? 4 : 0;
-        const auto* row = t::find(open ? t::Open::yes : t::Open::no, shutdown ? t::Shutdown::yes : t::Shutdown::no,
-                                  high ? t::High::yes : t::High::no, low ? t::Low::yes : t::Low::no);
+        const auto* row = t::find(open, shutdown, high, low);
         ASSERT_NE(row, nullptr) << told;
         EXPECT_EQ(row->status, status) << told;
     }

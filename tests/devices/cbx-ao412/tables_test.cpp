@@ -83,7 +83,7 @@ TEST(CbxTables, LedEFollowsTheManual) {
         const auto* row = t::find(invalid, can, guard);
         return row == nullptr ? State::flickering : row->led;
     };
-    for (const auto can : {t::Can::active, t::Can::warning, t::Can::passive, t::Can::bus_off}) {
+    for (const auto can : {t::Can::error_active, t::Can::warning, t::Can::error_passive, t::Can::bus_off}) {
         for (const bool guard : {false, true}) {
             EXPECT_EQ(led(true, can, guard), State::on);
         }
@@ -91,12 +91,12 @@ TEST(CbxTables, LedEFollowsTheManual) {
     for (const bool guard : {false, true}) {
         EXPECT_EQ(led(false, t::Can::bus_off, guard), State::on);
     }
-    for (const auto can : {t::Can::active, t::Can::warning, t::Can::passive}) {
+    for (const auto can : {t::Can::error_active, t::Can::warning, t::Can::error_passive}) {
         EXPECT_EQ(led(false, can, true), State::flash2);
     }
     EXPECT_EQ(led(false, t::Can::warning, false), State::flash1);
-    EXPECT_EQ(led(false, t::Can::passive, false), State::flash1);
-    EXPECT_EQ(led(false, t::Can::active, false), State::off);
+    EXPECT_EQ(led(false, t::Can::error_passive, false), State::flash1);
+    EXPECT_EQ(led(false, t::Can::error_active, false), State::off);
 }
 
 // CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6

@@ -30,9 +30,9 @@ using testing::Not;
 class Generated : public testing::Test {
   protected:
     Generated() {
-        files_ = with(items_file, behaviour);
-        files_["spec/devices/box/objects.toml"] = objects;
-        files_[shared_file] = shared;
+        files_ = with(items_file, box_files().at("box/behaviour.toml"));
+        files_["spec/devices/box/objects.toml"] = box_files().at("box/objects.toml");
+        files_[shared_file] = box_files().at("box/shared.toml");
         loaded_ = load_register(files_);
     }
     void SetUp() override { ASSERT_EQ(all_faults(loaded_), ""); }

@@ -15,44 +15,9 @@ inline const std::string device_file = "spec/devices/box/device.toml";
 inline const std::string items_file = "spec/devices/box/items.toml";
 inline const std::string shared_file = "spec/canopen/shared.toml";
 
-/// Manual M1 with section 1 (which describes 2000h), section 2.1 and Table 3; device `box`, prefix AO4.
-inline SpecFiles small_register() {
-    SpecFiles files;
-    files[manual_file] = R"(key = "M1"
-title = "Small Manual"
-publisher = "Nobody"
-revision = "1.2"
-date = "2020-02-03"
-[[section]]
-ref = "1"
-title = "Objects"
-disposition = "normative"
-objects = ["2000h"]
-[[section]]
-ref = "2.1"
-title = "Housing"
-disposition = "informative"
-reason = "a drawing"
-[[section]]
-ref = "Table 3"
-title = "Rates"
-disposition = "normative"
-)";
-    files[device_file] = R"(name = "box"
-title = "Box 1"
-vendor = "Nobody"
-prefix = "AO4"
-manual = "M1"
-part_numbers = ["B.1"]
-node_id = 3
-bit_rate = 125000
-bit_rates = [10000, 125000]
-source = ["M1:1"]
-[services]
-lss = true
-)";
-    return files;
-}
+/// Returns the files of small/spec, which are compiled in: manual M1 with section 1 (which describes 2000h),
+/// section 2.1 and Table 3; device `box`, prefix AO4.
+const SpecFiles& small_register();
 
 /// Returns the small register with one file added or replaced.
 inline SpecFiles with(const std::string& path, const std::string& text) {

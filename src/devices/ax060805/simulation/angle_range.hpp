@@ -7,16 +7,16 @@
 
 #include "devices/ax060805/firmware/ax060805.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 struct AngleRange {
     const char* word;  ///< its name in Table 8 without "Degree Range"
-    ax060805::AngleConfiguration range;
+    AngleConfiguration range;
 };
 
 inline constexpr const char* angle_range_key = "angle_range";
-inline constexpr std::array<AngleRange, 3> angle_ranges{{{"180", ax060805::AngleConfiguration::half_turns},
-                                                         {"360", ax060805::AngleConfiguration::full_turn},
-                                                         {"90", ax060805::AngleConfiguration::right_angle}}};
+inline constexpr std::array<AngleRange, 3> angle_ranges{{{"180", AngleConfiguration::half_turns},
+                                                         {"360", AngleConfiguration::full_turn},
+                                                         {"90", AngleConfiguration::right_angle}}};
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -10,11 +10,11 @@
 #include "firmware/canopen/frame.hpp"
 #include "host/sim/bus/candump.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
+
+using namespace host;
 
 namespace {
-
-using namespace ax060805;
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double turn_seconds = 20.0;
@@ -177,4 +177,4 @@ LinePlot settling_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

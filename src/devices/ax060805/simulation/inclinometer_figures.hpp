@@ -4,21 +4,21 @@
 
 #include "host/report/line_plot.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 /// Plots pitch, roll and gravity angle as TPDO1 carries them, with tilt angles as shipped. The unit makes one turn
 /// about Y, one about X and one about the line between them, 20 s each.
-LinePlot tumble_plot();
+host::LinePlot tumble_plot();
 
 /// Plots the same tumble with Euler angles: pitch stays within 90 degrees, and roll jumps by half a turn at the
 /// vertical.
-LinePlot euler_tumble_plot();
+host::LinePlot euler_tumble_plot();
 
 /// Plots the error of the single-precision angles against the formulae of 2.1.4 in double precision, over the same
 /// tumble.
-LinePlot angle_error_plot();
+host::LinePlot angle_error_plot();
 
 /// Plots a step of the pitch from 0 to 30 degrees after the input filter, for three cut-off frequencies.
-LinePlot settling_plot();
+host::LinePlot settling_plot();
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -9,11 +9,9 @@
 #include "generated/ax060805/constants.hpp"
 #include "generated/ax060805/requirements.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 namespace {
-
-using namespace ax060805;
 
 namespace own = generated::ax060805;
 
@@ -114,4 +112,4 @@ double InclinometerPlant::normal() {
     return radius * std::cos(2.0 * pi * static_cast<double>(noise_()) / range);
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -9,7 +9,7 @@
 #include "devices/ax060805/firmware/ax060805.hpp"
 #include "devices/ax060805/simulation/sensor_errors.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 class InclinometerPlant {
   public:
@@ -18,19 +18,19 @@ class InclinometerPlant {
 
     /// Applies the effects of a stimulus that was set in `inputs` to the other inputs. The accelerations follow from
     /// the stimulus that was set last: pitch and roll, the quaternion, or the accelerations.
-    void stimulus(const std::string& name, ax060805::Inputs& inputs);
+    void stimulus(const std::string& name, Inputs& inputs);
     /// Returns whether the samples have noise.
-    bool is_noisy(const ax060805::Inputs& inputs) const;
+    bool is_noisy(const Inputs& inputs) const;
     /// Sets the accelerations for one sample: those of the attitude with the errors and the noise of the sensor.
-    void add_noise(ax060805::Inputs& inputs);
+    void add_noise(Inputs& inputs);
 
   private:
-    void take_axis(char axis, const ax060805::Inputs& inputs);
+    void take_axis(char axis, const Inputs& inputs);
     double normal();
 
     SensorErrors errors_{};
     /// The acceleration that a sensor without noise and errors measures, in g.
-    ax060805::Vector3 rest_{0.0F, 0.0F, -1.0F};
+    Vector3 rest_{0.0F, 0.0F, -1.0F};
     std::mt19937 noise_{1U};
 };
 
@@ -39,4 +39,4 @@ class InclinometerPlant {
 /// for a resolution of 0.
 double sample_noise(double resolution_deg);
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -10,11 +10,10 @@
 #include "generated/ax060805/requirements.hpp"
 #include "generated/ax060805/tables.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 namespace {
 
-using namespace ax060805;
 namespace own = generated::ax060805;
 
 constexpr double pi = 3.14159265358979323846;
@@ -65,4 +64,4 @@ Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temp
     return {axis(felt.x, felt.y), axis(felt.y, felt.z), axis(felt.z, felt.x)};
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

@@ -7,7 +7,7 @@
 
 #include "devices/ax060805/firmware/tilt.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
 
 struct SensorErrors {
     double initial{0.0};       ///< deg
@@ -24,6 +24,6 @@ std::uint16_t model_of(const std::string& part_number);
 SensorErrors greatest_errors(std::uint16_t model);
 
 /// Returns the acceleration `felt` (in g) with the errors of the sensor at `temperature` (in degC).
-ax060805::Vector3 with_errors(const ax060805::Vector3& felt, const SensorErrors& errors, double temperature);
+Vector3 with_errors(const Vector3& felt, const SensorErrors& errors, double temperature);
 
-}  // namespace canproof::host
+}  // namespace canproof::ax060805

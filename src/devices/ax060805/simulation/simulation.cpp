@@ -9,7 +9,9 @@
 #include "generated/ax060805/requirements.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax060805 {
+
+using namespace host;
 
 namespace {
 
@@ -51,13 +53,7 @@ class Ax060805Simulation final
         inputs_.noise_of = model_of(factory.part_number());
     }
 
-    /// Stores the node-ID as LSS does; the bit rate stays.
-    void set_node_id(NodeId node_id) override {
-        LssStore store{memory_};
-        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = node_id.value();
-        store.store(configuration);
-    }
+    void set_node_id(NodeId node_id) override { store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate}); }
     void power_on(Instant now) override {
         plant_.add_noise(inputs_);
         Simulation::power_on(now);
@@ -86,12 +82,8 @@ class Ax060805Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax060805 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax060805Simulation>(factory);
+    return std::make_unique<Ax060805Simulation>(factory);
 }
 
 }  // namespace canproof::ax060805

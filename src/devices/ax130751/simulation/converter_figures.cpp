@@ -11,7 +11,9 @@
 #include "generated/ax130751/index.hpp"
 #include "host/sim/devices/memory.hpp"
 
-namespace canproof::host {
+namespace canproof::ax130751 {
+
+using namespace host;
 
 namespace {
 
@@ -220,4 +222,4 @@ LinePlot thirty_slopes_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax130751

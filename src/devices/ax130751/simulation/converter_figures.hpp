@@ -4,16 +4,16 @@
 
 #include "host/report/line_plot.hpp"
 
-namespace canproof::host {
+namespace canproof::ax130751 {
 
 /// Plots a joystick with a deadband that drives two outputs through two mirrored tables with two slopes each (1.5.3,
 /// Figure 7).
-LinePlot joystick_plot();
+host::LinePlot joystick_plot();
 
 /// Plots a math block that adds 75 % of a joystick and 25 % of a potentiometer (1.7).
-LinePlot trimmed_joystick_plot();
+host::LinePlot trimmed_joystick_plot();
 
 /// Plots a logic block that combines three lookup tables into one curve with 30 slopes (sections 1.5 and 1.6).
-LinePlot thirty_slopes_plot();
+host::LinePlot thirty_slopes_plot();
 
-}  // namespace canproof::host
+}  // namespace canproof::ax130751

@@ -5,7 +5,9 @@
 #include "generated/ax130751/constants.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax130751 {
+
+using namespace host;
 
 namespace {
 
@@ -28,24 +30,16 @@ class Ax130751Simulation final
   public:
     explicit Ax130751Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax130751;
-        LssStore store{memory_};
-        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = node_id.value();
-        store.store(configuration);
+        store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate});
     }
 };
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax130751 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax130751Simulation>(factory);
+    return std::make_unique<Ax130751Simulation>(factory);
 }
 
 }  // namespace canproof::ax130751

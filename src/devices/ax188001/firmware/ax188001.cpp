@@ -165,8 +165,8 @@ void Device::after_write(const EntryRef& entry, const Instant now) {
 
 void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
-        objects_.set(field::o1018_3_revision_number, factory_.revision);
-        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+        objects_.set_given(field::o1018_3_revision_number, factory_.revision);
+        objects_.set_given(field::o1018_4_serial_number, factory_.serial_number);
     }
 }
 

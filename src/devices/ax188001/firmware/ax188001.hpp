@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "devices/ax188001/firmware/ax188001_scanner.hpp"
 #include "firmware/base/non_volatile_memory.hpp"
@@ -15,10 +16,10 @@ namespace canproof::ax188001 {
 
 using Outputs = generated::ax188001::Outputs;
 
-/// Values of one unit, set in the factory (3.2.11).
+/// Values of one unit, set in the factory (3.2.11). A value that is absent is the one in the requirements register.
 struct FactoryData {
-    std::uint32_t revision{0x00010000U};  ///< 1018h:3 revision number
-    std::uint32_t serial_number{1U};      ///< 1018h:4 serial number
+    std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number
+    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number
 };
 
 class Device final : private Application {

@@ -240,11 +240,8 @@ static_assert(implements<req::TCS_T7> && implements<req::TCS_LIM_005>);
 void Scanner::put_status() noexcept {
     namespace table = own::channel_status;
     for (std::size_t channel = 0U; channel < channel_count; ++channel) {
-        const auto* const row =
-            table::find(told(channel, ChannelFault::open) ? table::Open::yes : table::Open::no,
-                        told(channel, ChannelFault::shutdown) ? table::Shutdown::yes : table::Shutdown::no,
-                        told(channel, ChannelFault::high) ? table::High::yes : table::High::no,
-                        told(channel, ChannelFault::low) ? table::Low::yes : table::Low::no);
+        const auto* const row = table::find(told(channel, ChannelFault::open), told(channel, ChannelFault::shutdown),
+                                            told(channel, ChannelFault::high), told(channel, ChannelFault::low));
         objects_.set(field::o6150_tc_status[subindex(channel)], cell_or(row, &table::Row::status, std::uint8_t{0U}));
     }
 }

@@ -8,7 +8,7 @@
 #include "generated/ax188001/constants.hpp"
 #include "generated/ax188001/tables.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
 
 /// Returns the voltage in mV at `celsius`; the type must have a row. Beyond its range the first or last piece
 /// continues.
@@ -33,4 +33,4 @@ inline long double reference_mv_exactly(generated::ax188001::SensorType type, lo
                      std::exp(static_cast<long double>(own::k_exponential_a1) * distance * distance);
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

@@ -6,7 +6,9 @@
 #include "generated/ax188001/constants.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
+
+using namespace host;
 
 namespace {
 
@@ -24,13 +26,9 @@ class Ax188001Simulation final
   public:
     explicit Ax188001Simulation(const FactoryValues& factory) : Simulation{memory_size, factory_data(factory)} {}
 
-    /// Stores the node-ID as LSS does; the bit rate stays.
     void set_node_id(NodeId node_id) override {
         namespace own = generated::ax188001;
-        LssStore store{memory_};
-        LssConfiguration configuration = store.load({own::shipped_node_id, own::shipped_bit_rate});
-        configuration.node_id = node_id.value();
-        store.store(configuration);
+        store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate});
     }
     void power_on(Instant now) override {
         // The wires have the sensor types of the stored parameters. A second unit reads these types from the same
@@ -70,12 +68,8 @@ class Ax188001Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::ax188001 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::Ax188001Simulation>(factory);
+    return std::make_unique<Ax188001Simulation>(factory);
 }
 
 }  // namespace canproof::ax188001

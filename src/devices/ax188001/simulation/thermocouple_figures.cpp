@@ -15,11 +15,11 @@
 #include "generated/ax188001/enumerations.hpp"
 #include "host/sim/replay/replay.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
+
+using namespace host;
 
 namespace {
-
-using namespace ax188001;
 
 using generated::ax188001::SensorType;
 
@@ -184,4 +184,4 @@ LinePlot ramp_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

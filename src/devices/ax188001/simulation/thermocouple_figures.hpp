@@ -5,21 +5,21 @@
 
 #include "host/report/line_plot.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
 
 /// Plots the error in °C of the conversion from voltage to temperature alone, for each type over its range; type B
 /// begins at 42 °C.
-LinePlot conversion_error_plot();
+host::LinePlot conversion_error_plot();
 
 /// Plots the error in °C of the published inverse functions alone. It shows why their result is only the start value of
 /// the conversion.
-LinePlot inverse_error_plot();
+host::LinePlot inverse_error_plot();
 
 /// Plots the error in °C of the field value 6100h against the hot junction: converter, gain and conversion together.
-LinePlot channel_error_plot();
+host::LinePlot channel_error_plot();
 
 /// Plots a ramp at 10 °C per second through all limits and back, with the wire broken for nine seconds: hot junction,
 /// process value in TPDO1, and each emergency message.
-LinePlot ramp_plot();
+host::LinePlot ramp_plot();
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

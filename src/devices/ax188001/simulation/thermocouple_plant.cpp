@@ -4,11 +4,9 @@
 #include "devices/ax188001/firmware/thermocouple_curves.hpp"
 #include "generated/ax188001/tables.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
 
 namespace {
-
-using namespace ax188001;
 
 ax188001::SensorType wire_type(std::uint8_t number, ax188001::SensorType configured) {
     const auto type = static_cast<ax188001::SensorType>(number);
@@ -46,4 +44,4 @@ bool ThermocouplePlant::drive(ax188001::Inputs& inputs,
     return changed;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

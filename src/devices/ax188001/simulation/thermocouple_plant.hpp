@@ -7,7 +7,7 @@
 
 #include "devices/ax188001/firmware/ax188001_scanner.hpp"
 
-namespace canproof::host {
+namespace canproof::ax188001 {
 
 class ThermocouplePlant {
   public:
@@ -16,11 +16,10 @@ class ThermocouplePlant {
     void stimulus(const std::string& name);
     /// Writes the voltage of each channel that follows a temperature to `inputs`. `configured` is the type in 6110h of
     /// each channel; the wire has that type where tcN_wire is 0. Returns true when a voltage changed.
-    bool drive(ax188001::Inputs& inputs,
-               const std::array<ax188001::SensorType, ax188001::channel_count>& configured) const;
+    bool drive(Inputs& inputs, const std::array<SensorType, channel_count>& configured) const;
 
   private:
-    std::array<bool, ax188001::channel_count> by_temperature_{true, true};
+    std::array<bool, channel_count> by_temperature_{true, true};
 };
 
-}  // namespace canproof::host
+}  // namespace canproof::ax188001

@@ -141,10 +141,10 @@ void Device::put_factory_values(const ParameterGroup group) {
     if (group == ParameterGroup::communication) {
         put_version(index::manufacturer_hardware_version, factory_.hardware_version);
         put_version(index::manufacturer_software_version, factory_.software_version);
-        objects_.set(field::o1f52_1_application_software_date, factory_.software_date);
-        objects_.set(field::o1f52_2_application_software_time, factory_.software_time);
-        objects_.set(field::o1018_3_revision_number, factory_.revision);
-        objects_.set(field::o1018_4_serial_number, factory_.serial_number);
+        objects_.set_given(field::o1f52_1_application_software_date, factory_.software_date);
+        objects_.set_given(field::o1f52_2_application_software_time, factory_.software_time);
+        objects_.set_given(field::o1018_3_revision_number, factory_.revision);
+        objects_.set_given(field::o1018_4_serial_number, factory_.serial_number);
     }
     for (std::uint8_t number = 1U; (group == ParameterGroup::manufacturer) && (number <= output_count); ++number) {
         static_assert(implements<req::AO4_AOUT_009> && implements<req::AO4_AOUT_012>);
@@ -262,22 +262,7 @@ IndicatorState Device::status_indicator() const noexcept {
 
 static_assert(implements<req::AO4_LED_002> && implements<req::AO4_T6>);
 IndicatorState Device::can_error_indicator() const noexcept {
-    namespace table = own::can_error_led;
-    table::Can can{table::Can::bus_off};
-    switch (inputs_.can_state) {
-        case static_cast<std::uint8_t>(CanState::error_active):
-            can = table::Can::active;
-            break;
-        case static_cast<std::uint8_t>(CanState::warning):
-            can = table::Can::warning;
-            break;
-        case static_cast<std::uint8_t>(CanState::error_passive):
-            can = table::Can::passive;
-            break;
-        default:
-            break;
-    }
-    return led_of(table::find(!runs_, can, node_.has_error(ErrorId::guard_or_heartbeat)));
+    return led_of(own::can_error_led::find(!runs_, node_.can_state(), node_.has_error(ErrorId::guard_or_heartbeat)));
 }
 
 bool Device::show(const IndicatorState state, const Duration shift, const Instant now) noexcept {

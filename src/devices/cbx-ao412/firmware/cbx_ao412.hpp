@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "devices/cbx-ao412/firmware/voltage_output.hpp"
 #include "firmware/base/non_volatile_memory.hpp"
@@ -21,14 +22,15 @@ constexpr std::uint32_t output_count = 4U;
 /// A version string of a unit in ASCII, padded with zeros.
 using VersionText = std::array<std::uint8_t, 8U>;
 
-/// Values of one unit, set in the factory (7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2).
+/// Values of one unit, set in the factory (7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2). A text that is empty and a number that
+/// is absent are those in the requirements register.
 struct FactoryData {
-    VersionText hardware_version{};            ///< 1009h hardware version; empty: as in the requirements register
-    VersionText software_version{};            ///< 100Ah software version; empty: as in the requirements register
-    std::uint32_t software_date{11285U};       ///< 1F52h:1 software date, days since 1984-01-01
-    std::uint32_t software_time{0U};           ///< 1F52h:2 software time, ms since midnight
-    std::uint32_t revision{0x00020004U};       ///< 1018h:3 revision number, major and minor
-    std::uint32_t serial_number{0xC1C20105U};  ///< 1018h:4 serial number, lot letters with bit 7 set, then BCD
+    VersionText hardware_version{};                ///< 1009h hardware version
+    VersionText software_version{};                ///< 100Ah software version
+    std::optional<std::uint32_t> software_date{};  ///< 1F52h:1 software date, days since 1984-01-01
+    std::optional<std::uint32_t> software_time{};  ///< 1F52h:2 software time, ms since midnight
+    std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number, major and minor
+    std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number, lot letters with bit 7 set, then BCD
     std::array<std::int16_t, output_count> offset{};
     std::array<std::int16_t, output_count> gain{};
 };

@@ -9,7 +9,9 @@
 #include "host/sim/bus/candump.hpp"
 #include "host/sim/replay/replay.hpp"
 
-namespace canproof::host {
+namespace canproof::cbx_ao412 {
+
+using namespace host;
 
 LinePlot analog_outputs_plot() {
     std::istringstream log{
@@ -35,4 +37,4 @@ LinePlot analog_outputs_plot() {
     return plot;
 }
 
-}  // namespace canproof::host
+}  // namespace canproof::cbx_ao412

@@ -4,10 +4,10 @@
 
 #include "host/report/line_plot.hpp"
 
-namespace canproof::host {
+namespace canproof::cbx_ao412 {
 
 /// Plots a replay of the telegrams in the manual (7.10.2.3) followed by a staircase by RPDO: the output voltages that
 /// the replay recorded.
-LinePlot analog_outputs_plot();
+host::LinePlot analog_outputs_plot();
 
-}  // namespace canproof::host
+}  // namespace canproof::cbx_ao412

@@ -6,7 +6,9 @@
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
 #include "host/sim/devices/simulation.hpp"
 
-namespace canproof::host {
+namespace canproof::cbx_ao412 {
+
+using namespace host;
 
 namespace {
 
@@ -47,12 +49,8 @@ class CbxAo412Simulation final
 
 }  // namespace
 
-}  // namespace canproof::host
-
-namespace canproof::cbx_ao412 {
-
 std::unique_ptr<host::SimulatedDevice> make_simulation(const host::FactoryValues& factory) {
-    return std::make_unique<host::CbxAo412Simulation>(factory);
+    return std::make_unique<CbxAo412Simulation>(factory);
 }
 
 }  // namespace canproof::cbx_ao412

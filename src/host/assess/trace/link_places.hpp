@@ -13,8 +13,7 @@ namespace canproof::host {
 constexpr std::size_t most_links = 3;
 
 /// Returns one sentence, which contains `name`, for each badly placed link of one source. A place is bad if it has more
-/// than `most_links` items. It is also bad if no function, statement, table or member that can implement the items
-/// follows directly.
+/// than `most_links` items. It is also bad if no function, and no statement in a function, follows directly.
 std::vector<std::string> misplaced_in(const std::string& name, const std::vector<std::string>& lines);
 
 /// Returns the badly placed links of all sources in src/ below `root`. Throws InputError for a file that cannot be

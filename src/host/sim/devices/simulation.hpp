@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "firmware/canopen/lss_store.hpp"
 #include "host/sim/devices/simulated_device.hpp"
 
 namespace canproof::host {
@@ -72,6 +73,13 @@ class Simulation : public SimulatedDevice {
     Simulation(std::size_t memory_size, const FactoryData& factory)
         : SimulatedDevice{memory_size}, device_{memory_, queue_, factory} {}
 
+    /// Stores the node-ID as LSS does. The bit rate stays the stored one, or that of `shipped`.
+    void store_node_id(NodeId node_id, const LssConfiguration& shipped) {
+        LssStore store{memory_};
+        LssConfiguration configuration = store.load(shipped);
+        configuration.node_id = node_id.value();
+        store.store(configuration);
+    }
     bool put_input(const std::string& name, double value) {
         bool found = false;
         for_each_input(inputs_, [&](const char* one, auto& input) {

@@ -14,6 +14,7 @@ namespace canproof::host::test {
 
 namespace {
 
+using namespace ax060805;
 using canproof::test::verifies;
 
 /// Returns the value of the curve at `x`.

@@ -10,7 +10,7 @@
 #include "devices/catalogue.hpp"
 #include "generated/ax060805/requirements.hpp"
 #include "host/sim/devices/simulated_device.hpp"
-#include "tests/devices/cbx-ao412/bench.hpp"
+#include "tests/support/frame_bench.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -41,7 +41,7 @@ class InclinometerPlantTest : public testing::Test {
     }
 
     ax060805::Inputs inputs{};
-    host::InclinometerPlant plant;
+    ax060805::InclinometerPlant plant;
 };
 
 /// Returns the frames of a simulated device until a time.

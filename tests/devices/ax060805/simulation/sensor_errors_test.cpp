@@ -17,12 +17,12 @@ namespace canproof::test {
 
 namespace {
 
+using ax060805::SensorErrors;
 using ax060805::Vector3;
+using ax060805::with_errors;
 using host::ChosenDevice;
 using host::FactoryOptions;
 using host::InputError;
-using host::SensorErrors;
-using host::with_errors;
 using testing::HasSubstr;
 
 constexpr Vector3 level{0.0F, 0.0F, -1.0F};

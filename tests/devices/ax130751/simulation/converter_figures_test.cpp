@@ -8,6 +8,8 @@ namespace canproof::host::test {
 
 namespace {
 
+using namespace ax130751;
+
 double at(const Curve& curve, double x) {
     for (const auto& [one, y] : curve.points) {
         if (one == x) {

@@ -13,6 +13,7 @@ namespace canproof::host::test {
 
 namespace {
 
+using namespace ax188001;
 using canproof::test::verifies;
 
 double worst(const Curve& curve) {

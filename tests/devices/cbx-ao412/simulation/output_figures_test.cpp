@@ -7,6 +7,7 @@ namespace canproof::test {
 
 namespace {
 
+using namespace cbx_ao412;
 using namespace host;
 using ::testing::SizeIs;
 
