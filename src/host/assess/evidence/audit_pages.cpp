@@ -125,7 +125,7 @@ std::string review_of(const Part& part, const AuditedItem& audited, const Review
                                          : "reviewed " + review_words(found->second) + notes.beside(part, found->first);
 }
 
-/// What the rows of a page are made from.
+/// The sources of the rows of a page.
 struct RowSources {
     const PackInput& input;
     ItemLinks links;
