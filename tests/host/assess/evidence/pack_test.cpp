@@ -131,6 +131,22 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
+TEST_F(Pack, EachToolHasTheVersionOfItsPackageOrTheCommit) {
+    input_.argument.tools = {{"linker <x>", "libx", "Wrong code.", "Tests.", "T3", "None met."},
+                             {"own", "", "A gap.", "Tests.", "T2", "None met."},
+                             {"gone", "liby", "A gap.", "Tests.", "T2", "None met."}};
+    const std::string page = make().at("argument.html");
+    EXPECT_THAT(page, HasSubstr("linker &lt;x&gt;<td data-h=\"Class\">T3<td data-h=\"Version\">1.2-3"));
+    EXPECT_THAT(page, HasSubstr("own<td data-h=\"Class\">T2<td data-h=\"Version\">commit abc"));
+    EXPECT_THAT(page, HasSubstr("gone<td data-h=\"Class\">T2<td data-h=\"Version\">not installed"));
+}
+
+TEST_F(Pack, EachTestCaseIsListedWithItsSuite) {
+    const std::string page = make().at("tests.html");
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"Suite\">S<td class=n data-h=\"Cases\">2<td data-h=\"State\">"));
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"Names\">One, Two"));
+}
+
 TEST_F(Pack, DocumentsOfADeviceAreListedAndLinked) {
     const PackFiles files = make();
     for (const char* name :
