@@ -114,11 +114,17 @@ TEST_F(Startup, ProgramDataIsRefusedOutsideTheBootLoader) {
 
 TEST_F(Startup, ProgramControlKeepsItsValue) {
     verifies<req::CO_SDO_040, req::AO4_PROG_002, req::AO4_PROG_004, req::AO4_OD_1F51>();
-    for (const std::string value : {"FE", "00", "01"}) {
+    write("603#2F511F01FE000000");
+    EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01FE000000"}));
+    EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
+}
+
+TEST_F(Startup, ProgramControlKeepsItsLeastValuesToo) {
+    verifies<req::AO4_PROG_002>();
+    for (const std::string value : {"01", "00"}) {
         write("603#2F511F01" + value + "000000");
         EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01" + value + "000000"}));
     }
-    EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
 }
 
 TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {

@@ -15,17 +15,17 @@ namespace canproof::host {
 
 namespace {
 
-const std::array<std::pair<ReviewedKind, const char*>, 4> kinds{
+const std::array<std::pair<ReviewedKind, const char*>, 4> reviewed_kinds{
     {{ReviewedKind::item, "Items"},
      {ReviewedKind::decision, "Decisions"},
      {ReviewedKind::hazard, "Hazards"},
      {ReviewedKind::disposition, "Dispositions of sections"}}};
 
-std::string name_of(const Part& part) {
+std::string part_title(const Part& part) {
     return part.info.title.empty() ? part.name : part.info.title;
 }
 
-std::vector<std::string> row_of(const std::string& name, const ReviewCounts& counts) {
+std::vector<std::string> counts_row(const std::string& name, const ReviewCounts& counts) {
     std::vector<std::string> cells{escaped(name)};
     for (const auto count : {counts.in_force, counts.independent, counts.independent_text, counts.expired,
                              counts.not_independent, counts.author, counts.author_text, counts.unsaid}) {
@@ -41,14 +41,14 @@ std::string counts_table(const PackInput& input, const ReviewState& state, const
     for (const auto& audit : input.audits) {
         const auto counts = count_reviews(*input.content, *audit.part, state);
         if (const auto found = counts.find(kind); found != counts.end()) {
-            rows.push_back(row_of(name_of(*audit.part), found->second));
+            rows.push_back(counts_row(part_title(*audit.part), found->second));
             all += found->second;
         }
     }
     if (rows.empty()) {
         return "";
     }
-    rows.push_back(row_of("all", all));
+    rows.push_back(counts_row("all", all));
     return fmt::format("<h2>{}</h2>\n", title) + html_table(fmt::format("Reviews: {}", title),
                                                             {{"Part", 24},
                                                              {"In force"},
@@ -83,7 +83,7 @@ std::string expired_table(const PackInput& input, const ReviewState& state) {
 }
 
 /// Returns the sentence of one kind. `things` are its name in the plural.
-std::string sentence_of(const ReviewCounts& counts, const char* things) {
+std::string review_sentence(const ReviewCounts& counts, const char* things) {
     const std::string text_alone =
         counts.independent_text == 0 ? "" : fmt::format(", and the text alone of {}", counts.independent_text);
     return fmt::format("Independent readers have read {} of {} {}{}; their review of {} has expired, and {} have none.",
@@ -110,7 +110,7 @@ std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts)
                                                             {ReviewedKind::disposition, "dispositions of sections"}};
     std::string text;
     for (const auto& [kind, one] : counts) {
-        text += (text.empty() ? "" : " ") + sentence_of(one, things.at(kind));
+        text += (text.empty() ? "" : " ") + review_sentence(one, things.at(kind));
     }
     return text;
 }
@@ -129,7 +129,7 @@ std::string reviews_page(const PackInput& input) {
         "reading of them. “Not independent” means that no independent reader has ever reviewed it. An item may count "
         "as "
         "“independent, expired” and as “author”: then the author has read it after the last change.</p>\n";
-    for (const auto& [kind, title] : kinds) {
+    for (const auto& [kind, title] : reviewed_kinds) {
         text += counts_table(input, state, kind, title);
     }
     return text + expired_table(input, state);

@@ -40,20 +40,20 @@ ReviewCounts& ReviewCounts::operator+=(const ReviewCounts& other) {
 
 std::map<ReviewedKind, ReviewCounts> count_reviews(const Register& content, const Part& part,
                                                    const ReviewState& state) {
-    std::map<std::string, ReviewedKind> kinds;
+    std::map<std::string, ReviewedKind> known_kinds;
     for (const auto& decision : part.decisions) {
-        kinds[decision.id] = ReviewedKind::decision;
+        known_kinds[decision.id] = ReviewedKind::decision;
     }
     for (const auto& hazard : part.hazards) {
-        kinds[hazard.id] = ReviewedKind::hazard;
+        known_kinds[hazard.id] = ReviewedKind::hazard;
     }
     std::map<ReviewedKind, ReviewCounts> counts;
     for (const auto& id : reviewable(content, part)) {
-        const auto known = kinds.find(id);
+        const auto known = known_kinds.find(id);
         const bool is_section = id.find(':') != std::string::npos;  // only the ids of sections hold a colon
-        const auto kind = known != kinds.end() ? known->second
-                          : is_section         ? ReviewedKind::disposition
-                                               : ReviewedKind::item;
+        const auto kind = known != known_kinds.end() ? known->second
+                          : is_section               ? ReviewedKind::disposition
+                                                     : ReviewedKind::item;
         ReviewCounts& one = counts[kind];
         ++one.in_force;
         add_independent(one, state.independent(part, id));
