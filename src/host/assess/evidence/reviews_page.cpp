@@ -55,7 +55,7 @@ std::string counts_table(const PackInput& input, const ReviewState& state, const
                                                              {"Independent"},
                                                              {"Independent, text alone"},
                                                              {"Independent, expired"},
-                                                             {"Not independent"},
+                                                             {"No independent review"},
                                                              {"Author"},
                                                              {"Author, text alone"},
                                                              {"Role not recorded"}},
@@ -126,7 +126,8 @@ std::string reviews_page(const PackInput& input) {
         "nobody outside of it has reviewed the register.</p>\n"
         "<p>Each table counts the reviews of the present form. “Text alone” means that code or tests changed without a "
         "new "
-        "reading of them. “Not independent” means that no independent reader has ever reviewed it. An item may count "
+        "reading of them. “No independent review” means that no independent reader has ever reviewed it. An item may "
+        "count "
         "as "
         "“independent, expired” and as “author”: then the author has read it after the last change.</p>\n";
     for (const auto& [kind, title] : reviewed_kinds) {

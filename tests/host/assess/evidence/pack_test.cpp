@@ -187,8 +187,8 @@ TEST_F(Pack, IndependentReviewsAreCountedAndTheExpiredOnesAreListed) {
     const PackFiles files = make();
     const std::string& page = files.at("reviews.html");
     const std::array<const char*, 8> columns{
-        "In force",        "Independent", "Independent, text alone", "Independent, expired",
-        "Not independent", "Author",      "Author, text alone",      "Role not recorded"};
+        "In force", "Independent",        "Independent, text alone", "Independent, expired", "No independent review",
+        "Author",   "Author, text alone", "Role not recorded"};
     const auto row_of_all = [&columns](const std::array<int, 8>& numbers) {
         std::string row = "<td data-h=\"Part\">all";
         for (std::size_t i = 0; i < columns.size(); ++i) {
