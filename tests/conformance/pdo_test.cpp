@@ -179,6 +179,11 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
 
 TEST_F(Pdo, Rpdo3SetsNoOutputByDefault) {
     verifies<req::AO4_PDO_002>();
+    EXPECT_EQ(send("603#4002140100000000"), (Frames{"583#4302140103040000"}));  // 1402h:1 COB-ID: 400h + 3, valid
+    EXPECT_EQ(send("603#4002160000000000"), (Frames{"583#4F02160004000000"}));  // 1602h: four entries
+    for (const std::string sub : {"01", "02", "03", "04"}) {
+        EXPECT_EQ(send("603#400216" + sub + "00000000"), (Frames{"583#430216" + sub + "10000300"}));  // 0003h, 16 bits
+    }
     send("403#1111222233334444");
     for (int number = 1; number <= 4; ++number) {
         EXPECT_EQ(output(number), "0000");

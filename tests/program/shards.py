@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/shards.py PROGRAM: checks that `canproof mutate --code` in three shards leaves the same bytes as on one
-machine.
+machine, also when tests/mutation/in_parts is stopped and started again.
 
 A script stands in for the program of mutants: it has eleven mutants, of which every third survives. The scripts of fuzz/cluster
 run the shards. Compares the output, the exit status, code_mutation.json and the exhibit."""
@@ -76,4 +76,25 @@ with tempfile.TemporaryDirectory() as name:
     assert "is not a shard" in run(program, "mutate", "--code", "--root", one, "--shard", "4/3", status=2).stderr
     refused = run(program, "mutate", "--code", "--root", one, "--shard", "1/3", "--merge", shards, status=2).stderr
     assert "--shard" in refused, refused
-print("three shards leave the bytes of one machine")
+
+    in_parts = cluster.parents[1] / "tests/mutation/in_parts"
+    made = three / "build/mutation/shards"
+
+    def judged():
+        """Runs all parts; returns the numbers of those that it judged."""
+        said = run(in_parts, "code", 3, status=1, **where).stdout
+        assert "11 places altered, 7 noticed, 1 survive with a reason, 3 without" in said, said
+        assert written(three) == written(one), said
+        return [int(line.split()[1]) for line in said.splitlines() if line.startswith("part ")]
+
+    for file in made.glob("*"):
+        file.unlink()
+    assert judged() == [1, 2, 3]
+    second = made / "code_mutation-2-of-3.json"
+    second.unlink()  # stopped after the first part, and the third came from another machine
+    assert judged() == [2]
+    second.write_text(second.read_text()[:20])  # half written
+    assert judged() == [2]
+    second.write_text(second.read_text().replace('"sources": "', '"sources": "other'))
+    assert judged() == [1, 2], "a part of other sources is judged again"
+print("three shards leave the bytes of one machine, in one run or in two")

@@ -200,14 +200,16 @@ class ReferenceCheck {
 
     void check_reviews(const Part& part) {
         const Manual* manual = content_.manual(part.info.manual);
-        for (const auto& [id, review] : part.reviews) {
-            const bool is_section = manual != nullptr && std::any_of(manual->sections.begin(), manual->sections.end(),
-                                                                     [&, &wanted = id](const Section& one) {
-                                                                         return one.id(manual->key) == wanted;
-                                                                     });
-            if (!is_section && ids_.count(id) == 0) {
-                fault(review.place, fmt::format("the reviewed item or section {} does not exist", id),
-                      "remove the line");
+        for (const auto* reviews : {&part.reviews, &part.independent_reviews}) {
+            for (const auto& [id, review] : *reviews) {
+                const bool is_section =
+                    manual != nullptr &&
+                    std::any_of(manual->sections.begin(), manual->sections.end(),
+                                [&, &wanted = id](const Section& one) { return one.id(manual->key) == wanted; });
+                if (!is_section && ids_.count(id) == 0) {
+                    fault(review.place, fmt::format("the reviewed item or section {} does not exist", id),
+                          "remove the line");
+                }
             }
         }
     }

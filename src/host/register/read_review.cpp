@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <sstream>
+#include <utility>
 
 namespace canproof::host {
 
@@ -23,9 +24,28 @@ Review read_marks(const std::string& marks) {
     return review;
 }
 
+/// Adds the review of an item. An item may have two: of the author, and an earlier one of an independent reader.
+/// Returns false for any other second review.
+bool add_review(Part& part, const std::string& id, Review review) {
+    const auto found = part.reviews.find(id);
+    if (found == part.reviews.end()) {
+        part.reviews.emplace(id, std::move(review));
+        return true;
+    }
+    Review& first = found->second;
+    const bool is_independent = review.role == "independent";
+    if (is_independent == (first.role == "independent")) {
+        return false;
+    }
+    if (!is_independent) {
+        std::swap(first, review);
+    }
+    return part.independent_reviews.emplace(id, std::move(review)).second;
+}
+
 }  // namespace
 
-void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
+void read_review(TomlItem& item, Part& part) {
     const std::string date = item.text("date");
     const std::string by = item.text("by");
     const std::string role = item.text_or("role", "");
@@ -43,7 +63,7 @@ void read_review(TomlItem& item, std::map<std::string, Review>& reviews) {
             review.role = role;
             review.marked = marked;
             review.place = place;
-            if (!reviews.emplace(id, review).second) {
+            if (!add_review(part, id, std::move(review))) {
                 item.fault(place, fmt::format("{} is reviewed twice", id), "keep the later review");
             }
         }

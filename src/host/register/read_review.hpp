@@ -2,15 +2,13 @@
 // Reads the reviews in reviews.toml.
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "host/register/register.hpp"
 #include "host/register/toml_item.hpp"
 
 namespace canproof::host {
 
-/// Reads one [[review]] and adds a review for each of its items, by id.
-void read_review(TomlItem& item, std::map<std::string, Review>& reviews);
+/// Reads one [[review]] and adds a review to the part for each of its items. An item may have the author's review and
+/// an earlier review by an independent reader; any other second review of an item is a fault.
+void read_review(TomlItem& item, Part& part);
 
 }  // namespace canproof::host

@@ -246,7 +246,7 @@ void read_items(TomlItem& file, Part& part) {
     for (TomlItem& item : file.items("standard_object"))
         part.standard_objects.push_back(read_standard_object(item));
     for (TomlItem& item : file.items("review"))
-        read_review(item, part.reviews);
+        read_review(item, part);
     file.finish();
 }
 

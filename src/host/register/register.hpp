@@ -303,6 +303,8 @@ struct Part {
     std::vector<Hazard> hazards;
     std::vector<StandardObject> standard_objects;  ///< in the order of spec/
     std::map<std::string, Review> reviews;         ///< reviews by the id of the item or section
+    /// earlier reviews by independent readers, of items whose review in `reviews` is the author's
+    std::map<std::string, Review> independent_reviews;
     std::vector<std::string> files;
     bool inherited{false};  ///< whether these are shared rules of an installed canproof, whose own project proves them
 

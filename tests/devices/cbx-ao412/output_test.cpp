@@ -230,13 +230,15 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     expect_steps(1, 1025);
     inputs.internal_fault = true;
     set_inputs();
-    const float error_value = volts(1);
-    write("603#2B04240100000000");
+    expect_steps(2, 2048);  // the error value
+    write("603#2B04240208000000");
+    expect_steps(2, 2049);
     inputs.internal_fault = false;
     set_inputs();
-    EXPECT_NEAR(volts(1), error_value, 0.0026F);  // the output still has the error value, changed by at most a step
-    write("603#2B04240108000000");
-    EXPECT_NEAR(volts(1), error_value, 0.0026F);
+    expect_steps(2, 2049);  // the output still has the error value
+    write("603#2B04240200000000");
+    expect_steps(2, 2048);
+    expect_steps(1, 0);  // error mode 0: 0 V, without a calibration
 }
 
 TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {

@@ -119,6 +119,14 @@ TEST_F(Startup, ProgramControlKeepsItsValue) {
     EXPECT_EQ(send("603#2F511F01FF000000"), (Frames{"583#80511F0130000906"}));
 }
 
+TEST_F(Startup, ProgramControlKeepsItsLeastValuesToo) {
+    verifies<req::AO4_PROG_002>();
+    for (const std::string value : {"01", "00"}) {
+        write("603#2F511F01" + value + "000000");
+        EXPECT_EQ(send("603#40511F0100000000"), (Frames{"583#4F511F01" + value + "000000"}));
+    }
+}
+
 TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     verifies<req::AO4_PROG_003, req::AO4_PROG_005, req::AO4_OD_1F52>();
     // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days = 10,958, then 327 days into 2014

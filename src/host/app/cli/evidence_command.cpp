@@ -98,20 +98,11 @@ std::map<std::string, std::string> stale_ones(const Places& places) {
     return stale;
 }
 
-/// Returns the sources on which an exhibit (a result of another tool) depends.
-std::vector<std::string> sources_of(const std::string& key, const std::filesystem::path& root) {
-    // an exhibit about mutants also depends on the tests, because a test notices a mutant
-    if (key == "code-mutation") {
-        return firmware_and_tests(root);
-    }
-    return key == "proofs" ? proof_sources(root) : firmware_sources(root);
-}
-
 std::vector<Exhibit> exhibits_in(const Places& places) {
     std::vector<Exhibit> all;
     for (const auto& folder : exhibit_folders(places.exhibits)) {
         all.push_back(read_exhibit(folder));
-        const auto sources = sources_of(all.back().key, places.root);
+        const auto sources = exhibit_sources(places.root, all.back().key);
         mark_stale(all.back(), changed_source(places.root, sources, folder / "exhibit.json"));
     }
     return all;

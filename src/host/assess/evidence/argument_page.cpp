@@ -106,13 +106,24 @@ std::string claims_markup(const Argument& argument, const Exhibits& exhibits) {
     return text;
 }
 
+namespace {
+
+/// Returns the version of a tool: of its package, or the commit for a part of this project.
+std::string version_of(const Tool& tool, const Provenance& provenance) {
+    if (tool.package.empty()) {
+        return "commit " + provenance.commit.substr(0, 12);
+    }
+    const auto found = provenance.packages.find(tool.package);
+    return found == provenance.packages.end() ? "not installed" : found->second;
+}
+
+}  // namespace
+
 std::string argument_page(const PackInput& input, const Exhibits& exhibits) {
     std::vector<std::vector<std::string>> tools;
     for (const auto& one : input.argument.tools) {
-        const auto version = input.provenance.packages.find(one.package);
-        tools.push_back({escaped(one.name), escaped(one.tool_class),
-                         version == input.provenance.packages.end() ? "" : escaped(version->second), escaped(one.hides),
-                         escaped(one.noticed), escaped(one.defects)});
+        tools.push_back({escaped(one.name), escaped(one.tool_class), escaped(version_of(one, input.provenance)),
+                         escaped(one.hides), escaped(one.noticed), escaped(one.defects)});
     }
     return "<h2>Claims</h2>\n" + argument_graph(input.argument, exhibits) + claims_markup(input.argument, exhibits) +
            "<h2>Confidence in tools</h2>\n<p>The class is that of IEC 61508-4: a T2 tool checks the code and could "

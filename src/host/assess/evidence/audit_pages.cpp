@@ -13,6 +13,7 @@
 
 #include "host/assess/documents/item_words.hpp"
 #include "host/assess/evidence/item_links.hpp"
+#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/evidence/source_pages.hpp"
 #include "host/assess/trace/review.hpp"
 #include "host/report/markup.hpp"
@@ -117,24 +118,31 @@ std::string text_of(const Part& part, const Item& item) {
 
 /// Returns who read the item, or why its review no longer counts. The page shows it on screens only, to keep the print
 /// short.
-std::string review_of(const Part& part, const AuditedItem& audited) {
+std::string review_of(const Part& part, const AuditedItem& audited, const ReviewNotes& notes) {
     const auto found = part.reviews.find(audited.item->id);
     return !audited.suspect.empty()      ? audited.suspect
            : found == part.reviews.end() ? ""
-                                         : "reviewed " + review_words(found->second);
+                                         : "reviewed " + review_words(found->second) + notes.beside(part, found->first);
 }
 
-std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const PackInput& input,
-                                  const ItemLinks& links) {
+/// The sources of the rows of a page.
+struct RowSources {
+    const PackInput& input;
+    ItemLinks links;
+    ReviewNotes notes;
+};
+
+std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, const RowSources& from) {
+    const PackInput& input = from.input;
     const Item& item = *audited.item;
-    const std::string decisions = link_to_each(links, audited.decisions);
+    const std::string decisions = link_to_each(from.links, audited.decisions);
     return {fmt::format("<code id=\"{0}\">{0}</code><br><small class=kind>{1}</small><br>{2}", item.id, audited.word,
                         html_state(audited.status())),
             fmt::format("{}<p><small>{}{}{}</small></p>", text_of(part, item),
                         escaped(fmt::format("{}", fmt::join(origins(item), ", "))), decisions.empty() ? "" : " · ",
                         decisions),
             places_of(input, part, item.id) + tests_of(input, item.id) +
-                fmt::format("<p class=screen><small>{}</small></p>", escaped(review_of(part, audited))) +
+                fmt::format("<p class=screen><small>{}</small></p>", escaped(review_of(part, audited, from.notes))) +
                 mutants_of(item.id, input)};
 }
 
@@ -161,15 +169,14 @@ std::string sentence_list(const char* id, const char* title, const std::vector<s
 
 /// Returns the markup of one service: a line with counts that opens to its table.
 std::string service_markup(const PartAudit& audit, const std::string& service,
-                           const std::vector<const AuditedItem*>& items, const PackInput& input,
-                           const ItemLinks& links) {
+                           const std::vector<const AuditedItem*>& items, const RowSources& from) {
     std::string counts;
     for (const auto& [state, count] : count_states(items)) {
         counts += fmt::format(" <small class=state>{} {}</small>", count, html_state(state));
     }
     std::vector<std::vector<std::string>> rows;
     for (const auto* one : items) {
-        rows.push_back(item_row(*audit.part, *one, input, links));
+        rows.push_back(item_row(*audit.part, *one, from));
     }
     return fmt::format("<details><summary><h2 id=\"service-{}\">{}</h2>{}</summary>\n{}</details>\n", escaped(service),
                        escaped(service_title(service)), counts,
@@ -240,7 +247,7 @@ std::string audit_page(const PackInput& input) {
 }
 
 std::string part_audit_page(const PackInput& input, const PartAudit& audit) {
-    const ItemLinks links = links_of(input);
+    const RowSources from{input, links_of(input), ReviewNotes{input}};
     std::set<std::string> kinds;
     for (const auto& one : audit.items) {
         kinds.insert(one.word);
@@ -252,7 +259,7 @@ std::string part_audit_page(const PackInput& input, const PartAudit& audit) {
         html_filter(
             {{"Kind", ".kind", {kinds.begin(), kinds.end()}}, {"State", "td .state", {states.begin(), states.end()}}}));
     for (const auto& [service, items] : by_service(audit)) {
-        text += service_markup(audit, service, items, input, links);
+        text += service_markup(audit, service, items, from);
     }
     return text + "</div>\n";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/assess/evidence/freshness.hpp"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -16,8 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns whether a measurement depends on this file. A review of the register changes no result; a review of a MISRA
+/// guideline does. A new input of a corpus is no reason to repeat a campaign.
 bool measured_by(const fs::path& file) {
-    return file.filename() != "reviews.toml" && file.extension() != ".md";
+    const bool of_misra = file.parent_path().filename() == "misra";
+    const bool in_corpus = std::find(file.begin(), file.end(), "corpus") != file.end();
+    return (file.filename() != "reviews.toml" || of_misra) && file.extension() != ".md" && !in_corpus;
 }
 
 std::string first_newer(const fs::path& root, const fs::path& folder, const fs::file_time_type time) {
@@ -95,8 +101,19 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
     return with(firmware_sources(root), {"src/host/sim/bus", "src/host/sim/run", "tests/socketcan"});
 }
 
-std::vector<std::string> proof_sources(const fs::path& root) {
-    return with(firmware_sources(root), {"properties/proofs", "src/host/prove"});
+std::vector<std::string> exhibit_sources(const fs::path& root, const std::string& key) {
+    static const std::map<std::string, std::vector<std::string>> more{
+        {"code-mutation", {"tests", "properties"}},  // a test notices a mutant
+        {"coupling", {"tests/coupling"}},
+        {"fuzz", {"fuzz"}},
+        {"growth", {"src/host/sim", "tests/bench"}},
+        {"instructions", {"tests/bench"}},
+        {"misra", {"misra"}},
+        {"proofs", {"properties/proofs", "src/host/prove"}},
+        {"scale", {"src/host/sim", "tests/bench"}},
+        {"worst_case", {"src/target"}}};
+    const auto found = more.find(key);
+    return found == more.end() ? firmware_sources(root) : with(firmware_sources(root), found->second);
 }
 
 std::vector<std::string> target_sources(const fs::path& root) {

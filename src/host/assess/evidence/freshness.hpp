@@ -17,14 +17,15 @@ std::vector<std::string> firmware_and_tests(const std::filesystem::path& root);
 std::vector<std::string> covered_sources(const std::filesystem::path& root);
 /// Returns firmware_sources() and the folders of the host's buses, runs and SocketCAN tests.
 std::vector<std::string> socketcan_sources(const std::filesystem::path& root);
-/// Returns firmware_sources() and the folders of the theorems about the firmware and of the prover.
-std::vector<std::string> proof_sources(const std::filesystem::path& root);
+/// Returns firmware_sources() and the folders of what else decides the exhibit with this key, such as the rules,
+/// deviations and reviews of `misra`.
+std::vector<std::string> exhibit_sources(const std::filesystem::path& root, const std::string& key);
 /// Returns firmware_sources() and src/target, the folder of the code for the microcontroller.
 std::vector<std::string> target_sources(const std::filesystem::path& root);
 
 /// Returns the first file below these folders of `root`, by order of the folders and then of the names, that was
 /// written after `measured`. Returns an empty text when there is no such file or `measured` does not exist. Ignores
-/// `reviews.toml` and `.md` files.
+/// `.md` files, the `reviews.toml` files of the requirements register, and the corpora of the fuzz targets.
 std::string newer_source(const std::filesystem::path& root, const std::vector<std::string>& folders,
                          const std::filesystem::path& measured);
 

@@ -88,8 +88,8 @@ std::size_t make_evidence(const std::vector<ExpectedEvidence>& wanted, const std
     std::size_t number = 0;
     for (const auto& one : wanted) {
         const auto log = logs / ("evidence-" + one.key + ".log");
-        tell(fmt::format("[{}/{}] {}: about {} min; {} min for all remaining steps", ++number, wanted.size(), one.title,
-                         one.minutes, left));
+        tell(fmt::format("[{}/{}] {}: about {} min; {} min for all remaining steps; its output is in {}", ++number,
+                         wanted.size(), one.title, one.minutes, left, log.string()));
         const auto began = Clock::now();
         const int status = run_in_shell(root, one.run, log);
         const auto took = duration_words(std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - began));

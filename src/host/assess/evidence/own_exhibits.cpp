@@ -10,9 +10,9 @@
 #include "host/assess/evidence/exhibit.hpp"
 #include "host/assess/evidence/hazards_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/evidence/reviews_page.hpp"
 #include "host/assess/mutation/mutation_counts.hpp"
 #include "host/assess/trace/evidence.hpp"
-#include "host/assess/trace/review.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 
 namespace canproof::host {
@@ -57,23 +57,19 @@ Exhibit audit_exhibit(const PackInput& input) {
 
 Exhibit suspects_exhibit(const PackInput& input) {
     std::size_t suspects = 0;
-    ReviewCounts read;
-    ReviewCounts dispositions;
     for (const auto& audit : input.audits) {
         suspects += audit.suspects.size();
-        read += count_reviews(*audit.part, input.evidence.work);
-        dispositions += count_section_reviews(*input.content, *audit.part);
     }
+    const auto counts = count_all_reviews(input);
+    const auto items = counts.find(ReviewedKind::item);
+    const std::size_t text_alone =
+        items == counts.end() ? 0 : items->second.author_text + items->second.independent_text;
     return exhibit(
         "suspects", "Suspects", suspects == 0,
-        fmt::format(
-            "{} items or dispositions of manual sections have changed since someone read them (items with "
-            "their code and tests). Readers of the dispositions: the author {}, someone else {}. Readers of "
-            "the other items, decisions and hazards: the author of the change {}, someone else {}{}{}",
-            suspects, dispositions.author, dispositions.independent, read.author, read.independent,
-            read.unsaid == 0 ? "" : fmt::format(", role not stated {}", read.unsaid),
-            read.marked == 0 ? "" : fmt::format("; for {} of these, code and tests were not read", read.marked)),
-        suspects == 0 ? "" : "audit.html#suspects");
+        fmt::format("{} items, decisions, hazards or dispositions of sections have changed since their latest "
+                    "review; for {} items this review did not include code and tests. {}",
+                    suspects, text_alone, review_sentences(counts)),
+        "reviews.html");
 }
 
 Exhibit sections_exhibit(const PackInput& input) {

@@ -25,6 +25,7 @@
 #include "host/assess/evidence/provenance.hpp"
 #include "host/assess/evidence/register_pages.hpp"
 #include "host/assess/evidence/reqif.hpp"
+#include "host/assess/evidence/reviews_page.hpp"
 #include "host/assess/evidence/sacm.hpp"
 #include "host/assess/evidence/sbom.hpp"
 #include "host/assess/evidence/source_pages.hpp"
@@ -38,10 +39,11 @@ namespace canproof::host {
 namespace {
 
 std::vector<NavigationEntry> navigation_of(const PackInput& input, const Exhibits& exhibits) {
-    std::vector<NavigationEntry> entries{
-        {"index.html", "canproof"},      {"argument.html", "Argument"},   {"audit.html", "Audit"},
-        {"sections.html", "Sections"},   {"decisions.html", "Decisions"}, {"hazards.html", "Hazards"},
-        {"documents.html", "Documents"}, {"standards.html", "Standards"}, {"tests.html", "Tests"}};
+    std::vector<NavigationEntry> entries{{"index.html", "canproof"},      {"argument.html", "Argument"},
+                                         {"audit.html", "Audit"},         {"sections.html", "Sections"},
+                                         {"decisions.html", "Decisions"}, {"hazards.html", "Hazards"},
+                                         {"reviews.html", "Reviews"},     {"documents.html", "Documents"},
+                                         {"standards.html", "Standards"}, {"tests.html", "Tests"}};
     if (input.coverage.has_value()) {
         entries.push_back({"coverage.html", "Coverage"});
     }
@@ -103,6 +105,7 @@ PackFiles make_pack(const PackInput& input) {
     page("sections.html", "Sections of the manuals", sections_page(input));
     page("decisions.html", "Decisions", decisions_page(input));
     page("hazards.html", "Hazards", hazards_page(input));
+    page("reviews.html", "Reviews", reviews_page(input));
     page("standards.html", "Techniques of the standards", standards_page(input));
     page("tests.html", "Tests", tests_page(input));
     page("plots.html", "Plots", plots_page(input));

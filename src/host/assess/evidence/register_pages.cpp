@@ -2,6 +2,7 @@
 #include "host/assess/evidence/register_pages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -141,12 +142,12 @@ std::string decisions_page(const PackInput& input) {
 }
 
 std::string tests_page(const PackInput& input) {
-    // by suite: the number of cases and the number of failed cases
-    std::map<std::string, std::pair<std::size_t, std::size_t>> suites;
+    // by suite: the names of the cases and the number of failed cases
+    std::map<std::string, std::pair<std::vector<std::string>, std::size_t>> suites;
     std::vector<std::vector<std::string>> failed;
     for (const auto& one : input.evidence.cases) {
-        auto& [cases, failures] = suites[one.suite];
-        ++cases;
+        auto& [names, failures] = suites[one.suite];
+        names.push_back(escaped(one.name));
         failures += one.passed ? 0 : 1;
         if (!one.passed) {
             failed.push_back(
@@ -159,10 +160,11 @@ std::string tests_page(const PackInput& input) {
     }
     std::vector<std::vector<std::string>> rows;
     for (const auto& [suite, counts] : suites) {
-        rows.push_back(
-            {escaped(suite), std::to_string(counts.first), html_state(counts.second == 0 ? "holds" : "open")});
+        const auto& [names, failures] = counts;
+        rows.push_back({escaped(suite), std::to_string(names.size()), html_state(failures == 0 ? "holds" : "open"),
+                        fmt::format("{}", fmt::join(names, ", "))});
     }
-    return text + html_table("Test suites", {{"Suite"}, {"Cases"}, {"State"}}, rows, Search::yes);
+    return text + html_table("Test suites", {{"Suite", 18}, {"Cases", 7}, {"State", 9}, {"Names"}}, rows, Search::yes);
 }
 
 std::string plots_page(const PackInput& input) {

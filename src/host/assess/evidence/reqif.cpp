@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "host/assess/documents/item_words.hpp"
+#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/evidence.hpp"
 
@@ -61,15 +62,17 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Returns the review in words: `2026-11-21, NAME, author`. Returns an empty text when there is no review.
-std::string review_words(const Part& part, const std::string& id) {
+/// Returns the review in words: `2026-11-21, NAME, author`, then the independent review beside it or its absence.
+/// Returns an empty text when there is no review.
+std::string review_words(const Part& part, const std::string& id, const ReviewNotes& notes) {
     const auto found = part.reviews.find(id);
     if (found == part.reviews.end()) {
         return "";
     }
     const Review& one = found->second;
-    return fmt::format("{}, {}, {}{}", one.date, one.by, one.role.empty() ? "role not stated" : one.role,
-                       one.marked.empty() ? "" : fmt::format("; code and tests marked {}, not read", one.marked));
+    return fmt::format("{}, {}, {}{}{}", one.date, one.by, one.role.empty() ? "role not stated" : one.role,
+                       one.marked.empty() ? "" : fmt::format("; code and tests marked {}, not read", one.marked),
+                       notes.beside(part, id));
 }
 
 std::string test_words(const std::string& id, const Evidence& evidence) {
@@ -91,7 +94,7 @@ std::string name_of(const std::string& id) {
 class ReqifWriter {
   public:
     ReqifWriter(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence)
-        : content_{content}, audits_{audits}, evidence_{evidence} {}
+        : content_{content}, audits_{audits}, evidence_{evidence}, notes_{content, evidence.work} {}
 
     std::string write() {
         auto declaration = document_.append_child(pugi::node_declaration);
@@ -196,12 +199,12 @@ class ReqifWriter {
             const std::string& id = one.item->id;
             add_object(objects,
                        {id, one.item->text, one.word, joined(origins(*one.item)), one.status(), item_words(part, id),
-                        joined(code_of(id, evidence_)), test_words(id, evidence_), review_words(part, id), ""});
+                        joined(code_of(id, evidence_)), test_words(id, evidence_), review_words(part, id, notes_), ""});
         }
         for (const auto& one : part.decisions) {
             add_object(objects,
                        {one.id, fmt::format("{} Chosen: {} Because: {}", one.text, one.chosen, one.because), "decision",
-                        joined(origins(one)), "", "", "", "", review_words(part, one.id), one.severity});
+                        joined(origins(one)), "", "", "", "", review_words(part, one.id, notes_), one.severity});
         }
     }
 
@@ -281,6 +284,7 @@ class ReqifWriter {
     const Register& content_;
     const std::vector<PartAudit>& audits_;
     const Evidence& evidence_;
+    ReviewNotes notes_;
     std::set<std::string> written_;
     pugi::xml_document document_;
 };

@@ -11,12 +11,19 @@ namespace canproof::host {
 
 class ReviewNotes {
   public:
+    /// Keeps a reference to `work`, which must outlive the object.
+    ReviewNotes(const Register& content, const WorkByItem& work);
     /// Keeps a reference to the evidence in `input`, which must outlive the object.
     explicit ReviewNotes(const PackInput& input);
 
     /// Returns a paragraph of markup that shows on screens only: reader, date and role of the review of `id` in `part`,
-    /// or the reason why there is no current review.
+    /// or the reason why there is no current review. An author's review is followed by the state of the independent
+    /// one.
     std::string of(const Part& part, const std::string& id) const;
+
+    /// Returns whether an independent reader has reviewed `id` too, as plain text that begins with `; `. Returns an
+    /// empty text when the review in `part` is the independent one, or when there is no review.
+    std::string beside(const Part& part, const std::string& id) const;
 
   private:
     ReviewState state_;

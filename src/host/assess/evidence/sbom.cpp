@@ -25,8 +25,9 @@ Json component_of(const std::string& name, const std::string& version, const Pro
     if (const auto sum = provenance.package_sums.find(name); sum != provenance.package_sums.end()) {
         component["hashes"] = Json::array({Json{{"alg", "SHA-256"}, {"content", sum->second}}});
     }
-    if (record != nullptr && !record->licence.empty()) {
-        component["licenses"] = Json::array({Json{{"expression", record->licence}}});
+    if (record != nullptr) {
+        const Json many{{"license", {{"name", "several licences: /usr/share/doc/" + name + "/copyright"}}}};
+        component["licenses"] = Json::array({record->licence.empty() ? many : Json{{"expression", record->licence}}});
     }
     component["purl"] = purl;
     return component;

@@ -134,6 +134,12 @@ Story StoryTeller::item(const AuditedItem& audited) const {
     }
     const auto reviewed = part.reviews.find(one.id);
     story.text += line("review", !audited.suspect.empty() ? audited.suspect : review_words(reviewed->second));
+    if (reviewed != part.reviews.end()) {
+        const IndependentReview independent = ReviewState{content_, evidence_.work}.independent(part, one.id);
+        if (const std::string words = independent_words(independent, reviewed->second); !words.empty()) {
+            story.text += line("", words);
+        }
+    }
     story.text += line("verdict", audited.status());
     return story;
 }

@@ -62,13 +62,17 @@ std::string toml_key(const std::string& id) {
     return id.find(':') == std::string::npos ? id : toml_string(id);
 }
 
-/// Returns the text of reviews.toml with one block for each review session.
-std::string text_of(const std::map<std::string, Review>& reviews) {
+using Reviews = std::map<std::string, Review>;
+
+/// Returns the text of reviews.toml with one block for each review session. `earlier` holds the independent reviews
+/// that stand beside those of an author.
+std::string text_of(const Reviews& reviews, const Reviews& earlier) {
     using Head = std::tuple<std::string, std::string, std::string, std::string>;
-    std::map<Head, std::string> blocks;
-    for (const auto& [id, one] : reviews) {
-        blocks[{one.date, one.by, one.role, one.marked}] +=
-            fmt::format("{} = \"{}\"\n", toml_key(id), marks_of(one.fingerprint, one.code, one.tests));
+    std::map<Head, std::map<std::string, std::string>> blocks;
+    for (const auto* some : {&reviews, &earlier}) {
+        for (const auto& [id, one] : *some) {
+            blocks[{one.date, one.by, one.role, one.marked}][id] = marks_of(one.fingerprint, one.code, one.tests);
+        }
     }
     std::string text =
         "# Written by `canproof spec review`: who read which items with their code and tests, as they were then, "
@@ -78,9 +82,22 @@ std::string text_of(const std::map<std::string, Review>& reviews) {
         text += fmt::format("\n[[review]]\ndate = {}\nby = {}\n", toml_string(date), toml_string(by));
         text += role.empty() ? "" : fmt::format("role = {}\n", toml_string(role));
         text += marked.empty() ? "" : fmt::format("marked = {}\n", toml_string(marked));
-        text += "[review.items]\n" + items;
+        text += "[review.items]\n";
+        for (const auto& [id, marks] : items) {
+            text += fmt::format("{} = \"{}\"\n", toml_key(id), marks);
+        }
     }
     return text;
+}
+
+/// Returns the latest independent review of `id`; null when there is none.
+const Review* independent_review(const Part& part, const std::string& id) {
+    const auto shown = part.reviews.find(id);
+    if (shown != part.reviews.end() && shown->second.role == "independent") {
+        return &shown->second;
+    }
+    const auto earlier = part.independent_reviews.find(id);
+    return earlier == part.independent_reviews.end() ? nullptr : &earlier->second;
 }
 
 }  // namespace
@@ -92,23 +109,23 @@ ReviewState::ReviewState(const Register& content, const WorkByItem& work) : work
     }
 }
 
-std::string ReviewState::change_of(const std::string& id) const {
-    const auto now = now_.find(id);
-    const auto then = reviewed_.find(id);
-    if (now == now_.end() || (then != reviewed_.end() && then->second.fingerprint == now->second)) {
-        return "";
-    }
-    return then == reviewed_.end() ? "never reviewed" : "changed since its review of " + then->second.date;
+const Review* ReviewState::reviewed(const std::string& id) const {
+    const auto found = reviewed_.find(id);
+    return found == reviewed_.end() ? nullptr : &found->second;
 }
 
-std::string ReviewState::change_of_work(const std::string& id) const {
-    const auto then = reviewed_.find(id);
-    if (then == reviewed_.end()) {
+std::string ReviewState::change_of(const std::string& id, const Review* then) const {
+    const auto now = now_.find(id);
+    if (now == now_.end() || (then != nullptr && then->fingerprint == now->second)) {
         return "";
     }
+    return then == nullptr ? "never reviewed" : "changed since its review of " + then->date;
+}
+
+std::string ReviewState::change_of_work(const std::string& id, const Review& then) const {
     const ItemWork now = work_of(id, work_);
-    const bool code = then->second.code != now.code;
-    const bool tests = then->second.tests != now.tests;
+    const bool code = then.code != now.code;
+    const bool tests = then.tests != now.tests;
     if (!code && !tests) {
         return "";
     }
@@ -116,27 +133,55 @@ std::string ReviewState::change_of_work(const std::string& id) const {
                        code && tests ? "code and its tests have"
                        : code        ? "code has"
                                      : "tests have",
-                       then->second.date);
+                       then.date);
 }
 
 std::string ReviewState::suspicion(const std::string& id, const std::vector<std::string>& decisions) const {
-    if (const std::string own = change_of(id); !own.empty()) {
+    const Review* const then = reviewed(id);
+    if (const std::string own = change_of(id, then); !own.empty()) {
         return own;
     }
-    if (const std::string work = change_of_work(id); !work.empty()) {
+    if (const std::string work = then == nullptr ? "" : change_of_work(id, *then); !work.empty()) {
         return work;
     }
     for (const auto& decision : decisions) {
-        if (const std::string change = change_of(decision); !change.empty()) {
+        if (const std::string change = change_of(decision, reviewed(decision)); !change.empty()) {
             return fmt::format("{}, which affects this item, {}", decision, change);
         }
     }
     return "";
 }
 
+bool ReviewState::is_current(const std::string& id, const Review& review) const {
+    return change_of(id, &review).empty() && change_of_work(id, review).empty();
+}
+
+bool ReviewState::covers_work(const std::string& id, const Review& review) const {
+    const ItemWork now = work_of(id, work_);
+    return review.marked.empty() || (now.code.empty() && now.tests.empty());
+}
+
+IndependentReview ReviewState::independent(const Part& part, const std::string& id) const {
+    IndependentReview found;
+    found.review = independent_review(part, id);
+    if (found.review == nullptr) {
+        return found;
+    }
+    found.change = change_of(id, found.review);
+    if (found.change.empty()) {
+        found.change = change_of_work(id, *found.review);
+    }
+    if (found.change.empty()) {
+        found.covers =
+            covers_work(id, *found.review) ? IndependentReview::Covers::whole : IndependentReview::Covers::text;
+    }
+    return found;
+}
+
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work) {
-    std::map<std::string, Review> reviews;
+    Reviews reviews;
+    Reviews earlier;
     for (const auto& [id, print] : all_prints(content, part)) {
         if (ids.count(id) != 0) {
             const ItemWork now = work_of(id, work);
@@ -146,13 +191,18 @@ std::string write_reviews(const Register& content, const Part& part, const std::
         } else if (const auto old = part.reviews.find(id); old != part.reviews.end()) {
             reviews[id] = old->second;
         }
+        const Review* const independent = independent_review(part, id);
+        if (independent != nullptr && reviews[id].role != "independent") {
+            earlier[id] = *independent;
+        }
     }
-    return text_of(reviews);
+    return text_of(reviews, earlier);
 }
 
 std::string write_marked_reviews(const Register& content, const Part& part, const std::string& date,
                                  const WorkByItem& work) {
-    std::map<std::string, Review> reviews;
+    Reviews reviews;
+    Reviews earlier;
     for (const auto& [id, print] : all_prints(content, part)) {
         const auto old = part.reviews.find(id);
         if (old == part.reviews.end()) {
@@ -164,8 +214,11 @@ std::string write_marked_reviews(const Register& content, const Part& part, cons
             kept.tests = now.tests;
             kept.marked = date;
         }
+        if (const auto found = part.independent_reviews.find(id); found != part.independent_reviews.end()) {
+            earlier[id] = found->second;
+        }
     }
-    return text_of(reviews);
+    return text_of(reviews, earlier);
 }
 
 std::set<std::string> reviewable(const Register& content, const Part& part) {
@@ -187,40 +240,6 @@ std::set<std::string> unreviewed(const Register& content, const Part& part, cons
     return ids;
 }
 
-namespace {
-
-ReviewCounts count_current(const Prints& prints, const Part& part, const WorkByItem& work) {
-    ReviewCounts counts;
-    for (const auto& [id, print] : prints) {
-        const auto found = part.reviews.find(id);
-        if (found == part.reviews.end() || !is_of_today(found->second, print, work_of(id, work))) {
-            continue;
-        }
-        const std::string& role = found->second.role;
-        counts.marked += found->second.marked.empty() ? 0U : 1U;
-        ++(role == "author" ? counts.author : role == "independent" ? counts.independent : counts.unsaid);
-    }
-    return counts;
-}
-
-}  // namespace
-
-ReviewCounts& ReviewCounts::operator+=(const ReviewCounts& other) {
-    author += other.author;
-    independent += other.independent;
-    unsaid += other.unsaid;
-    marked += other.marked;
-    return *this;
-}
-
-ReviewCounts count_reviews(const Part& part, const WorkByItem& work) {
-    return count_current(prints_in_force(part), part, work);
-}
-
-ReviewCounts count_section_reviews(const Register& content, const Part& part) {
-    return count_current(section_prints(content, part), part, {});
-}
-
 std::string reader_words(const Review& review) {
     return fmt::format("{} by {}{}", review.date, review.by,
                        review.role == "author"        ? ", author of the change"
@@ -237,6 +256,16 @@ std::string review_words(const Review& review) {
     read += review.code.empty() ? "" : ", code";
     read += review.tests.empty() ? "" : ", tests";
     return fmt::format("{}; read: {}", reader_words(review), read);
+}
+
+std::string independent_words(const IndependentReview& independent, const Review& shown) {
+    if (independent.review == nullptr) {
+        return "no independent review";
+    }
+    if (!independent.change.empty()) {
+        return fmt::format("independent review by {} has expired: {}", independent.review->by, independent.change);
+    }
+    return independent.review == &shown ? "" : "also reviewed " + review_words(*independent.review);
 }
 
 }  // namespace canproof::host

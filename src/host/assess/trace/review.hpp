@@ -22,6 +22,15 @@ struct ReviewSession {
     bool wording{false};
 };
 
+/// The latest review of an item by an independent reader, and how much of the item it covers in its present form.
+struct IndependentReview {
+    enum class Covers { nothing, text, whole };
+
+    const Review* review{nullptr};  ///< null: no independent reader has reviewed the item
+    Covers covers{Covers::nothing};
+    std::string change;  ///< reason why the review has expired; empty when it has not
+};
+
 class ReviewState {
   public:
     /// Keeps a reference to `work`, which must outlive the object.
@@ -31,9 +40,18 @@ class ReviewState {
     /// decisions that affect it are unchanged since the review. `decisions` are the ids of these decisions.
     std::string suspicion(const std::string& id, const std::vector<std::string>& decisions) const;
 
+    /// Returns the independent review of an item, decision, hazard or section of `part`. Its pointer is into `part`.
+    IndependentReview independent(const Part& part, const std::string& id) const;
+
+    /// Returns whether this review of `id` was made with the item, its code and its tests in their present form.
+    bool is_current(const std::string& id, const Review& review) const;
+    /// Returns whether the reader of this review read all of `id`: also its code and tests, when it has any.
+    bool covers_work(const std::string& id, const Review& review) const;
+
   private:
-    std::string change_of(const std::string& id) const;
-    std::string change_of_work(const std::string& id) const;
+    std::string change_of(const std::string& id, const Review* then) const;
+    std::string change_of_work(const std::string& id, const Review& then) const;
+    const Review* reviewed(const std::string& id) const;
 
     std::map<std::string, std::string> now_;  ///< present fingerprint of each item, decision, hazard and section by id
     std::map<std::string, Review> reviewed_;
@@ -41,7 +59,8 @@ class ReviewState {
 };
 
 /// Returns the new text of `spec/devices/NAME/reviews.toml`. It contains this session's review for the items and
-/// sections `ids`, and the earlier reviews of the part's other items and sections. It leaves out reviews of retired or
+/// sections `ids`, and the earlier reviews of the part's other items and sections. A review by an author leaves an
+/// earlier independent review beside it; an independent review replaces both. It leaves out reviews of retired or
 /// removed items and of removed sections. `part` must belong to `content`, also in the following functions.
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work);
@@ -56,25 +75,14 @@ std::string write_marked_reviews(const Register& content, const Part& part, cons
 std::string review_words(const Review& review);
 /// Returns date, reader and role: `2026-11-21 by NAME, author of the change`.
 std::string reader_words(const Review& review);
+/// Returns what a page says beside an author's review: that an independent review is missing, has expired or still
+/// counts. Returns an empty text when the independent review is the one that the page shows.
+std::string independent_words(const IndependentReview& independent, const Review& shown);
 
 /// Returns the ids of the part's items, decisions and hazards that are in force, and of the sections of its manual.
 std::set<std::string> reviewable(const Register& content, const Part& part);
 /// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
 /// disposition.
 std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work);
-
-/// Numbers of current reviews by reviewer: authors of the change, others, and reviewers without a recorded role.
-struct ReviewCounts {
-    std::size_t author{0};
-    std::size_t independent{0};
-    std::size_t unsaid{0};
-    std::size_t marked{0};  ///< number among these whose code and tests got new marks without being read
-
-    ReviewCounts& operator+=(const ReviewCounts& other);
-};
-/// Counts the current reviews of the part's items, decisions and hazards in force.
-ReviewCounts count_reviews(const Part& part, const WorkByItem& work);
-/// Counts the current reviews of the dispositions of the sections in the manual of `part`.
-ReviewCounts count_section_reviews(const Register& content, const Part& part);
 
 }  // namespace canproof::host

@@ -100,6 +100,43 @@ TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
     fs::remove_all(root);
 }
 
+TEST(Freshness, ExhibitDependsOnWhatItsToolReads) {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_exhibits";
+    // the exhibits that a change of this file makes stale; all others stay fresh
+    const std::vector<std::pair<const char*, std::vector<std::string>>> cases{
+        {"misra/deviations.toml", {"misra"}},
+        {"misra/reviews.toml", {"misra"}},
+        {"fuzz/sdo_server_fuzz.cpp", {"fuzz"}},
+        {"fuzz/corpus/sdo_server/one", {}},
+        {"tests/coupling/run", {"code-mutation", "coupling"}},
+        {"tests/bench/count", {"code-mutation", "growth", "instructions", "scale"}},
+        {"properties/proofs/crc.cpp", {"code-mutation", "proofs"}},
+        {"src/target/startup.cpp", {"worst_case"}},
+        {"src/host/sim/run/node.cpp", {"growth", "scale"}},
+        {"src/firmware/base/README.md", {}},
+        {"spec/devices/box/reviews.toml", {}},
+        {"src/firmware/base/bytes.cpp",
+         {"code-mutation", "coupling", "fuzz", "growth", "instructions", "misra", "other", "proofs", "scale",
+          "worst_case"}}};
+    for (const auto& [file, expected] : cases) {
+        fs::remove_all(root);
+        fs::create_directories((root / file).parent_path());
+        std::ofstream{root / "measured.json"} << "measured";
+        std::ofstream{root / file} << "changed";
+        fs::last_write_time(root / file, fs::last_write_time(root / "measured.json") + std::chrono::seconds{1});
+        std::vector<std::string> stale;
+        for (const char* key : {"code-mutation", "coupling", "fuzz", "growth", "instructions", "misra", "other",
+                                "proofs", "scale", "worst_case"}) {
+            if (!newer_source(root, exhibit_sources(root, key), root / "measured.json").empty()) {
+                stale.emplace_back(key);
+            }
+        }
+        EXPECT_EQ(stale, expected) << file;
+    }
+    fs::remove_all(root);
+}
+
 TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "verdicts";

@@ -64,10 +64,11 @@ TEST(MakeEvidence, FailedCommandIsReportedWithItsOutputAndTheRestContinues) {
     EXPECT_TRUE(std::filesystem::exists(root / "made"));
     EXPECT_EQ(read_file(root / "build/log/evidence-one.log"), "told\n");
     ASSERT_THAT(told, SizeIs(4));
-    EXPECT_EQ(told[0], "[1/2] First: about 5 min; 12 min for all remaining steps");
+    EXPECT_EQ(told[0], "[1/2] First: about 5 min; 12 min for all remaining steps; its output is in " +
+                           (root / "build/log/evidence-one.log").string());
     EXPECT_THAT(told[1], HasSubstr("[1/2] First: failed with status 3 after 0:0"));
     EXPECT_THAT(told[1], HasSubstr("build/log/evidence-one.log"));
-    EXPECT_EQ(told[2], "[2/2] Second: about 7 min; 7 min for all remaining steps");
+    EXPECT_THAT(told[2], HasSubstr("[2/2] Second: about 7 min; 7 min for all remaining steps; its output is in "));
     EXPECT_THAT(told[3], HasSubstr("[2/2] Second: done after"));
     std::filesystem::remove_all(root);
 }

@@ -2,8 +2,10 @@
 // The evidence pack of a small register: its claims, its open points, its pages.
 #include "host/assess/evidence/pack.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <pugixml.hpp>
 
 #include "host/assess/evidence/exhibit.hpp"
@@ -129,6 +131,22 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
+TEST_F(Pack, EachToolHasTheVersionOfItsPackageOrTheCommit) {
+    input_.argument.tools = {{"linker <x>", "libx", "Wrong code.", "Tests.", "T3", "None met."},
+                             {"own", "", "A gap.", "Tests.", "T2", "None met."},
+                             {"gone", "liby", "A gap.", "Tests.", "T2", "None met."}};
+    const std::string page = make().at("argument.html");
+    EXPECT_THAT(page, HasSubstr("linker &lt;x&gt;<td data-h=\"Class\">T3<td data-h=\"Version\">1.2-3"));
+    EXPECT_THAT(page, HasSubstr("own<td data-h=\"Class\">T2<td data-h=\"Version\">commit abc"));
+    EXPECT_THAT(page, HasSubstr("gone<td data-h=\"Class\">T2<td data-h=\"Version\">not installed"));
+}
+
+TEST_F(Pack, EachTestCaseIsListedWithItsSuite) {
+    const std::string page = make().at("tests.html");
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"Suite\">S<td class=n data-h=\"Cases\">2<td data-h=\"State\">"));
+    EXPECT_THAT(page, HasSubstr("<td data-h=\"Names\">One, Two"));
+}
+
 TEST_F(Pack, DocumentsOfADeviceAreListedAndLinked) {
     const PackFiles files = make();
     for (const char* name :
@@ -147,11 +165,48 @@ TEST_F(Pack, ItemChangedSinceItsReviewIsShownAsSuspect) {
     content_.parts[0].requirements[1].text = "edited";
     const PackFiles files = make();
     EXPECT_THAT(files.at("index.html"),
-                HasSubstr("Readers of the dispositions: the author 2, someone else 0. Readers of the other items, "
-                          "decisions and hazards: the author of the change 2, someone else 0"));
+                HasSubstr("1 items, decisions, hazards or dispositions of sections have changed since their latest "
+                          "review; for 0 items this review did not include code and tests. Independent readers have "
+                          "read 0 of 2 items with code and tests; their review of 0 has expired, and 2 have none. "
+                          "Independent readers have read 0 of 1 decisions; their review of 0 has expired, and 1 have "
+                          "none. Independent readers have read 0 of 2 dispositions of sections; their review of 0 has "
+                          "expired, and 2 have none."));
     EXPECT_THAT(files.at("index.html"), HasSubstr("Changed since they were reviewed (1)"));
     EXPECT_THAT(files.at("audit-device.html"), HasSubstr("◐ suspect"));
     EXPECT_THAT(files.at("data/requirements.csv"), HasSubstr("test S.Two passed,suspect\r\n"));
+}
+
+TEST_F(Pack, IndependentReviewsAreCountedAndTheExpiredOnesAreListed) {
+    Part& part = content_.parts[0];
+    const auto prints = fingerprints(part);
+    const auto independent = [](const std::string& print) {
+        return Review{print, "", "", "2025-12-31", "a <reader>", "independent", "", {}};
+    };
+    part.independent_reviews["D-A-001"] = independent("00000000");
+    part.reviews["D-D-001"] = independent(prints.at("D-D-001"));
+    const PackFiles files = make();
+    const std::string& page = files.at("reviews.html");
+    const std::array<const char*, 8> columns{
+        "In force", "Independent",        "Independent, text alone", "Independent, expired", "No independent review",
+        "Author",   "Author, text alone", "Role not recorded"};
+    const auto row_of_all = [&columns](const std::array<int, 8>& numbers) {
+        std::string row = "<td data-h=\"Part\">all";
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            row += fmt::format("<td class=n data-h=\"{}\">{}", columns[i], numbers[i]);
+        }
+        return row;
+    };
+    EXPECT_THAT(page, HasSubstr(row_of_all({2, 0, 0, 1, 1, 2, 0, 0}))) << "items";
+    EXPECT_THAT(page, HasSubstr(row_of_all({1, 1, 0, 0, 0, 0, 0, 0}))) << "decisions";
+    EXPECT_THAT(page, HasSubstr("2025-12-31 by a &lt;reader&gt;, not the author of the change"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"audit-device.html#D-A-001\">D-A-001</a>"));
+    const std::string& audit = files.at("audit-device.html");
+    EXPECT_THAT(audit,
+                HasSubstr("author of the change; read: item; independent review by a &lt;reader&gt; has expired: "
+                          "changed since its review of 2025-12-31</small>"));
+    EXPECT_THAT(audit, HasSubstr("author of the change; read: item; no independent review</small>")) << "D-A-002";
+    EXPECT_THAT(files.at("data/register.reqif"), HasSubstr("2026-01-02, someone, author; no independent review"));
+    EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"reviews.html\">Suspects</a>"));
 }
 
 TEST_F(Pack, FileThatServesNoItemIsListed_AndItsClaimIsOpen) {

@@ -2,9 +2,11 @@
 // Records of reviews: written, read back, and renewed for named items only.
 #include "host/assess/trace/review.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/assess/trace/review_counts.hpp"
 #include "host/register/load.hpp"
 #include "host/register/spec_files.hpp"
 #include "tests/host/register/small_register.hpp"
@@ -17,6 +19,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const WorkByItem no_work;
 const std::string reviews_file = "spec/devices/box/reviews.toml";
@@ -41,6 +44,23 @@ Register read(const std::string& first, const std::string& second, const std::st
 
 std::string reviewed(const Register& content, const std::set<std::string>& ids, const char* date, const char* by) {
     return write_reviews(content, *content.part("box"), ids, {date, by, "author", false}, {});
+}
+
+/// Returns the text of reviews.toml after `session` has reviewed AO4-R-1 of this register.
+std::string after(const Register& content, const ReviewSession& session, const WorkByItem& work = {}) {
+    return write_reviews(content, *content.part("box"), {"AO4-R-1"}, session, work);
+}
+
+const ReviewSession by_author{"2026-03-04", "the author", "author", false};
+const ReviewSession by_reader{"2026-01-02", "a reader", "independent", false};
+
+/// Returns what an independent reader has read of AO4-R-1.
+IndependentReview independent_of(const Register& content, const WorkByItem& work = {}) {
+    return ReviewState{content, work}.independent(*content.part("box"), "AO4-R-1");
+}
+
+ReviewCounts counts_of(const Register& content, const ReviewedKind kind, const WorkByItem& work = {}) {
+    return count_reviews(content, *content.part("box"), ReviewState{content, work})[kind];
 }
 
 std::set<std::string> waiting(const Register& content) {
@@ -166,7 +186,9 @@ TEST(Review, MarksOfCodeAndTestsDoNotCountAsReading) {
     EXPECT_EQ(kept.marked, "2026-03-04");
     EXPECT_EQ((ReviewState{marked, work}.suspicion("AO4-R-2", {})), "");
     EXPECT_EQ((ReviewState{marked, work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
-    EXPECT_EQ(count_reviews(*marked.part("box"), work).marked, 1U);
+    const ReviewCounts counts = counts_of(marked, ReviewedKind::item, work);
+    EXPECT_EQ(counts.author_text, 1U);
+    EXPECT_EQ(counts.author, 0U) << "AO4-R-1 has changed, and nobody has read the code of AO4-R-2";
 }
 
 TEST(Review, CurrentReviewsAreCountedByRole) {
@@ -175,11 +197,86 @@ TEST(Review, CurrentReviewsAreCountedByRole) {
         write_reviews(first, *first.part("box"), {"AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
     const Register second = read("a", "b", one);
     const std::string both = write_reviews(second, *second.part("box"), {"AO4-R-2"}, {"2026-01-02", "y", "author"}, {});
-    const ReviewCounts counts = count_reviews(*read("a", "b", both).part("box"), {});
+    const ReviewCounts counts = counts_of(read("a", "b", both), ReviewedKind::item);
+    EXPECT_EQ(counts.in_force, 2U);
     EXPECT_EQ(counts.independent, 1U);
+    EXPECT_EQ(counts.not_independent, 1U);
     EXPECT_EQ(counts.author, 1U);
     EXPECT_EQ(counts.unsaid, 0U);
-    EXPECT_EQ(count_reviews(*read("a, but other", "b", both).part("box"), {}).independent, 0U);
+    const ReviewCounts edited = counts_of(read("a, but other", "b", both), ReviewedKind::item);
+    EXPECT_EQ(edited.independent, 0U);
+    EXPECT_EQ(edited.expired, 1U);
+}
+
+TEST(Review, AuthorsReviewLeavesAnIndependentReviewBesideIt) {
+    const Register first = read("a", "b", "");
+    const Register reader = read("a", "b", after(first, by_reader));
+    const Register both =
+        read("a, but other", "b", after(read("a, but other", "b", after(first, by_reader)), by_author));
+    EXPECT_EQ(independent_of(first).review, nullptr);
+    EXPECT_EQ(independent_words(independent_of(first), {}), "no independent review");
+    EXPECT_EQ(independent_of(reader).covers, IndependentReview::Covers::whole);
+    EXPECT_EQ(independent_words(independent_of(reader), reader.part("box")->reviews.at("AO4-R-1")), "");
+    const Review& shown = both.part("box")->reviews.at("AO4-R-1");
+    EXPECT_EQ(shown.by, "the author");
+    EXPECT_EQ((ReviewState{both, no_work}.suspicion("AO4-R-1", {})), "") << "the author has read the present text";
+    EXPECT_EQ(independent_words(independent_of(both), shown),
+              "independent review by a reader has expired: changed since its review of 2026-01-02");
+    const ReviewCounts counts = counts_of(both, ReviewedKind::item);
+    EXPECT_EQ(counts.author, 1U);
+    EXPECT_EQ(counts.independent, 0U);
+    EXPECT_EQ(counts.expired, 1U);
+    EXPECT_EQ(counts.not_independent, 1U) << "AO4-R-2";
+}
+
+TEST(Review, IndependentReviewStaysBesideTheNextReviewOfTheAuthorToo) {
+    const Register reader = read("a", "b", after(read("a", "b", ""), by_reader));
+    const Register once = read("a", "b", after(reader, by_author));
+    EXPECT_EQ(independent_words(independent_of(once), once.part("box")->reviews.at("AO4-R-1")),
+              "also reviewed 2026-01-02 by a reader, not the author of the change; read: item");
+    const Register twice = read("a", "b", after(once, {"2026-05-06", "the author", "author", false}));
+    EXPECT_EQ(twice.part("box")->reviews.at("AO4-R-1").date, "2026-05-06");
+    ASSERT_NE(independent_of(twice).review, nullptr);
+    EXPECT_EQ(independent_of(twice).review->date, "2026-01-02");
+    const Register other_item =
+        read("a", "b", write_reviews(twice, *twice.part("box"), {"AO4-R-2"}, by_author, no_work));
+    ASSERT_NE(independent_of(other_item).review, nullptr);
+    const Register marked = read("a", "b", write_marked_reviews(twice, *twice.part("box"), "2026-07-08", no_work));
+    ASSERT_NE(independent_of(marked).review, nullptr);
+    const Register again = read("a", "b", after(twice, {"2026-07-08", "a second reader", "independent", false}));
+    EXPECT_EQ(again.part("box")->reviews.at("AO4-R-1").by, "a second reader");
+    EXPECT_THAT(again.part("box")->independent_reviews, IsEmpty()) << "a new independent review replaces both";
+}
+
+TEST(Review, IndependentReviewExpiresWithCodeOrTestsAndCoversTheTextAloneWhenTheseWereMarked) {
+    const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
+    const Register content = read("a", "b", after(read("a", "b", ""), by_reader, then));
+    EXPECT_EQ(independent_of(content, then).covers, IndependentReview::Covers::whole);
+    const WorkByItem now{{"AO4-R-1", {"11111111", "33333333"}}};
+    const IndependentReview expired = independent_of(content, now);
+    EXPECT_EQ(expired.covers, IndependentReview::Covers::nothing);
+    EXPECT_EQ(expired.change, "its tests have changed since its review of 2026-01-02");
+    const Register marked = read("a", "b", write_marked_reviews(content, *content.part("box"), "2026-03-04", now));
+    EXPECT_EQ(independent_of(marked, now).covers, IndependentReview::Covers::text);
+    EXPECT_EQ(counts_of(marked, ReviewedKind::item, now).independent_text, 1U);
+}
+
+TEST(Review, SecondReviewOfTheSameRoleBesideTheOtherIsAFault) {
+    const auto block = [](const char* role) {
+        return fmt::format(
+            "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"{}\"\n[review.items]\nAO4-R-1 = \"0\"\n", role);
+    };
+    const auto faults = [&](const std::string& reviews) {
+        SpecFiles files = with(items_file, items("a", "b"));
+        files[reviews_file] = reviews;
+        return all_faults(load_register(files));
+    };
+    const char* const twice = "AO4-R-1 is reviewed twice";
+    EXPECT_THAT(faults(block("author") + block("independent")), Not(HasSubstr(twice)));
+    EXPECT_THAT(faults(block("independent") + block("author")), Not(HasSubstr(twice)));
+    EXPECT_THAT(faults(block("author") + block("author")), HasSubstr(twice));
+    EXPECT_THAT(faults(block("independent") + block("independent")), HasSubstr(twice));
+    EXPECT_THAT(faults(block("independent") + block("author") + block("independent")), HasSubstr(twice));
 }
 
 TEST(Review, UnknownReviewRoleIsRefused) {
@@ -208,8 +305,8 @@ TEST(Review, ReviewsOfDispositionsAreCountedApartFromThoseOfItems) {
     const std::string one =
         write_reviews(first, *first.part("box"), {"M1:1", "AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});
     const Register content = read("a", "b", one);
-    EXPECT_EQ(count_section_reviews(content, *content.part("box")).independent, 1U);
-    EXPECT_EQ(count_reviews(*content.part("box"), {}).independent, 1U);
+    EXPECT_EQ(counts_of(content, ReviewedKind::disposition).independent, 1U);
+    EXPECT_EQ(counts_of(content, ReviewedKind::item).independent, 1U);
     EXPECT_EQ(reader_words(content.part("box")->reviews.at("M1:1")), "2026-01-02 by x, not the author of the change");
 }
 

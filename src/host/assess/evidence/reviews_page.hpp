@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of the reviews: how much of the register authors and independent readers have read in its present form.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "host/assess/evidence/pack_input.hpp"
+#include "host/assess/trace/review_counts.hpp"
+
+namespace canproof::host {
+
+/// Returns the counts of all parts together.
+std::map<ReviewedKind, ReviewCounts> count_all_reviews(const PackInput& input);
+
+/// Returns one sentence for items, decisions, hazards and dispositions each: how many of them independent readers have
+/// read, and for how many such a review has expired or is missing.
+std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts);
+
+/// Returns the body of the page: the counts of each part, and each independent review that has expired.
+std::string reviews_page(const PackInput& input);
+
+}  // namespace canproof::host
