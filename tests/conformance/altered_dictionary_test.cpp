@@ -228,7 +228,7 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
 
 TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
-    ship(0x1600, 1, 0x10190008);  // 1019h, in which 1 is reserved
+    ship(0x1600, 1, 0x10190008);  // 1019h (SYNC counter overflow), in which 1 is reserved
     ship(0x1600, 2, 0x20000108);
     power_on();
     send("000#0105");

@@ -35,7 +35,7 @@ struct Row {
     std::optional<std::int64_t> low;
     std::optional<std::int64_t> high;
     Map map{Map::no};
-    bool stored{true};  ///< the value is stored by 1010h; used for writable entries only
+    bool stored{true};  ///< the value is stored by 1010h (store parameters); used for writable entries only
 };
 
 constexpr auto u8 = DataType::unsigned8;

@@ -13,7 +13,8 @@ namespace {
 
 class Ax130751InputInError : public Ax130751Blocks {
   protected:
-    /// Connects an input of output 1 to 2500h:1, which RPDO2 must bring at least every 100 ms.
+    /// Connects an input of output 1 to 2500h:1 (EC Extra Received Process Value), which RPDO2 must bring at least
+    /// every 100 ms.
     void watch_input(std::uint16_t source_index) {
         extra_as_percent(1);
         set8(source_index, 1, canopen);
