@@ -166,7 +166,7 @@ void ParameterStore::give_up() noexcept {
 }
 
 /// Lets a loaded COB-ID follow the node-ID when its identifier was the default one for the node-ID of the save. Bits 30
-/// and 31 are flags: they stay, and whoever changed only them has chosen no identifier.
+/// and 31 are flags: they stay. A client that changed only these bits has chosen no identifier.
 static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060> && implements<req::CO_PDO_061>);
 void ParameterStore::follow_node_id(const EntryRow& row, const std::uint8_t saved_node_id) noexcept {
     const std::uint64_t loaded = objects_.bits(row);

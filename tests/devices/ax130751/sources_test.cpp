@@ -36,8 +36,8 @@ class Ax130751Sources : public Ax130751Blocks {
         pass(2);
         return volts(1) < 0.5F;
     }
-    /// Connects output 1 to 7300h:1 (AO Output Process Value) of RPDO1 by default and output 2 to 2500h:4 (EC Extra
-    /// Received Process Value) of RPDO3; without ramps, and 3 V in a fault.
+    /// Connects output 1 to 7300h:1 (AO Output Process Value) of RPDO1, and output 2 to 2500h:4 (EC Extra Received
+    /// Process Value) of RPDO3. The outputs have no ramps, and 3 V in a fault.
     void control_by_two_rpdos() {
         for (const int output : {1, 2}) {
             no_ramps(output);
