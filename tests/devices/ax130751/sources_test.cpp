@@ -206,7 +206,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set16(0x3017, point, 900);
     }
     pass(2);
-    expect_limits(3, 1, 0, 10000);  // 0 to 90 lies within 0 to 100
+    expect_limits(3, 1, 0, 10000);  // the table gives 0 to 90; the limits are then 0 to 100
 }
 
 TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
