@@ -26,8 +26,8 @@ if(NOT CANPROOF_PREBUILT AND EXISTS ${CANPROOF_HOME}/prebuilt/speccompiler)
   set(CANPROOF_PREBUILT ${CANPROOF_HOME}/prebuilt)
 endif()
 
-# Builds what is in this folder. Its presets' variables are those of canproof's own presets: CANPROOF_MUTATION,
-# CANPROOF_FUZZER, CANPROOF_COVERAGE.
+# Builds the project in this folder. The presets of the project set the same variables as canproof's own presets:
+# CANPROOF_MUTATION, CANPROOF_FUZZER, CANPROOF_COVERAGE.
 macro(canproof_project)
   set(CANPROOF_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
   enable_testing()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cmake --install`: the program, and below lib/canproof what an outside project builds its devices from (find_package,
-# canproofConfig.cmake): sources of the firmware, of test bench and fuzz world, headers and compiled libraries of the host.
+# `cmake --install` installs the program and, below lib/canproof, what an outside project builds its devices from
+# (find_package, canproofConfig.cmake). These are sources of the firmware, of test bench and fuzz world, and headers and
+# compiled libraries of the host.
 set(home lib/canproof)
 install(TARGETS canproof DESTINATION bin)
 if(TARGET canproof-prove)

@@ -368,7 +368,7 @@ class DeviceWorld {
     struct Storage {
         alignas(Device) DeviceBytes bytes;
     };
-    /// Everything that changes besides the device and its memory.
+    /// The part of the world that changes, without the device and its memory.
     struct State {
         TransmitQueue queue;
         Inputs inputs{};

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the text of single files for faults that no tool finds: code in comments (5.7.2), unused types (0.2.3), a wrong
-structure of switch statements (9.4.2) and includes below code (19.0.3). Expects code that clang-format has formatted."""
+"""Checks the text of single files for faults that no tool finds. These are code in comments (5.7.2), unused types
+(0.2.3), a wrong structure of switch statements (9.4.2), and includes below code (19.0.3). Expects code that clang-format
+has formatted."""
 import re
 
 from .definitions import closing
@@ -92,8 +93,9 @@ def ends_with_jump(statements):
 
 
 def switch_faults(code):
-    """Returns the lines of faults of switches: no label, statements above the first label, fewer than two branches, a default
-    that is neither the first nor the last branch, and a last branch that does not end with a jump."""
+    """Returns the lines of faults of switches. A switch without a label, with statements above the first label, or with fewer
+    than two branches is a fault. So is a default that is neither the first nor the last branch, and a last branch that does
+    not end with a jump."""
     for match in re.finditer(r"\bswitch\s*\(", code):
         depth, at = 1, match.end()
         while at < len(code) and depth:

@@ -6,7 +6,7 @@ A function serves an item in three cases:
 - A serving function calls it.
 - It constructs a class with a serving function.
 The functions that every device has (src/devices/README.md, step 2) only forward calls and need no item.
-reports/functions.toml contains the other functions, each with a reason; a record that names no such function is a
+reports/functions.toml contains the other functions, each with a reason. A record that names no such function is a
 fault. The compiler's call graph contains the calls."""
 import collections
 import pathlib

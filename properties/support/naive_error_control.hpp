@@ -114,7 +114,7 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// The guarding master, then the producers of 1016h.
+    /// The guarding master, then the producers of 1016h (consumer heartbeat time).
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};
@@ -165,7 +165,7 @@ class Node {
         }
         settle();
     }
-    /// Evaluates failures; each failure that begins changes the state by 1029h:1.
+    /// Evaluates failures; each failure that begins changes the state by 1029h:1 (error behaviour).
     bool settle() {
         const Failing before = failing_;
         failing_[0] = guarding_failed_;

@@ -201,7 +201,8 @@ class Format {
     std::size_t payload_{0};
 };
 
-/// Returns the groups that a sub-index of 1010h and 1011h names (CiA 301, 7.5.2.13); bit n is group n.
+/// Returns the groups that a sub-index of 1010h (store parameters) and 1011h names (CiA 301, 7.5.2.13); bit n is group
+/// n.
 inline unsigned groups_of(unsigned subindex) {
     return subindex == 1 ? 7U : subindex == 2 ? 1U : subindex == 3 ? 2U : subindex == 4 ? 4U : 0U;
 }

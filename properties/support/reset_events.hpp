@@ -137,7 +137,7 @@ class Happening {
     }
 
     /// Performs an event that does not affect the application. Skips events that would start a supervision, and
-    /// settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h.
+    /// settings of guarding, heartbeat consumers, SYNC, EMCY and 1029h (error behaviour).
     static void happen_to_communication(Unit& unit, const Event& event) {
         if (would_start_supervision(unit, event.kind)) {
             return;

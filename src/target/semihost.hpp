@@ -4,8 +4,8 @@
 
 namespace canproof::target {
 
-/// Sends a request to the debugger by Arm semihosting 2.0 in Thumb state, with the operation in r0 and the address of
-/// its arguments in r1: BKPT ABh on a microcontroller (M profile), SVC ABh on other cores.
+/// Sends a request to the debugger by Arm semihosting 2.0 in Thumb state. r0 has the operation, and r1 the address of
+/// its arguments. The instruction is BKPT ABh on a microcontroller (M profile) and SVC ABh on other cores.
 inline int semihost(const int operation, const void* const block) {
     register int r0 asm("r0") = operation;
     register const void* r1 asm("r1") = block;

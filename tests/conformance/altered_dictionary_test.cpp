@@ -228,7 +228,7 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
 
 TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
-    ship(0x1600, 1, 0x10190008);  // 1019h, in which 1 is reserved
+    ship(0x1600, 1, 0x10190008);  // 1019h (SYNC counter overflow), in which 1 is reserved
     ship(0x1600, 2, 0x20000108);
     power_on();
     send("000#0105");
@@ -313,7 +313,7 @@ TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
     entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
-    device->lend(0x2302, 0, 2);  // lends 2 bytes; only values of more than 64 bytes would need this memory
+    device->lend(0x2302, 0, 2);  // a memory of 2 bytes; only values of more than 64 bytes would need it
     EXPECT_EQ(send("605#4002230000000000"), Frames{"585#4102230040000000"});
     ObjectDictionary& objects = device->objects();
     objects.put(objects.lookup(0x2302, 0), ByteView{});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // COB-IDs and the node-ID in each device (CAN-CBX-AO412, 7.5.1; AX130751, AX188001, 3.2.14; AX060805, 4.2.14). A
-// default COB-ID follows the node-ID even when 1010h has stored it. A COB-ID set by the user is kept.
+// default COB-ID follows the node-ID even when 1010h (store parameters) has stored it. A COB-ID set by the user is
+// kept.
 #include <algorithm>
 
 #include "generated/canopen/requirements.hpp"

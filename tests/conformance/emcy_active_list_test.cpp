@@ -70,7 +70,7 @@ TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));  // description 10h, channel 02h
     emcy.set(ErrorId::heartbeat_1, true, Instant{}, 0x31);
-    EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 1001h is 81h | 11h = 91h
+    EXPECT_EQ(sent(), Frames{"085#3081913180000000"});  // 1001h (error register) is 81h | 11h = 91h
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x80318130, 0x1002F011}));
     emcy.set(channel_2, false, Instant{});
     EXPECT_EQ(sent(), Frames{"085#0000110000000000"});
@@ -155,7 +155,7 @@ TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
-    emcy.set(channel_2, true, Instant{});  // 1001h is 81h again
+    emcy.set(channel_2, true, Instant{});  // 1001h (error register) is 81h again
     EXPECT_TRUE(emcy.take_register_change());
     EXPECT_FALSE(emcy.take_register_change());
 }

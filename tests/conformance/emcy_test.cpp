@@ -308,7 +308,8 @@ TEST_F(Errors, ErrorThatFlickersInStoppedSendsAtMostOneStartAndOneEnd) {
         overrun(true);
         overrun(false);
     }
-    // The error began and ended: 8110h is sent, then its end. By now the list has its ten errors, and 1001h is 0.
+    // The error began and ended: 8110h is sent, then its end. By now the list has its ten errors, and 1001h (error
+    // register) is 0.
     EXPECT_EQ(send("000#8003"), (Frames{"083#1081000A00000000", "083#0000000A00000000"}));
     overrun(true);
     send("000#0203");

@@ -11,7 +11,7 @@ namespace canproof::test {
 
 using ErrorControlService = CbxTest;
 
-/// Node 5, whose 1016h has four entries without limits.
+/// Node 5, whose 1016h (consumer heartbeat time) has four entries without limits.
 class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
 TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
@@ -121,7 +121,7 @@ TEST_F(ErrorControlService, HeartbeatsOfNodes1And127AreMonitored) {
     send("701#05");
     write("603#23161001C8007F00");  // 1016h:1 consumer heartbeat time: node 127
     send("77F#05");
-    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h
+    EXPECT_EQ(pass(200), (Frames{"200:083#3081110200000000"}));  // the second error in 1003h (error list)
 }
 
 TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
@@ -166,7 +166,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
     write("603#23161001C8003100");
     send("731#05");
     EXPECT_EQ(send("000#8203"), (Frames{"703#00"}));
-    send("731#05");  // the reset has set 1016h to 0, so node 31h is not monitored
+    send("731#05");  // the reset has set 1016h (consumer heartbeat time) to 0, so node 31h is not monitored
     EXPECT_TRUE(pass(1000).empty());
 }
 
@@ -186,7 +186,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheHeartbeatError) {
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("731#05");
     EXPECT_EQ(pass(200), (Frames{"200:083#3081110100000000"}));
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));  // 1003h is empty
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#0000000000000000"}));  // 1003h (error list) is empty
     EXPECT_TRUE(pass(1000).empty());
 }
 
@@ -249,7 +249,7 @@ TEST_F(ErrorControlService, GuardTimeOrFactorOf0EndsAFailedLifeGuarding) {
         EXPECT_EQ(send(off), (Frames{"083#0000000100000000", "583#60" + off.substr(6, 6) + "00000000"}));
         EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
         EXPECT_TRUE(pass(1000).empty()) << off;
-        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h are cleared
+        EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));  // the toggle bit and 1003h (error list) are cleared
     }
 }
 
@@ -312,7 +312,8 @@ std::string state_after_error(const std::string& begin, const std::string& react
     return bench.send("703#R1").at(0).substr(4);
 }
 
-/// Returns the state of an operational node after a guarding error; `reaction` is the value of 1029h:1.
+/// Returns the state of an operational node after a guarding error; `reaction` is the value of 1029h:1 (error
+/// behaviour).
 NmtState state_after_guarding_error(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -327,7 +328,7 @@ NmtState state_after_guarding_error(const std::string& reaction) {
     return bench.device->state();
 }
 
-/// Returns the state of an operational node after bus-off; `reaction` is the value of 1029h:1.
+/// Returns the state of an operational node after bus-off; `reaction` is the value of 1029h:1 (error behaviour).
 NmtState state_after_bus_off(const std::string& reaction) {
     CbxBench bench;
     bench.power_on();
@@ -344,7 +345,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
     EXPECT_EQ(state_after_error("01", "00"), "7F");  // 1029h:1 = 0: from operational to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
-    EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 = 2: stopped
+    EXPECT_EQ(state_after_error("01", "02"), "04");  // 1029h:1 (error behaviour) = 2: stopped
     EXPECT_EQ(state_after_error("80", "00"), "7F");
     EXPECT_EQ(state_after_error("02", "00"), "04");  // stopped stays stopped
     EXPECT_EQ(state_after_error("80", "02"), "04");

@@ -214,7 +214,7 @@ TEST_F(Lss, ErrorDuringTheSwitchDelaysIsReportedAfterThem) {
     EXPECT_EQ(pass(19), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // error 8110h; 1001h is 11h
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // error 8110h; 1001h (error register) is 11h
 }
 
 TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
@@ -265,7 +265,7 @@ TEST_F(Lss, HeartbeatMissedDuringTheSwitchDelaysIsReportedAtTheirEnd) {
     EXPECT_EQ(pass(299), Frames{});
     const Frames told = pass(1);
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // error 8130h; 1001h is 11h
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#308111");  // error 8130h; 1001h (error register) is 11h
 }
 
 TEST_F(Lss, EndOfBusOffDoesNotEndTheSwitchDelays) {

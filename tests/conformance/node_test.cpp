@@ -222,7 +222,7 @@ TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
 TEST_F(AlteredNode, RefusedSecondValueDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
     ship(0x1600, 1, 0x20000108);
-    ship(0x1600, 2, 0x10190008);  // 1019h, in which 1 is reserved
+    ship(0x1600, 2, 0x10190008);  // 1019h (SYNC counter overflow), in which 1 is reserved
     power_on();
     send("000#0105");
     send("205#5501");

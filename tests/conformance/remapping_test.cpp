@@ -114,7 +114,7 @@ TEST_P(Remapping, ObjectsThatCannotBeMappedAreRefused) {
         {line("00"), "00", ""},
         {line("01"), "08003412", object_missing},    // 1234h is absent
         {line("01"), "08090020", subindex_missing},  // 2000h:9 is absent
-        {line("01"), "10001710", cannot_be_mapped},  // 1017h is not mappable
+        {line("01"), "10001710", cannot_be_mapped},  // 1017h (producer heartbeat time) is not mappable
         {line("01"), GetParam().foreign, cannot_be_mapped},
         {line("01"), "10" + GetParam().entry.substr(2), cannot_be_mapped},  // 16 bits, but the entry has 8
         {line("01"), "07" + GetParam().entry.substr(2), cannot_be_mapped},

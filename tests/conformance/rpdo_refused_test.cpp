@@ -15,7 +15,7 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 
 TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
-    send("605#2F29100101000000");                // 1029h:1 = 1: no change of state
+    send("605#2F29100101000000");                // 1029h:1 (error behaviour) = 1: no change of state
     map_rpdo3({"10000022"});                     // maps 2200h, which takes -100 … 100
     send("605#2B02140532000000");                // 1402h:5 event timer of RPDO3: 50 ms
     EXPECT_TRUE(send("405#6500").size() == 1U);  // the value 101 is refused with error 8200h
@@ -65,7 +65,7 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
                     // A write to 1402h ends the error of RPDO3.
                     {"605#2F021402FE000000", {"085#0000000300000000", "585#6002140200000000"}},
                 });
-    EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1
+    EXPECT_EQ(device->node().state(), NmtState::operational);  // no communication error of 1029h:1 (error behaviour)
 }
 
 // The limits of 2200h are -100 and the value of 2100h:1, which changes between the reception and the SYNC.

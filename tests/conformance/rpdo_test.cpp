@@ -73,7 +73,7 @@ TEST_F(Rpdo, RpdosOutsideOperationalAreNeitherAppliedNorKept) {
 
 TEST_F(Rpdo, TooShortRpdoIsAnErrorUntilTheRightLengthArrives) {
     verifies<req::CO_PDO_004, req::CO_PDO_020>();
-    // 8210h, bits 0 and 4 of 1001h, one error listed
+    // 8210h, bits 0 and 4 of 1001h (error register), one error listed
     talk(*this, {
                     {"305#", {"085#1082110100000000"}},
                     {"305#01", {}},
@@ -284,7 +284,7 @@ TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
     const int before = device->communication_errors();
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
-    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 is 0
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 (error behaviour) is 0
     EXPECT_EQ(device->communication_errors(), before + 1);
     send("000#0105");
     EXPECT_EQ(device->node().state(), NmtState::operational);
@@ -300,7 +300,7 @@ TEST_F(Rpdo, LengthErrorDuringATimeOutIsNoNewCommunicationError) {
     send("605#2B00140532000000");  // 1400h:5 event timer of RPDO1: 50 ms
     send("205#1122");
     EXPECT_EQ(pass(50), (Frames{"50:085#5082110100000000"}));
-    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 is 0
+    EXPECT_EQ(device->node().state(), NmtState::pre_operational);  // because 1029h:1 (error behaviour) is 0
     send("000#0105");
     const int before = device->communication_errors();
     EXPECT_EQ(send("305#11"), (Frames{"085#1082110200000000"}));  // RPDO2 is too short

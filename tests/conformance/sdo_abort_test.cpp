@@ -175,7 +175,7 @@ TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
     EXPECT_EQ(provoked.size() + never_sent.size(), all.size());
 }
 
-TEST_F(SdoAbort, SingleRequestsWithEachFirstByteCauseNoCodeListedAsNeverSent) {
+TEST_F(SdoAbort, NoSingleRequestCausesACodeThatIsNeverSent) {
     verifies<req::CO_SDO_036>();
     // Every first byte, on many objects of the slave and on absent ones, with three values.
     std::set<std::uint32_t> seen;

@@ -56,7 +56,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
 TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
     verifies<req::CO_SDO_006, req::CO_SDO_011>();
     talk(*this, {
-                    {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h is read-only
+                    {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type) is read-only
                     {"605#09FFFFFFFF000000", {"585#8000100001000405"}},
                     {"605#4000100000000000", {"585#4300100078563412"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},  // the same with a plain upload, 17 bytes

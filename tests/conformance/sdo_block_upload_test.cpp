@@ -172,7 +172,7 @@ TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
 TEST_F(SdoBlock, NumbersAndStringsCanBeUploadedInABlock) {
     verifies<req::CO_SDO_020, req::CO_SDO_048>();
     talk(*this, {
-                    {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h, 12345678h
+                    {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type), 12345678h
                     {"605#A300000000000000", {"585#8178563412000000"}},
                     {"605#A2017F0000000000", {block_end("585", {0x78, 0x56, 0x34, 0x12})}},
                     {"605#A100000000000000", {}},

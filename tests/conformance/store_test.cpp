@@ -121,7 +121,7 @@ TEST_F(Store, EveryWritableParameterIsStored) {
                                   {"042404", "2B", "06000000"},
                                   {"052401", "2B", "07000000"},
                                   {"052404", "2B", "08000000"},
-                                  // last, because a change of other configuration clears 1020h
+                                  // last, because a change of other configuration clears 1020h (verify configuration)
                                   {"201001", "23", "11223344"},
                                   {"201002", "23", "55667700"}};
     for (const auto& one : cases) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damage of stored parameters in each device (CiA 301, 7.5.2.13; CAN-CBX-AO412, 7.9.4; AX130751, 3.2.7; AX188001,
 // 3.2.7; AX060805, 4.2.7). Damage is distinguished from an interrupted save and never leads to an older set. The stored
-// value is 1017h, default 0.
+// value is 1017h (producer heartbeat time), default 0.
 #include "generated/ax060805/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/support/device_by_sdo.hpp"
@@ -25,7 +25,7 @@ class Stored : public DeviceBySdo {
         ASSERT_TRUE(save());
     }
     std::uint32_t value() { return read(0x1017, 0) & 0xFFFFU; }
-    /// Returns the code of the latest error in 1003h while 1001h is not 0.
+    /// Returns the code of the latest error in 1003h (error list) while 1001h (error register) is not 0.
     std::uint32_t error() { return (read(0x1001, 0) & 0xFFU) == 0 ? no_error : read(0x1003, 1) & 0xFFFFU; }
     std::vector<std::uint8_t>& bytes() { return device->memory().bytes(); }
     /// Returns the size of one of the two banks, the first of which starts at 0. Both begin with "COP" once each has

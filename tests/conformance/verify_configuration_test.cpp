@@ -71,13 +71,13 @@ TEST_F(VerifyConfiguration, ChangedTextClearsDateAndTimeAndTheSameTextDoesNot) {
 TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
     verifies<req::CO_VERIFY_005>();
     leave_date_and_time();
-    talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h is 0 already
-          {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 = 3: refused, too high
-          {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h cannot be written
+    talk({{"605#2B17100000000000", {"585#6017100000000000"}},    // 1017h (producer heartbeat time) is 0 already
+          {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 (error behaviour) = 3: refused, too high
+          {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h (device type) cannot be written
           {"605#2310100173617665", {"585#6010100100000000"}},    // 1010h:1 saves all parameters
-          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 1020h:1 is read
+          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 1020h:1 (verify configuration) is read
     talk(kept);
-    send("080#01");  // a SYNC of wrong length is listed in 1003h; the list is no configuration
+    send("080#01");  // a SYNC of wrong length is listed in 1003h (error list); the list is no configuration
     talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});
     talk(kept);
     send("000#0105");

@@ -12,8 +12,8 @@
 namespace canproof {
 namespace {
 
-/// 1000h with one entry of 4 bytes in flash, 2001h with two of 1 byte each; factor 1 << 16 puts index i into slot i &
-/// 3.
+/// 1000h (device type) with one entry of 4 bytes in flash, 2001h with two of 1 byte each; factor 1 << 16 puts index i
+/// into slot i & 3.
 struct Dictionary {
     std::array<ObjectRow, 2> objects{{{0x1000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 2U, ObjectKind::array}}};
     std::array<EntryRow, 3> entries{

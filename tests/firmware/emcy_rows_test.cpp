@@ -14,7 +14,7 @@ namespace {
 constexpr ErrorId quiet = ErrorId::can_overrun;        // the error only sets 1001h
 constexpr ErrorId unlisted = ErrorId::error_passive;   // the error sets 1001h and is sent
 constexpr ErrorId unsent = ErrorId::sync_length;       // the error sets 1001h and is listed
-constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h, is listed and sent
+constexpr ErrorId usual = ErrorId::internal_software;  // the error sets 1001h (error register), is listed and sent
 
 /// An EMCY service on the dictionary of the slave; the slave itself reports no errors.
 class EmcyRows : public testing::Test, public AlteredSlaveBench {

@@ -5,7 +5,7 @@ socketcand.
 
 The kernel chooses the port; the test reads it from the output of the program. Frames are written by hand, after
 CBX-AO412 7.9.2 (device type 191h with 0008h) and CiA 301. python-can 4.1 treats every frame of this interface as an
-extended frame, so the test compares identifiers only.
+extended frame. Therefore the test compares identifiers only.
 """
 import collections
 import re

@@ -138,7 +138,7 @@ def mutants(project):
 
 
 def checkers(project):
-    """The command passes the flag on; the writer of the checkers writes what is open."""
+    """Checks that `canproof misra` passes --json on to the checkers, and that their report lists what is open."""
     project.write("build/release/home.txt", f"{project.root}/home\n")
     project.write("home/misra/run", MISRA)
     (project.root / "home/misra/run").chmod(0o755)

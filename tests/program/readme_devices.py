@@ -18,7 +18,7 @@ from readme_table import differences, row  # noqa: E402
 
 HEADING = "| device | maker | what it is | part numbers |"
 MEASURED = ROOT / "src" / "target" / "README.md"
-LEAST_MEASURED = 2  # the memory of the images, and their work
+LEAST_MEASURED = 2  # the tables of memory and of work of the images
 
 
 def devices(program):

@@ -3,8 +3,8 @@
 """tests/program/shards.py PROGRAM: checks that `canproof mutate --code` in three shards leaves the same bytes as on one
 machine, also when tests/mutation/in_parts is stopped and started again.
 
-A script stands in for the program of mutants: it has eleven mutants, of which every third survives. The scripts of fuzz/cluster
-run the shards. Compares the output, the exit status, code_mutation.json and the exhibit."""
+A script replaces the program of mutants: it has eleven mutants, of which every third survives. The scripts of fuzz/cluster run
+the shards. Compares the output, the exit status, code_mutation.json and the exhibit."""
 import os
 import pathlib
 import subprocess

@@ -49,7 +49,8 @@ class Programs:
         return shlex.split(re.sub(r"^: && | && :$", "", line))
 
     def read_users(self):
-        """Returns the objects that use each file of the tree: file by its path from the root, objects by theirs in the build."""
+        """Returns the objects that use each file of the tree: file by its path from the root, objects by their path in the
+        build."""
         users, made = {}, None
         tree = str(self.build.parent.parent) + "/"
         for line in self.ninja("--quiet", "-t", "deps").splitlines():

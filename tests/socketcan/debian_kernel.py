@@ -9,7 +9,7 @@ import shutil
 import struct
 import subprocess
 
-MODULES = ["virtio_pci", "9pnet_virtio", "9p", "can-raw", "vcan", "vxcan", "kvaser_pci", "sch_tbf"]
+MODULES = ["virtio_pci", "9pnet_virtio", "9p", "can-raw", "vcan", "vxcan", "kvaser_pci", "sch_tbf", "veth"]
 SETUP_SECTORS, PAYLOAD_OFFSET, PAYLOAD_LENGTH = 0x1F1, 0x248, 0x24C  # offsets in a bzImage, Documentation/x86/boot.rst
 
 

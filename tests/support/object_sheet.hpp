@@ -35,7 +35,7 @@ struct Row {
     std::optional<std::int64_t> low;
     std::optional<std::int64_t> high;
     Map map{Map::no};
-    bool stored{true};  ///< the value is stored by 1010h; used for writable entries only
+    bool stored{true};  ///< the value is stored by 1010h (store parameters); used for writable entries only
 };
 
 constexpr auto u8 = DataType::unsigned8;
@@ -121,7 +121,7 @@ inline std::int64_t neighbour(std::int64_t value, DataType type, int step) {
 
 class ObjectSheet : public testing::Test {
   protected:
-    /// Uses the defaults of `node_id`.
+    /// Makes a dictionary with the default values for this node-ID.
     ObjectSheet(const DictionaryTables& tables, std::size_t image_size, LimitAbort abort, std::uint8_t node_id)
         : image_(tables.defaults.begin(), tables.defaults.begin() + image_size),
           objects_{tables, MutableBytes{image_.data(), image_.size()}, abort},

@@ -2,8 +2,8 @@
 """Good and bad texts for tests/words_check: file, text, and a part of each fault in the order of the faults."""
 import textwrap
 
-LONG = " ".join(["word"] * 46)
-FITS = " ".join(["word"] * 45)
+LONG = " ".join(["word"] * 36)
+FITS = " ".join(["word"] * 35)
 
 
 def wrapped(text):
@@ -28,6 +28,9 @@ EXAMPLES = (
     ("a.md", "# Title\n\nIt is told.\n", ["3: prose: `told`"]),
     ("a.md", "```\nIt is told.\n```\n", []),
     ("a.md", "| a |\n|---|\n| It is told. |\n", ["3: layout: `told`"]),
+    ("a.cpp", "// A sign stands for a number; the machine stands still. It stands above.\n", ["1: comment: `stands`; write is"]),
+    ("a.md", "The boards are ours.\n", ["1: prose: `ours`"]),
+    ("a.cpp", "// The device lends memory to whoever asks.\n", ["1: comment: `lends`", "1: comment: `whoever`"]),
     # Names, parts of words, strings of a program.
     ("a.cpp", "// `held` and \"told\" are names; amend, threshold and re-mend are other words.\n", []),
     ("a.cpp", 'const char* a = "it is told // told";\n', []),
@@ -38,7 +41,7 @@ EXAMPLES = (
     ("a.cpp", "// SPDX-License-Identifier: Apache-2.0\n// What the bus sends.\n", ["2: comment: begins with `What`"]),
     ("a.py", "# Which of the two?\n", []),
     # Long sentences: a blank line, a list item and a full stop end one; a table has none.
-    ("a.cpp", f"// {LONG}.\n", ["1: comment: `word word word word word word …` has 46 words"]),
+    ("a.cpp", f"// {LONG}.\n", ["1: comment: `word word word word word word …` has 36 words"]),
     ("a.cpp", f"// {FITS}. Two.\n", []),
     ("a.cpp", f"// {FITS}\n//\n// word\n", []),
     ("a.cpp", f"int a;  // {FITS}\nint b;  // word\n", []),

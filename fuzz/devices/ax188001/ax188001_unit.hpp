@@ -21,7 +21,8 @@ struct Ax188001Unit {
     static void prepare(Inputs&) {}
     static bool has_values(const Device&) { return true; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
-    /// Returns whether a frame is the NMT command start to all nodes, which the device sends when 5555h is 2 (3.4.22).
+    /// Returns whether a frame is the NMT command start to all nodes, which the device sends when 5555h (Start in
+    /// Operational Mode) is 2 (3.4.22).
     static bool may_also_send(const Frame& frame) {
         return frame.id == 0 && frame.length == 2 && frame.data[0] == 1 && frame.data[1] == 0;
     }

@@ -263,7 +263,7 @@ class TwoInclinometers {
         tell_sensor_error(0x4200, naive_.has_temperature_error());
         tell_sensor_error(0xFF00, naive_.has_sensor_error());
     }
-    /// Reports a sensor error; it ends operational unless 1029h:2 is 1.
+    /// Reports a sensor error; it ends operational unless 1029h:2 (error behaviour) is 1.
     void tell_sensor_error(unsigned code, bool lasts) {
         const bool begins = lasts && !errors_.lasts(code);
         errors_.set(code, lasts);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Supply, temperature and errors of the AX130751: 1001h, 1003h and emergency messages (1.8, 3.2.2, 3.2.4).
+// Supply, temperature and errors of the AX130751: 1001h (error register), 1003h (error list) and emergency messages
+// (1.8, 3.2.2, 3.2.4).
 #pragma once
 
 #include <array>
@@ -60,7 +61,7 @@ class Errors {
         said.push_back({now, id, {byte(0), byte(8), reg(), byte(16), byte(24), 0, 0, 0}});
     }
     int reg() const { return active_.empty() ? 0 : 1; }
-    /// Returns the entries of 1003h from sub-index 1 on.
+    /// Returns the entries of 1003h (error list) from sub-index 1 on.
     const std::deque<std::uint32_t>& list() const { return list_; }
     void empty_list() { list_.clear(); }
 

@@ -90,7 +90,8 @@ inline double in_range(int type, double value) {
 
 class NaiveOutput {
   public:
-    /// Evaluates the output at position `at`, 0 or 1, and sets 7330h, 2370h and its terminals.
+    /// Evaluates the output at position `at`, 0 or 1, and sets 7330h (AO Output Field Value), 2370h (AO Feedback Field
+    /// Value) and its terminals.
     void cycle(std::size_t at, const Output& output, const Sources& sources, const Circumstances& now, double load,
                Shown& shown, Terminals& terminals) {
         if (output.type != type_) {

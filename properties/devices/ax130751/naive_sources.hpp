@@ -156,7 +156,7 @@ class Sources {
         return ordered(physical(shown_.math.at(at), block.digits), physical(block.pv_1, block.digits),
                        physical(block.pv_2, block.digits), State::fine);
     }
-    /// Returns 7330h or 2370h as a signal: a state while the output is digital.
+    /// Returns 7330h or 2370h (AO Feedback Field Value) as a signal: a state while the output is digital.
     Signal field_value(std::size_t at, int integer) const {
         const Output& output = parameters_.outputs.at(at);
         if (is_digital(output)) {

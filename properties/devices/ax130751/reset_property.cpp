@@ -20,7 +20,7 @@ struct Ax130751Reset : UsualTraits {
     using FactoryData = ax130751::FactoryData;
     static constexpr std::size_t memory_size = 8192;
 
-    /// 5B50h and 5B51h take effect at the next power-on, not with reset node.
+    /// 5B50h (Change Baud Rate) and 5B51h take effect at the next power-on, not with reset node.
     static bool may_write(unsigned index) { return index != 0x5B50U && index != 0x5B51U; }
     /// Returns a configuration that runs by itself: a ramp, a latched and delayed relay, a time profile that the supply
     /// starts.

@@ -236,8 +236,8 @@ class Ax188001 {
         fails_ = false;
         boot();
     }
-    /// Boots: boot-up message, pre-operational, then the state required by 5555h and the active faults (1.4, 3.2.13,
-    /// 3.4.22).
+    /// Boots: boot-up message, pre-operational, then the state required by 5555h (Start in Operational Mode) and the
+    /// active faults (1.4, 3.2.13, 3.4.22).
     void boot() {
         messages_.allow(false);
         state_ = State::stopped;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX188001 as in chapter 3.2.4: 1001h, 1003h and emergency messages with code, channel and description.
-// Shares no code with the firmware.
+// Errors of the AX188001 as in chapter 3.2.4: 1001h (error register), 1003h (error list) and emergency messages with
+// code, channel and description. Shares no code with the firmware.
 #pragma once
 
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ struct Tpdo {
 };
 
 struct Communication {
-    std::array<unsigned, 4> reaction{3, 0, 1, 0};  ///< 1029h by sub-index
+    std::array<unsigned, 4> reaction{3, 0, 1, 0};  ///< 1029h (error behaviour) by sub-index
     std::array<Tpdo, 4> tpdos{{{true, 1000, {{0x7130, 1, 2}, {0x7130, 2, 2}}},
                                {false, 0, {{0x2130, 0, 2}, {0x3130, 0, 2}}},
                                {false, 0, {}},

@@ -49,7 +49,7 @@ struct Fault {
 enum ChannelFault : unsigned { open_circuit, high_warning, low_warning, shutdown };
 
 struct Shown {
-    double uv{0.0};  ///< before rounding for 2010h
+    double uv{0.0};  ///< before rounding for 2010h (TC Input Microvolts)
     float celsius{0.0F};
     bool valid{false};
     std::int16_t process{0};

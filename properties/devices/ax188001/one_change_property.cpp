@@ -138,7 +138,8 @@ void change_one(TcsState& state, unsigned which, unsigned number) {
     }
 }
 
-/// Returns the values shown in a settled state: all but 6150h, which may depend on the previous temperature.
+/// Returns the values shown in a settled state: all but 6150h (TC Status), which may depend on the previous
+/// temperature.
 std::vector<std::uint32_t> shown(const TcsRig& rig) {
     const auto read = [&](int index, int sub) {
         return rig.bench.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
@@ -146,7 +147,7 @@ std::vector<std::uint32_t> shown(const TcsRig& rig) {
     std::vector<std::uint32_t> all;
     for (int sub = 1; sub <= 2; ++sub) {
         for (const int index : {0x2010, 0x5040, 0x6100, 0x7130}) {
-            // During an open circuit 2010h keeps the last voltage.
+            // During an open circuit 2010h (TC Input Microvolts) keeps the last voltage.
             const bool is_kept = index == 0x2010 && rig.bench.inputs.tc_open[static_cast<std::size_t>(sub - 1)];
             all.push_back(is_kept ? 0 : read(index, sub));
         }

@@ -76,7 +76,7 @@ inline std::vector<TcsAction> writes_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns the writes that remap all four TPDOs by the steps of the manual (3.2.15), and 1029h.
+/// Returns the writes that remap all four TPDOs by the steps of the manual (3.2.15), and 1029h (error behaviour).
 inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     const std::array<std::vector<std::uint32_t>, 4> mapped{{{0x71300110, 0x71300210},
                                                             {0x21300010, 0x31300010},

@@ -238,7 +238,8 @@ void Device::take_rpdo(const std::vector<unsigned>& data) {
     }
 }
 
-/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h the outputs.
+/// Checks heartbeat, guarding and bus-off (7.9.21). 1029h determines the state of the node, 6443h (Analogue Output
+/// Error Mode) the outputs.
 void Device::watch() {
     const bool silent = producer_silent_ || guarding_failed_;
     set(guard, silent);

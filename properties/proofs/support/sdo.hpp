@@ -46,8 +46,8 @@ class AnyObjects final : public ObjectAccess {
     std::size_t written_{0U};
 };
 
-/// Invariant of a block download: it collects in the memory of the transfer, at most one segment more than fits there,
-/// and is complete when only its end is awaited.
+/// Invariant of a block download: it collects in the memory of the transfer, at most one segment more than fits there.
+/// It is complete when only the request that ends it is missing.
 inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes place, const bool is_ending) {
     return (received.place_.view().data() == place.view().data()) && (received.place_.size() == place.size()) &&
            (received.size_ <= (place.size() + sdo::segment_capacity)) &&
@@ -55,7 +55,7 @@ inline bool is_consistent(const SdoBlockDownload& received, const MutableBytes p
            (!is_ending || (received.size_ >= sdo::segment_capacity));
 }
 
-/// Invariant of a block upload: a sub-block has 1 to 127 segments, and at most so many are sent. Segments before the
+/// Invariant of a block upload: a sub-block has 1 to 127 segments, and at most this number is sent. Segments before the
 /// last one are full.
 inline bool is_consistent(const SdoBlockUpload& sent, const ByteView value) {
     const std::size_t size = value.size();

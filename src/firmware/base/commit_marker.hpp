@@ -22,8 +22,8 @@ enum class BankState : std::uint8_t {
 };
 
 /// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A bank that this function calls doubtful
-/// or damaged is nevertheless sound when all of it can be read, has the present layout and has the right CRC; the
-/// caller checks that.
+/// or damaged can still be sound: all of it can be read, and it has the present layout and the right CRC. The caller
+/// checks that.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

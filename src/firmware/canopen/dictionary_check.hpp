@@ -65,8 +65,8 @@ constexpr bool serves_its_pdos(const DictionaryTables& tables) noexcept {
     return true;
 }
 
-/// Returns whether the objects ascend, their entries are sound and follow one another without a gap, each search for an
-/// index ends with the right result, and the node serves all PDOs of the dictionary.
+/// Returns whether a dictionary is sound: the objects ascend, and their entries are sound and follow one another
+/// without a gap. Each search for an index ends with the right result, and the node serves all PDOs of the dictionary.
 constexpr bool is_sound(const DictionaryTables& tables) noexcept {
     std::uint32_t least{0U};
     std::size_t entry{0U};

@@ -75,8 +75,8 @@ class Emcy {
     void after_write(const EntryRef& entry) noexcept;
 
   private:
-    /// A waiting message. Its COB-ID, 1001h, the number of listed errors and the detail are taken at the moment of
-    /// sending.
+    /// A waiting message. Its COB-ID, 1001h (error register), the number of listed errors and the detail are taken at
+    /// the moment of sending.
     struct Pending {
         std::uint8_t error{0U};
         bool cured{false};

@@ -58,7 +58,7 @@ class HeartbeatConsumer {
     void find_silent(Instant now) noexcept;
     void schedule() noexcept;
     std::uint32_t setting(std::size_t slot) const noexcept;
-    /// Reads one entry of 1016h again and discards what was received from its producer.
+    /// Reads one entry of 1016h (consumer heartbeat time) again and discards what was received from its producer.
     void restart(std::size_t slot) noexcept;
 
     ObjectDictionary& objects_;

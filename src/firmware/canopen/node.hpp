@@ -68,7 +68,7 @@ class Application : public LssApplication {
     /// Resets all states of the device after power-on or NMT reset node. The parameters are loaded already.
     virtual void restart(Instant now) = 0;
     /// Notifies the device that the node has queued the boot-up message and entered pre-operational. If it boots in
-    /// bus-off, the message is lost, and with 1029h:1 = 2 the node is already stopped.
+    /// bus-off, the message is lost, and with 1029h:1 (error behaviour) = 2 the node is already stopped.
     virtual void booted(Instant now) = 0;
     /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
     /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.

@@ -34,8 +34,8 @@ float as_real(const std::uint64_t bits) noexcept {
 /// A word of this processor: eight bytes or four.
 using Word = std::size_t;
 
-/// Returns whether one of the bytes of `word` is zero. Without a borrow from the byte below, subtracting 1 sets the
-/// highest bit of a byte that had it clear exactly when the byte is zero; the lowest zero byte gets no borrow.
+/// Returns whether one of the bytes of `word` is zero. Subtracting 1 from a byte whose highest bit is clear sets this
+/// bit exactly when the byte is zero, if the byte below does not borrow. The lowest zero byte gets no borrow.
 constexpr bool has_zero_byte(const Word word) noexcept {
     constexpr Word lowest_bits = SIZE_MAX / 0xFFU;  // 01h in each byte
     constexpr Word highest_bits = lowest_bits << 7U;

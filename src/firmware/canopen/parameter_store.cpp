@@ -33,9 +33,9 @@ std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {
     return static_cast<std::uint32_t>(field_le<at, sizeof(std::uint32_t)>(bytes));
 }
 
-/// Returns the groups of a sub-index of 1010h or 1011h. CiA 301 assigns application parameters to sub-index 3 and
-/// manufacturer parameters to 4 and above (7.5.2.13). A device whose list ends at 3 has manufacturer parameters there
-/// and no application parameters (AX060805, 4.2.7).
+/// Returns the groups of a sub-index of 1010h (store parameters) or 1011h (restore defaults). CiA 301 assigns
+/// application parameters to sub-index 3 and manufacturer parameters to 4 and above (7.5.2.13). A device whose list
+/// ends at 3 has manufacturer parameters there and no application parameters (AX060805, 4.2.7).
 constexpr ParameterGroups groups_of(const std::uint8_t subindex, const bool ends_at_3) noexcept {
     switch (subindex) {
         case 1U:
@@ -166,7 +166,7 @@ void ParameterStore::give_up() noexcept {
 }
 
 /// Lets a loaded COB-ID follow the node-ID when its identifier was the default one for the node-ID of the save. Bits 30
-/// and 31 are flags: they stay, and whoever changed only them has chosen no identifier.
+/// and 31 are flags: they stay. A client that changed only these bits has chosen no identifier.
 static_assert(implements<req::CO_PDO_035> && implements<req::CO_PDO_060> && implements<req::CO_PDO_061>);
 void ParameterStore::follow_node_id(const EntryRow& row, const std::uint8_t saved_node_id) noexcept {
     const std::uint64_t loaded = objects_.bits(row);

@@ -11,13 +11,14 @@ namespace canproof {
 
 /// Checks one mapping entry for a PDO of this direction (`right`: rights::rpdo or rights::tpdo). Returns 06020000h when
 /// its object is absent and 06090011h when only its sub-index is. Returns 06040041h when the object may not be mapped
-/// in this direction or has another length, and for a dummy (index 0000h to 0007h) of a TPDO, with a sub-index, or
-/// without the length of its type. Returns AbortCode::none for a correct entry and for zero (nothing mapped).
+/// in this direction or has another length. Returns the same code for a dummy (index 0000h to 0007h) that is in a TPDO,
+/// has a sub-index, or has not the length of its type. Returns AbortCode::none for a correct entry and for zero
+/// (nothing mapped).
 AbortCode check_mapping_entry(const ObjectDictionary& objects, std::uint32_t right, std::uint32_t entry) noexcept;
 
 /// Checks whether the first `count` entries of mapping object `index` are a valid mapping. Returns the code of
-/// check_mapping_entry() for the first wrong entry, 06040041h for an entry that is zero, and 06040042h when the object
-/// has fewer entries or they have more than 64 bits together. Returns AbortCode::none otherwise.
+/// check_mapping_entry() for the first wrong entry, and 06040041h for an entry that is zero. Returns 06040042h when the
+/// object has fewer entries, or when the entries have more than 64 bits together. Returns AbortCode::none otherwise.
 AbortCode check_mapping_count(const ObjectDictionary& objects, std::uint32_t right, std::uint16_t index,
                               std::uint32_t count) noexcept;
 
@@ -29,7 +30,7 @@ struct PdoLine {
     const EntryRow* row{nullptr};  ///< nullptr: a gap (dummy entry)
     std::uint16_t index{0U};
     std::uint8_t bits{0U};
-    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly so many bytes at `value` are mapped; 0: use the row
+    std::uint8_t width{0U};  ///< 1, 2 or 4: exactly this number of bytes at `value` are mapped; 0: use the row
     const std::uint8_t* value{nullptr};
 
     EntryRef entry() const noexcept { return EntryRef{row, index}; }

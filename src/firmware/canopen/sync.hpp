@@ -30,13 +30,14 @@ class Sync {
         static_assert(implements<req::CO_SYNC_002> && implements<req::CO_SYNC_009>);
         return std::uint32_t{sync.length} == length_;
     }
-    /// Returns the counter of a SYNC; zero while 1019h is zero.
+    /// Returns the counter of a SYNC; zero while 1019h (SYNC counter overflow) is zero.
     std::uint8_t counter_of(const Frame& sync) const noexcept {
         return (length_ == 0U) ? std::uint8_t{0U} : sync.data[0];
     }
     /// Produces a SYNC when one is due. Returns true when it did so: the node then consumes its own SYNC as well.
     bool advance(const Instant now) noexcept { return (next_ <= now) ? produce(now) : false; }
-    /// Returns the counter of the last produced SYNC; zero while 1019h is zero and before the first SYNC.
+    /// Returns the counter of the last produced SYNC; zero while 1019h (SYNC counter overflow) is zero and before the
+    /// first SYNC.
     std::uint8_t produced_counter() const noexcept { return counter_; }
     Instant next_deadline() const noexcept { return next_; }
 
@@ -55,7 +56,7 @@ class Sync {
     Instant next_{never};
     /// Identifier of the SYNC. Zero means no SYNC: 0 is the identifier of NMT, whose frames never reach is_sync().
     std::uint32_t identifier_{0U};
-    std::uint8_t length_{0U};  ///< length of a SYNC in bytes: 1 while 1019h is not zero
+    std::uint8_t length_{0U};  ///< length of a SYNC in bytes: 1 while 1019h (SYNC counter overflow) is not zero
     std::uint8_t counter_{0U};
     bool allowed_{false};
 };

@@ -57,7 +57,7 @@ class TransmitPdos {
             note_change(mark, index, subindex, now);
         }
     }
-    /// Processes a SYNC. `counter`: its counter, or zero while 1019h is zero.
+    /// Processes a SYNC. `counter`: its counter, or zero while 1019h (SYNC counter overflow) is zero.
     void sync(std::uint8_t counter) noexcept;
     /// Answers a remote frame; ignores one that requests no TPDO of this node.
     void answer(const Frame& request, Instant now) noexcept;

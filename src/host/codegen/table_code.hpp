@@ -38,7 +38,7 @@ class TableCode {
     std::string literal(const Column& column, const Value& value, bool hexadecimal = false) const;
     /// Returns whether the words in a column are names of errors: of every node, or of this device alone.
     bool is_errors(const Column& column) const { return !table_.errors.empty() && column.name == table_.errors; }
-    /// Returns the rows. In each row, the inputs stand before the outputs. One row of the table in spec/ gives one row
+    /// Returns the rows. In each row, the inputs are before the outputs. One row of the table in spec/ gives one row
     /// for each combination of its alternatives. "*" gives a row for each value of a boolean or word column. An integer
     /// column with ranges or "*" becomes two members, first and last.
     std::vector<FieldRow> rows() const;

@@ -20,7 +20,7 @@ std::optional<std::uint64_t> eds_hexadecimal(std::string_view digits);
 
 /// A value that may contain the node-ID as a term: `$NODEID+0x180`, `0x180+$NODEID`, `$NODEID`.
 struct NodeIdTerm {
-    std::string rest;  ///< number without the term; "0" when the term stands alone
+    std::string rest;  ///< number without the term; "0" when the term is alone
     bool has_node_id{false};
 };
 /// Separates the term $NODEID from the number. Returns nothing when $NODEID is not part of a sum.

@@ -34,7 +34,7 @@ enum class Operation { add, subtract, multiply };
 Checked checked(Operation operation, const Term& a, const Term& b, bool is_signed);
 
 /// Returns the result of an LLVM intrinsic that only computes: minimum, maximum, absolute value, rotation, number of
-/// set bits and the like. Returns nothing for an intrinsic that is not modelled.
+/// set bits and similar functions. Returns nothing for an intrinsic that is not modelled.
 std::optional<Computed> computed(llvm::Intrinsic::ID function, const std::vector<Term>& arguments);
 
 }  // namespace canproof::host::prove

@@ -83,8 +83,8 @@ void advise_on_statements(const Register& content, Faults& advice) {
             if (!statement.covered.empty() &&
                 std::none_of(statement.covered.begin(), statement.covered.end(), is_cited)) {
                 advice.emplace_back(statement.covered_place,
-                                    fmt::format("no item that covers {} names {} as its source (items: {})", id,
-                                                statement.section, fmt::join(statement.covered, ", ")),
+                                    fmt::format("{} is covered by {}, but none of these items names {} as its source",
+                                                id, fmt::join(statement.covered, ", "), statement.section),
                                     "add the place to the source of one item, or name an item that has this source");
             }
         }

@@ -109,8 +109,8 @@ class Part:
                 "limits": self._limits(item.get("range"), kind)}
 
     def _limits(self, allowed, kind):
-        """Returns None, ("list", values) or ("ends", lowest, highest). An end is None (no limit), ("value", bits), ("zero", bits)
-        when 0 is allowed below it too, or ("entry", place, number to add) when it is the value of another entry."""
+        """Returns None, ("list", values) or ("ends", lowest, highest). An end is None (no limit) or ("value", bits). It is
+        ("zero", bits) when 0 is allowed below it too, and ("entry", place, number to add) when it is the value of another entry."""
         if not allowed:
             return None
         if "table" in allowed:

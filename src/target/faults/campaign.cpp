@@ -201,8 +201,9 @@ void record_all() {
     say("\n");
 }
 
-/// Writes the result of the present run: number of the fault, kind, region, pass of the fault, end of the run (a number
-/// of SelfTest, or the numbers of End), pass of the end, pass of the first wrong value, effects, address.
+/// Writes the result of the present run: number of the fault, kind, region, pass of the fault, end of the run, and pass
+/// of the end. Then writes the pass of the first wrong value, the effects and the address. The end of the run is a
+/// number of SelfTest or of End.
 void report(End end) {
     if (run.turned != nullptr) {
         turn_byte(run.turned, run.turned_bit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A campaign of faults in an emulated processor: the interface between the device (subject.hpp), whose memory and
-// registers get the faults, and the harness (campaign.cpp), which injects them and judges their effects. The harness
-// has its own flash, RAM and stack, which get no faults.
+// A campaign of faults in an emulated processor. This is the interface between the device and the harness. The memory
+// and registers of the device (subject.hpp) get the faults. The harness (campaign.cpp) injects them and judges their
+// effects. The harness has its own flash, RAM and stack, which get no faults.
 #pragma once
 
 #include <array>

@@ -32,8 +32,9 @@ enum Kind : std::size_t { power_on, frame, tick, command, share };
 std::array<WorstWork, 5> worst_works{WorstWork{"power_on"}, WorstWork{"frame"}, WorstWork{"tick"}, WorstWork{"command"},
                                      WorstWork{"share"}};
 
-/// Returns whether a frame is a rare command. These are NMT reset node and reset communication, LSS switch state global
-/// (which can reset the communication), LSS store configuration, and an SDO write of 1010h or 1011h.
+/// Returns whether a frame is a rare command. These are NMT reset node and reset communication, and LSS switch state
+/// global (which can reset the communication). They are also LSS store configuration, and an SDO write of 1010h (store
+/// parameters) or 1011h (restore defaults).
 bool is_command(const std::string& text) {
     const bool resets = text.rfind("000#81", 0) == 0 || text.rfind("000#82", 0) == 0 || text.rfind("7E5#04", 0) == 0;
     const bool stores = text.rfind("7E5#17", 0) == 0;

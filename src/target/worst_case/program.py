@@ -106,8 +106,8 @@ class Program:
 def most_back(graph, loop, iterations):
     """Returns how often the loop goes back at most.
 
-    A loop whose test stands behind its body goes back once less than its body runs. It is left only where it goes back,
-    or by an `if` or `return` in its body."""
+    A loop whose test is behind its body goes back once less than its body runs. It is left only where it goes back, or
+    by an `if` or `return` in its body."""
     exits = {edge.source for at in loop.blocks for edge in graph.blocks[at].edges if edge.target not in loop.blocks}
     tests = {at for at in exits if not leaves_body(graph.blocks[at].instructions[-1].place)}
     tests_behind = tests <= {edge.source for edge in loop.back} and len(loop.back) == 1

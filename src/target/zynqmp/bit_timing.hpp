@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bit timing of the CAN controller (UG1087, BRPR and BTR). Its segments have the same bounds as those of bxCAN, so the
-// search is that of the other port; only the prescaler is narrower, which leaves no rate of LSS out at 24 MHz.
+// Bit timing of the CAN controller (UG1087, BRPR and BTR). Its segments have the same bounds as those of bxCAN, so this
+// port uses the search of the other port. Only the prescaler is narrower, but at 24 MHz it still gives every rate of
+// LSS.
 #pragma once
 
 #include "target/stm32f405/bit_timing.hpp"

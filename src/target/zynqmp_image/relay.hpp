@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device on CAN0 of a Zynq UltraScale+, and on CAN1 a relay to a program on the host, which simulates the bus behind
-// it, the terminals and the parameter memory (host/sim/image/message.hpp). Both controllers are on one bus. Every frame
-// passes two drivers; the device's time is that of the core's timer.
+// A device on CAN0 of a Zynq UltraScale+, and a relay on CAN1. The relay connects to a program on the host, which
+// simulates the bus behind it, the terminals and the parameter memory (host/sim/image/message.hpp). Both controllers
+// are on one bus. Every frame passes two drivers; the device's time is that of the core's timer.
 #pragma once
 
 #include "target/bridge/bridge.hpp"

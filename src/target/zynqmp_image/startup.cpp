@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start-up of a Cortex-A53 from its reset to image_main(). The core starts in the 64-bit state of exception level 2,
-// where five instructions prepare the 32-bit state of level 1 (Arm DDI 0487, D1.18); from there on all code is 32-bit.
+// Start-up of a Cortex-A53 from its reset to image_main(). The core starts in the 64-bit state of exception level 2.
+// Five instructions prepare the 32-bit state of level 1 (Arm DDI 0487, D1.18); from there on all code is 32-bit.
 #include <cstdint>
 
 extern "C" {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults of heartbeat producer and consumer, and of the reaction by 1029h.
+// Faults of heartbeat producer and consumer, and of the reaction by 1029h (error behaviour).
 #include "tests/conformance/zoo/distortions.hpp"
 #include "tests/conformance/zoo/faults.hpp"
 

@@ -21,7 +21,7 @@ inline Frame lss_request(unsigned command, unsigned byte) {
 inline Frame lss_mode(bool configuration) {
     return lss_request(0x04, configuration ? 1 : 0);
 }
-/// Returns `frame` with one of the four numbers of 1018h in bytes 1 to 4.
+/// Returns `frame` with one of the four numbers of 1018h (identity object) in bytes 1 to 4.
 inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned number) {
     Frame own = frame;
     set_field_le<1, 4>(own.data, slave.dictionary().read(0x1018, static_cast<std::uint8_t>(number + 1)));

@@ -20,7 +20,7 @@ class Ax060805Errors : public InclinometerTest {
         set_inputs();
         return pass(5);
     }
-    /// Returns the entries of 1003h, the latest first.
+    /// Returns the entries of 1003h (error list), the latest first.
     std::vector<std::uint32_t> listed() {
         std::vector<std::uint32_t> all;
         const std::uint32_t count = read(0x1003);

@@ -107,7 +107,7 @@ TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
     });
 }
 
-// 4.3.13 to 4.3.18; the command of 2300h is no parameter
+// 4.3.13 to 4.3.18; the command of 2300h (Auto-Null Command) is no parameter
 TEST_F(InclinometerObjectSheet, AngleObjectsMatchTheManual) {
     verifies<req::INC_OD_2100, req::INC_OD_2200, req::INC_OD_2210, req::INC_OD_2300, req::INC_OD_2400,
              req::INC_OD_2401>();

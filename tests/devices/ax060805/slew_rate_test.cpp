@@ -128,7 +128,7 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     expect_fast(true, "what was stored at 125 kbit/s");
 }
 
-TEST_F(SlewRate, SaveAtAnUnstoredActiveBitRateBelongsToThatRate) {
+TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     activate(2);  // 500 kbit/s until the next power-on
     send("7E5#0400");

@@ -168,7 +168,7 @@ TEST_F(UndefinedAngles, NewAngleTypeAppliesAtOnceWithoutGravity) {
     EXPECT_EQ(angles(), (Row{-3000, 3000, 4500}));
 }
 
-TEST_F(UndefinedAngles, AnglesWithoutGravityAfterAFailureFollowThePresentSettings) {
+TEST_F(UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSettings) {
     verifies<req::INC_ANGLE_011, req::INC_FV_007>();
     angles_of(30.0, 0.0);
     inputs.accelerometer_fault = true;

@@ -104,7 +104,7 @@ TEST_F(Ax130751Dictionary, PdoMappingsMatchTheManual) {
     });
 }
 
-// 3.3.1 to 3.3.3, 3.4.1 to 3.4.3, 2230h of 3.4
+// 3.3.1 to 3.3.3, 3.4.1 to 3.4.3, 2230h (DO Fixed DC Frequency) of 3.4
 TEST_F(Ax130751Dictionary, DigitalOutputObjectsMatchTheManual) {
     verifies<req::AOR_OD_2223, req::AOR_OD_2230, req::AOR_OD_2240, req::AOR_OD_2241, req::AOR_OD_6220, req::AOR_OD_6250,
              req::AOR_OD_6260>();
@@ -156,7 +156,7 @@ TEST_F(Ax130751Dictionary, AnalogueOutputObjectsOfTheProfileMatchTheManual) {
         {0x7300, 2, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x7320, 2, i16, Access::rw, {0}, none, 4999},  // always smaller than 7322h, 5000
         {0x7321, 2, i16, Access::rw, {0}, none, none},  // the device checks the range of the type
-        {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always larger than 7320h, 0
+        {0x7322, 2, i16, Access::rw, {5000}, 1, none},  // always larger than 7320h (AO Output Scaling 1 PV), 0
         {0x7323, 2, i16, Access::rw, {5000}, none, none},
         {0x7330, 2, i16, Access::ro, {0}, none, none, Map::tpdo},
         {0x7341, 2, i16, Access::rw, {0}, none, none},
@@ -210,7 +210,7 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
         {0x2500, 6, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x2502, 6, u8, Access::rw, {1}, 0, 4},
         {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most 2522h
-        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least 2520h
+        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least 2520h (EC Scaling 1 PV)
     });
     set(0x2522, 4, 300);
     EXPECT_EQ(writing(0x2520, 4, 300), AbortCode::none);
@@ -333,8 +333,8 @@ TEST_F(Ax130751Dictionary, DiagnosticObjectsMatchTheManual) {
     check({
         {0x5020, 0, real, Access::ro, {0}, none, none, Map::tpdo},
         {0x5021, 0, u8, Access::rw, {1}, 0, 1},
-        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // at most 5023h
-        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // at least 5022h
+        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // at most 5023h (Over Voltage Threshold)
+        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // at least 5022h (Under Voltage Threshold)
         {0x5024, 0, u8, Access::rw, {5}, 1, 30},
         {0x5025, 0, u8, Access::rw, {1}, 0, 1},
         {0x5030, 0, real, Access::ro, {0}, none, none, Map::tpdo},

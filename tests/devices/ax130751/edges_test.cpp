@@ -67,7 +67,8 @@ class Ax130751Edges : public Ax130751Blocks {
         set8(0x2361, 1, 4);
         set8(0x2362, 1, 1);  // override when OFF
     }
-    /// Sets up math block 1 with 2500h:1 and 2500h:2, fractions of 10000, and one operator.
+    /// Sets up math block 1 with 2500h:1 (EC Extra Received Process Value) and 2500h:2, fractions of 10000, and one
+    /// operator.
     void make_math(int operation) {
         for (int input = 1; input <= 2; ++input) {
             set8(0x2502, input, 0);
@@ -208,8 +209,8 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
     verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03>();
     struct Case {
         int type;
-        int integer;    ///< 2300h, written while it is within the range
-        int digits;     ///< value of 6332h from then on
+        int integer;    ///< 2300h (AO Override Field Value), written while it is within the range
+        int digits;     ///< value of 6332h (AO Decimal Digits FV) from then on
         double driven;  ///< V, mA, %, Hz
     };
     override_always();
@@ -274,7 +275,7 @@ TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
     verifies<req::AOR_DO_002, req::AOR_SRC_007>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
-    set8(0x2341, 2, 7);  // number 7: 2500h:4
+    set8(0x2341, 2, 7);  // number 7: 2500h:4 (EC Extra Received Process Value)
     set8(0x2502, 4, 3);
     set16(0x2522, 4, 8000);  // the limits are 1.000 to 8.000
     set16(0x2520, 4, 1000);

@@ -247,7 +247,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
     EXPECT_EQ(read(0x1001, 0), 0U);
 }
 
-// 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h
+// 3.4.86 with 3.2.13: a communication fault of 1029h:1 precedes 5555h (Start in Operational Mode)
 TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
     verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enable and override inputs that are in error: whatever they did before, they do nothing then, and the fault mode
-// determines the output (AX130751, 1.3, Tables 7 to 9; 1.2, Table 2). Every response, with either last state.
+// Enable and override inputs that are in error have no effect, whatever they did before. The fault mode determines the
+// output (AX130751, 1.3, Tables 7 to 9; 1.2, Table 2). The tests run every response with either last state.
 #include <gtest/gtest.h>
 
 #include "generated/ax130751/requirements.hpp"
@@ -13,7 +13,8 @@ namespace {
 
 class Ax130751InputInError : public Ax130751Blocks {
   protected:
-    /// Connects an input of output 1 to 2500h:1, which RPDO2 must bring at least every 100 ms.
+    /// Connects an input of output 1 to 2500h:1 (EC Extra Received Process Value), which RPDO2 must bring at least
+    /// every 100 ms.
     void watch_input(std::uint16_t source_index) {
         extra_as_percent(1);
         set8(source_index, 1, canopen);

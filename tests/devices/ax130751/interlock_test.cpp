@@ -45,7 +45,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         pass(1);
         EXPECT_TRUE(relay_on());
     }
-    /// Sets a time-out of 100 ms for RPDO2, which maps 2500h:1 to 2500h:3.
+    /// Sets a time-out of 100 ms for RPDO2, which maps 2500h:1 (EC Extra Received Process Value) to 2500h:3.
     void watch_extra() {
         set32(0x1401, 1, 0x4000037F);
         set16(0x1401, 5, 100);
@@ -84,7 +84,7 @@ TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
 TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     verifies<req::AOR_OUT_028>();
     make_digital();
-    choose(0x3010, 0, canopen, 4);  // table 1 over 2500h:1
+    choose(0x3010, 0, canopen, 4);  // table 1 over 2500h:1 (EC Extra Received Process Value)
     choose(0x2350, 1, lookup_source, 1);
     extra(1, 0);
     EXPECT_TRUE(is_on(1)) << "enabled while OFF";

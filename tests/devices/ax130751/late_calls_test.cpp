@@ -15,7 +15,8 @@ class Ax130751LateCalls : public Ax130751Blocks {
         Ax130751Blocks::SetUp();
         set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     }
-    /// Sets up math block 2 to add 2500h:2 percent to its own output in each cycle; 4030h:2 is in hundredths.
+    /// Sets up math block 2 to add 2500h:2 percent to its own output in each cycle; 4030h:2 (Math Output Process Value)
+    /// is in hundredths.
     void make_counter() {
         extra_as_percent(2);
         set8(0x4201, 1, 2);

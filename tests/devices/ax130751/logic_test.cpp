@@ -64,7 +64,7 @@ TEST_F(Ax130751Logic, EachLogicBlockSelectsAmongItsTables) {
         SCOPED_TRACE(block);
         set8(0x3300, block, 1);
         condition(block, 1, 1, 1, 4, 2);  // A: 2500h:1 < 50
-        condition(block, 2, 1, 1, 0, 2);  // B: 2500h:1 = 50; C is the default
+        condition(block, 2, 1, 1, 0, 2);  // B: 2500h:1 (EC Extra Received Process Value) = 50; C is the default
         const int first = (3 * block) - 2;
         extra(1, 40);
         EXPECT_EQ(selected(block), first);
@@ -106,7 +106,7 @@ TEST_F(Ax130751Logic, ValuesWithDifferentDecimalDigitsAreComparedByTheirPhysical
     set8(0x2502, 1, 1);
     set8(0x2502, 2, 3);
     set16(0x2500, 1, 123);    // 2500h:1 = 12.3
-    set16(0x2500, 2, 12300);  // 2500h:2 = 12.300
+    set16(0x2500, 2, 12300);  // 2500h:2 (EC Extra Received Process Value) = 12.300
     EXPECT_EQ(selected(1), 1);
     set16(0x2500, 2, 12301);
     EXPECT_EQ(selected(1), 2) << "B, whose conditions are not used";
@@ -171,7 +171,7 @@ TEST_F(Ax130751Logic, TableAIsSelectedWhenNoFunctionSelectsItsTable) {
     set8(0x3300, 2, 1);
     set8(0x3502, 3, 1);
     for (int function = 1; function <= 3; ++function) {
-        condition(2, function, 1, 1, 2, 1);  // 2500h:1 > itself
+        condition(2, function, 1, 1, 2, 1);  // 2500h:1 (EC Extra Received Process Value) > itself
     }
     EXPECT_EQ(selected(2), 4);
 }
@@ -218,15 +218,16 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
 
 TEST_F(Ax130751Logic, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
     verifies<req::AOR_OUT_030, req::AOR_LOGIC_008>();
-    // Block 3 reads 2500h:1, block 2 reads block 3, block 1 reads block 2. Each selects its table A, which gives 0,
-    // while its source is available and 0, otherwise its table B, which has no source: all outputs stay 0.
+    // Block 3 reads 2500h:1 (EC Extra Received Process Value), block 2 reads block 3, block 1 reads block 2. Each
+    // selects its table A, which gives 0, while its source is available and 0, otherwise its table B, which has no
+    // source: all outputs stay 0.
     condition(3, 1, 1, 1, 0, 2);
     for (const int block : {1, 2}) {
         const std::uint16_t at = index(block, 0x11);
         set8(at, 1, logic_source);
         set8(at, 2, block + 1);
         set8(at, 3, canopen);
-        set8(at, 4, 5);  // number 5: 2500h:2
+        set8(at, 4, 5);  // number 5: 2500h:2 (EC Extra Received Process Value)
         set8(at, 5, 0);
         set8(index(block, 2), 1, 2);  // operator 2: or
     }

@@ -18,7 +18,7 @@ class Ax130751LookupMinimum : public Ax130751Blocks {
         set8(index(table, 0), 0, source);
     }
     int x(int table, int point) { return static_cast<std::int32_t>(read(index(table, 6), point)); }
-    /// Scales 2500h:1 to integers from `low` to `high`.
+    /// Scales 2500h:1 (EC Extra Received Process Value) to integers from `low` to `high`.
     void make_extra(int low, int high) {
         set8(0x2502, 1, 0);
         set16(0x2522, 1, high);
@@ -82,7 +82,7 @@ TEST_F(Ax130751LookupMinimum, LowestYAtTheLastOrSecondPointOfTheSourceTableIsThe
 
 TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTableAndExtraValue) {
     verifies<req::AOR_LT_018>();
-    // 7320h in thousandths of a volt
+    // 7320h (AO Output Scaling 1 PV) in thousandths of a volt
     set8(0x3013, 0, 3);
     choose(1, canopen, 1);
     set16(0x7320, 1, -5000);
@@ -95,7 +95,8 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
     EXPECT_EQ(x(1, 1), -500) << "7323h is no limit of the command";
     set16(0x6310, 1, 20);  // by 5550h (automatic updates) the new type sets 7320h to 0
     EXPECT_EQ(x(1, 1), 0) << "6310h";
-    // The minimum of sources 6 and 7 is the smaller of 7321h and 7323h.
+    // The minimum of sources 6 and 7 is the smaller of 7321h (AO Output Scaling 1 FV) and 7323h (AO Output Scaling 2
+    // FV).
     for (const int source : {6, 7}) {
         choose(2, source, 2);
         set8(0x3023, 0, 3);
@@ -106,7 +107,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
         EXPECT_EQ(x(2, 1), -2000) << "7321h";
         set8(0x6332, 2, 4);
         EXPECT_EQ(x(2, 1), -200) << "6332h";
-        set16(0x6310, 2, 20);  // by 5550h (automatic updates) the new type sets 7321h to 0
+        set16(0x6310, 2, 20);  // by 5550h (automatic updates) the new type sets 7321h (AO Output Scaling 1 FV) to 0
         EXPECT_EQ(x(2, 1), 0) << "6310h";
         set16(0x6310, 2, 10);
         set16(0x7321, 2, -200);
@@ -115,7 +116,8 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
         EXPECT_EQ(x(2, 1), 0);
         set8(0x3023, 0, 0);
     }
-    // The minimum of a math block is the smaller of 4021h and 4023h, in hundredths.
+    // The minimum of a math block is the smaller of 4021h (Math Output Scaling 1 PV) and 4023h (Math Output Scaling 2
+    // PV), in hundredths.
     choose(3, math_source, 2);
     set16(0x4021, 2, -3000);
     EXPECT_EQ(x(3, 1), -30) << "4021h";
@@ -123,7 +125,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
     EXPECT_EQ(x(3, 1), -50) << "4023h";
     set8(0x4032, 2, 3);
     EXPECT_EQ(x(3, 1), -5) << "4032h";
-    // The minimum of source 9 is 5032h minus 5033h.
+    // The minimum of source 9 is 5032h minus 5033h (Hysteresis to Clear Temperature Fault).
     choose(4, 9, 1);
     EXPECT_EQ(x(4, 1), 0) << "85 - 25";
     set8(0x5033, 0, 100);

@@ -77,7 +77,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
     set8(0x3014, 0, 1);  // Y in tenths: 0…10.0
-    extra(1, 2525);      // 2500h:1 is 25.25
+    extra(1, 2525);      // 2500h:1 (EC Extra Received Process Value) is 25.25
     EXPECT_EQ(output(1), 25);
     EXPECT_EQ(get16(0x3018, 0), 25);
     set8(0x3013, 0, 1);  // X points are 0…10.0
@@ -180,7 +180,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     EXPECT_EQ(write_x(2, 4, 35), "");
     EXPECT_EQ(write_x(2, 4, 36), "06090031");
     EXPECT_EQ(write_x(2, 3, 9), "06090032") << "within the limits, but below point 2";
-    set8(0x3020, 0, canopen);  // 2500h:1, both of whose default limits are 0
+    set8(0x3020, 0, canopen);  // 2500h:1 (EC Extra Received Process Value), both of whose default limits are 0
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);

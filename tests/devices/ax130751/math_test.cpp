@@ -17,7 +17,7 @@ class Ax130751Math : public Ax130751Blocks {
     static std::uint16_t index(int block, int offset) {
         return static_cast<std::uint16_t>(0x4000 + (0x100 * block) + offset);
     }
-    /// Connects inputs 1 to `count` of a block to 2500h:1 to count, 0 to 100.
+    /// Connects inputs 1 to `count` of a block to 2500h:1 (EC Extra Received Process Value) to count, 0 to 100.
     void make(int block, int count) {
         for (int input = 1; input <= count; ++input) {
             set8(index(block, 0x01), input, 3 + input);
@@ -246,7 +246,7 @@ TEST_F(Ax130751Math, InputInErrorCountsAsZero) {
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1 to 2500h:3: 50 ms
     make(1, 1);
-    set8(0x4101, 2, 7);  // 2500h:4, which RPDO3 maps; RPDO3 is not valid
+    set8(0x4101, 2, 7);  // 2500h:4 (EC Extra Received Process Value), which RPDO3 maps; RPDO3 is not valid
     set8(0x4100, 2, canopen);
     set8(0x4103, 2, 0);
     set16(0x4122, 2, 100);

@@ -237,7 +237,7 @@ TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     set16(0x2300, 1, 3000);
     set32(0x1401, 1, 0x4000037F);  // 1401h:1 COB-ID of RPDO2: valid
     set16(0x1401, 5, 100);
-    connect(0x2360, 1);  // 2500h:1, mapped to RPDO2
+    connect(0x2360, 1);  // 2500h:1 (EC Extra Received Process Value), mapped to RPDO2
     start();
     send("37F#640000000000");
     command(1, 4000);

@@ -154,7 +154,8 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(pass(20), Frames{});
     EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
     EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // 1800h:1 COB-ID of TPDO1: RTR allowed
-    // 1800h:2 is 254 as shipped: the present values, at once without an inhibit time. No output has feedback.
+    // 1800h:2 (TPDO1 Communication Parameter) is 254 as shipped: the present values, at once without an inhibit time.
+    // No output has feedback.
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
@@ -185,16 +186,16 @@ TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
 TEST_F(Ax130751Pdo, OnlyMappableObjectsCanBeMapped) {
     verifies<req::AOR_PDO_008, req::AOR_OD_2370, req::AOR_OD_7330, req::AOR_OD_2223, req::AOR_OD_2250>();
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
-    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // 2223h:1, 16 bits
-    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1, 16 bits
-    EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // 2370h:1 is read-only
-    EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // 2330h:1 is a parameter
+    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");          // 2223h:1 (DO Blink Rate 1 Output Line), 16 bits
+    EXPECT_EQ(write(0x1601, 1, 0x22500110, 4), "");          // 2250h:1 (Relay Blink Rate), 16 bits
+    EXPECT_EQ(write(0x1601, 1, 0x23700110, 4), "06040041");  // 2370h:1 (AO Feedback Field Value) is read-only
+    EXPECT_EQ(write(0x1601, 1, 0x23300110, 4), "06040041");  // 2330h:1 (AO Ramp Up) is a parameter
     EXPECT_EQ(write(0x1601, 1, 0x25000108, 4), "06040041");  // 2500h:1 has 16 bits, not 8
     EXPECT_EQ(write(0x1601, 1, 0x25000710, 4), "06090011");
     EXPECT_EQ(write(0x1601, 1, 0x25010010, 4), "06020000");
     EXPECT_EQ(write(0x1A01, 0, 0, 1), "");
-    EXPECT_EQ(write(0x1A01, 1, 0x33100108, 4), "");  // 3310h:1
-    EXPECT_EQ(write(0x1A01, 2, 0x31080010, 4), "");  // 3108h
+    EXPECT_EQ(write(0x1A01, 1, 0x33100108, 4), "");  // 3310h:1 (Logic Block Selected Table)
+    EXPECT_EQ(write(0x1A01, 2, 0x31080010, 4), "");  // 3108h (LT10 Output Y-Axis PV)
     EXPECT_EQ(write(0x1A01, 1, 0x53100108, 4), "06020000");
 }
 
@@ -203,7 +204,7 @@ TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
     verifies<req::AOR_PDO_009, req::AOR_ERR_006, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_1029>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1029, 1, 0, 1), "");
-    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 is not used, despite 3.2.14
+    EXPECT_EQ(write(0x1029, 4, 1, 1), "");  // 1029h:4 (error behaviour) is not used, despite 3.2.14
     EXPECT_EQ(write(0x1400, 5, 200, 2), "");
     start();
     EXPECT_EQ(pass(1000), Frames{});  // not received yet: not monitored
@@ -241,7 +242,7 @@ TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
     for (const int state : {1, 2, 0x80, 0xFF}) {
         SCOPED_TRACE(state);
         send(fmt::format("27F#E8030000{:02X}", state));  // RPDO1: 7300h:1, 7300h:2, 6220h:3
-        send(fmt::format("57F#{:02X}00", state));        // RPDO4: 6220h:1, 6220h:2
+        send(fmt::format("57F#{:02X}00", state));        // RPDO4: 6220h:1 (DO Write State 1 Output Line), 6220h:2
         pass(2);
         EXPECT_EQ(read(0x7300, 1), 1000U) << "the whole RPDO is taken";
         EXPECT_TRUE(device->outputs().relay_nc);
@@ -284,7 +285,7 @@ TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
-    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");  // 2223h:1, 0 to 60000
+    EXPECT_EQ(write(0x1601, 1, 0x22230110, 4), "");  // 2223h:1 (DO Blink Rate 1 Output Line), 0 to 60000
     EXPECT_EQ(write(0x1601, 0, 1, 1), "");
     EXPECT_EQ(write(0x1401, 1, 0x0000037F, 4), "");
     start();

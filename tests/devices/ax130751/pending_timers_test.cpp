@@ -36,7 +36,7 @@ class Ax130751Pending : public Ax130751Blocks {
         inputs.cpu_temperature = celsius;
         set_inputs();
     }
-    /// Connects enable to 2500h:1 and override to 2500h:2. Neither is active.
+    /// Connects enable to 2500h:1 (EC Extra Received Process Value) and override to 2500h:2. Neither is active.
     void connect_relay() {
         set8(0x2280, 1, canopen);
         set8(0x2281, 1, 4);

@@ -20,7 +20,7 @@ class Ax130751Relay : public Ax130751Blocks {
         set8(static_cast<std::uint16_t>(source_index + 1), 1, 3 + number);
         pass(1);
     }
-    /// Sets 6220h:3, runs a cycle and returns the state of the relay.
+    /// Sets 6220h:3 (DO Write State 1 Output Line), runs a cycle and returns the state of the relay.
     bool control(int state) {
         set8(0x6220, 3, state);
         pass(1);
@@ -204,7 +204,7 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
         int polarity;
         bool errs;
     };
-    set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1, becomes valid
+    set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1 (EC Extra Received Process Value), becomes valid
     set16(0x1401, 5, 100);
     start();
     for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable

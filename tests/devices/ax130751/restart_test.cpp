@@ -125,7 +125,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayUnlatch) {
         const bool unlatched = relay_on();
         set8(0x6220, 3, 1);
         pass(1);
-        set8(0x6220, 3, 0);  // the relay is at rest again, which is ON
+        set8(0x6220, 3, 0);  // the relay is in its rest state again: ON
         pass(1);
         return unlatched;
     });

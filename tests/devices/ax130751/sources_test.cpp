@@ -36,8 +36,8 @@ class Ax130751Sources : public Ax130751Blocks {
         pass(2);
         return volts(1) < 0.5F;
     }
-    /// Connects output 1 to 7300h:1 of RPDO1 by default and output 2 to 2500h:4 of RPDO3; without ramps, and 3 V in a
-    /// fault.
+    /// Connects output 1 to 7300h:1 (AO Output Process Value) of RPDO1, and output 2 to 2500h:4 (EC Extra Received
+    /// Process Value) of RPDO3. The outputs have no ramps, and 3 V in a fault.
     void control_by_two_rpdos() {
         for (const int output : {1, 2}) {
             no_ramps(output);
@@ -97,7 +97,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
         set8(static_cast<std::uint16_t>(base + 0x50), 1, 17);  // maximum of 2500h:1 with itself
         set8(0x4000, block, 1);
         set16(0x4023, block, 1000 * block);
-        set16(0x2500, 1, 500);  // 2500h:1 = 50.0
+        set16(0x2500, 1, 500);  // 2500h:1 (EC Extra Received Process Value) = 50.0
         EXPECT_EQ(tenths(4, block), 50 * block);
     }
     for (int block = 1; block <= 3; ++block) {
@@ -167,7 +167,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set32(0x3026, point, 32000);
     }
     set32(0x3026, 1, -32000);
-    expect_limits(1, 1, 0, 500);  // limits of 7320h and 7322h: 0 to 5 V
+    expect_limits(1, 1, 0, 500);  // limits of 7320h (AO Output Scaling 1 PV) and 7322h: 0 to 5 V
     set16(0x7322, 2, 8000);
     set16(0x7320, 2, -2000);
     expect_limits(1, 2, -200, 800);
@@ -179,15 +179,15 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     expect_limits(1, 9, 200, 3000);
-    expect_limits(4, 1, 0, 10000);  // limits of 4021h and 4023h: 0 to 100 %
+    expect_limits(4, 1, 0, 10000);  // limits of 4021h (Math Output Scaling 1 PV) and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
     expect_limits(4, 2, -3000, 3000);  // the smaller first
     set8(0x4032, 3, 0);
     set16(0x4023, 3, 80);
     expect_limits(4, 3, 0, 8000);     // without decimal digits
-    expect_limits(8, 0, 800, 3500);   // limits of 5022h and 5023h: 8 to 35 V
-    expect_limits(9, 0, 6000, 8500);  // 5032h and 5033h: 85 - 25 = 60 to 85 degrees
+    expect_limits(8, 0, 800, 3500);   // limits of 5022h (Under Voltage Threshold) and 5023h: 8 to 35 V
+    expect_limits(9, 0, 6000, 8500);  // 5032h (Over Temperature Threshold) and 5033h: 85 - 25 = 60 to 85 degrees
     set16(0x7321, 1, 4000);
     set16(0x7323, 1, 1000);
     expect_limits(6, 1, 100, 400);
@@ -206,7 +206,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set16(0x3017, point, 900);
     }
     pass(2);
-    expect_limits(3, 1, 0, 10000);  // 0 to 90 lies within 0 to 100
+    expect_limits(3, 1, 0, 10000);  // the table gives 0 to 90; the limits are then 0 to 100
 }
 
 TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
@@ -230,7 +230,7 @@ TEST_F(Ax130751Sources, NeverReceivedCommandAndExtraValueAreZero) {
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4 of RPDO3
+    set8(0x2341, 2, 7);  // 2500h:4 (EC Extra Received Process Value) of RPDO3
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x7321, 2, 1000);
@@ -305,7 +305,7 @@ TEST_F(Ax130751Sources, LostHeartbeatIsDetectedWhileAnRpdoIsOverdue) {
     no_ramps(2);
     set16(0x7341, 2, 3000);
     extra_as_percent(4);
-    set8(0x2341, 2, 7);  // 2500h:4, which RPDO3 maps; RPDO3 is not valid
+    set8(0x2341, 2, 7);  // 2500h:4 (EC Extra Received Process Value), which RPDO3 maps; RPDO3 is not valid
     set8(0x6302, 2, 0);
     set16(0x7322, 2, 100);
     set16(0x2500, 4, 50);

@@ -16,7 +16,7 @@ TEST_F(Ax130751StorageGroups, SaveOfOneGroupStoresNoOtherGroup) {
     verifies<req::AOR_STORE_001, req::AOR_OD_1010, req::AOR_OD_1011>();
     for (const int group : {2, 3, 4}) {           // 1010h:2 communication, :3 application, :4 manufacturer
         EXPECT_EQ(write(0x1017, 0, 500, 2), "");  // 1017h, a communication parameter; 0 as shipped
-        EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1, an application parameter; 1 as shipped
+        EXPECT_EQ(write(0x6340, 1, 0, 1), "");    // 6340h:1 (AO Fault Mode), an application parameter; 1 as shipped
         EXPECT_EQ(write(0x5033, 0, 9, 1), "");    // 5033h, a manufacturer parameter; 25 as shipped
         store(group);
         power_on();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters that the AX130751 stores: 1010h, 1011h, node-ID and bit rate, self-start, identity (manual 3.1, 3.2.7,
-// 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
+// Parameters that the AX130751 stores: 1010h, 1011h (restore defaults), node-ID and bit rate, self-start, identity
+// (manual 3.1, 3.2.7, 3.2.8, 3.2.11, 3.2.12, 3.4.86 to 3.4.88).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -186,7 +186,7 @@ TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
     EXPECT_EQ(device->bit_rate(), 250000U);
     node = 0x30;
-    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 5B50h = 2: 500 kbit/s
+    EXPECT_EQ(write(0x5B50, 0, 2, 1), "");  // 5B50h (Change Baud Rate) = 2: 500 kbit/s
     store();
     give_node_id(0x31);
     EXPECT_EQ(read(0x5B51, 0), 0x31U);

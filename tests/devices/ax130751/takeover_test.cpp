@@ -51,7 +51,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 // 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
 TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_021>();
-    write(0x2522, 1, 100, 2);  // 2500h:1 is scaled from 0 to 100
+    write(0x2522, 1, 100, 2);  // 2500h:1 (EC Extra Received Process Value) is scaled from 0 to 100
     write(0x3011, 0, 4, 1);
     write(0x3010, 0, 1, 1);
     write(0x3015, 1, 1, 1);  // lookup table 1 has time response

@@ -219,7 +219,7 @@ TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
         read_once();
         EXPECT_EQ(read(0x1001).value, expected) << celsius;
     }
-    inputs.cpu_temperature = 85.06F;  // 5042h:1 is 85.0 degC
+    inputs.cpu_temperature = 85.06F;  // 5042h:1 (FD Clear Threshold) is 85.0 degC
     set_inputs();
     read_once();
     EXPECT_EQ(read(0x1001).value, 1U);

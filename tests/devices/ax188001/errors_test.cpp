@@ -304,7 +304,7 @@ TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLas
         pass(99);
         expect_state(NmtState::operational);
         pass(1);
-        expect_state(NmtState::pre_operational);  // 1029h:1 is 0 as shipped
+        expect_state(NmtState::pre_operational);  // 1029h:1 (error behaviour) is 0 as shipped
     }
 }
 
@@ -368,7 +368,8 @@ TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
     EXPECT_EQ(sent(), (Frames{"0FF#0031010210000000", "0FF#0000000000000000"}));
 }
 
-/// The boot-up message is lost, the errors found at boot-up are not: 60 V exceeds the 50 V of 5041h:2.
+/// The boot-up message is lost, the errors found at boot-up are not: 60 V exceeds the 50 V of 5041h:2 (FD Set
+/// Threshold).
 TEST(TcsStartup, FaultFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;

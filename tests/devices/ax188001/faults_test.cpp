@@ -183,7 +183,7 @@ TEST_F(Faults, SetAndClearThresholdsAreLimitsOfEachOther) {
     EXPECT_EQ(write(0x5042, 2, 2, 119), too_low);  // 5042h:3
     EXPECT_EQ(write(0x5042, 2, 2, 1001), too_high);
     EXPECT_EQ(write(0x5042, 2, 2, 120), 0U);
-    EXPECT_EQ(write(0x5042, 3, 2, 121), too_high);  // 5042h:2 is 120 now
+    EXPECT_EQ(write(0x5042, 3, 2, 121), too_high);  // 5042h:2 (FD Clear Threshold) is 120 now
     EXPECT_EQ(write(0x5042, 3, 2, 89), too_low);
     EXPECT_EQ(write(0x5042, 3, 2, 90), 0U);
     EXPECT_EQ(write(0x5041, 3, 2, 79), too_low);

@@ -25,7 +25,7 @@ struct Polynomial {
 
 struct Its90Type {
     char letter;
-    int number;                                     ///< number of the type in 6110h
+    int number;                                     ///< number of the type in 6110h (TC Sensor Type)
     std::vector<Polynomial> reference;              ///< polynomials of the temperature in degC
     std::vector<Polynomial> inverse;                ///< polynomials of the voltage in mV
     std::vector<std::pair<double, double>> points;  ///< published: degC, mV to 0.001

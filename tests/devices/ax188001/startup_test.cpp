@@ -94,7 +94,7 @@ TEST_F(Ax188001Startup, FaultPreventsTheSelfStartAndTheStartCommandToOtherNodes)
     start_with(2);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
-    EXPECT_EQ(device->state(), NmtState::pre_operational);  // because 1029h:3 is 0
+    EXPECT_EQ(device->state(), NmtState::pre_operational);  // because 1029h:3 (error behaviour) is 0
     EXPECT_EQ(pass(5000), Frames{});
     EXPECT_EQ(send("000#827F"), (Frames{"77F#00"}));
     EXPECT_EQ(device->state(), NmtState::pre_operational);

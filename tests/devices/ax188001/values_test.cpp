@@ -200,7 +200,7 @@ TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(status(1), 0);  // the delay of 4030h has not passed
+    EXPECT_EQ(status(1), 0);  // the delay of 4030h (TC Error React Delay) has not passed
     EXPECT_EQ(process_value(2), 4768);
     cut(1, false);
     read_once();

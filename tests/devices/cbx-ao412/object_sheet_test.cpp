@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks every object of the CAN-CBX-AO412 against chapter 7 of its manual: type, access, storing by 1010h, mapping,
-// default at node 3, limits. The values are taken by hand from the object page.
+// Checks every object of the CAN-CBX-AO412 against chapter 7 of its manual: type, access, storing by 1010h (store
+// parameters), mapping, default at node 3, limits. The values are taken by hand from the object page.
 #include "tests/support/object_sheet.hpp"
 
 #include "generated/cbx_ao412/objects.hpp"

@@ -120,7 +120,7 @@ TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
     send("000#8103");
     for (int output = 1; output <= 4; ++output) {
-        expect_steps(output, 0);  // 6443h is 1 by default, 6444h 0
+        expect_steps(output, 0);  // 6443h (Analogue Output Error Mode) is 1 by default, 6444h 0
     }
 }
 
@@ -223,7 +223,7 @@ TEST_F(Output, ResetCommunicationKeepsTheCalibration) {
 
 TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     verifies<req::AO4_AOUT_011, req::AO4_AOUT_008>();
-    // 2404h = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
+    // 2404h (Calibration Offset Value) = 8 is 8 * 312.5 uV = 2.5 mV, one step of 2.492 mV.
     write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
     expect_steps(1, 1024);
     write("603#2B04240108000000");
@@ -260,7 +260,7 @@ TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     write("603#2B11640300200000");
     write("603#2F43640100000000");  // error mode of output 1: 0 V
     write("603#2F43640201000000");  // error mode of output 2: the value of 6444h
-    write("603#2344640200000004");  // 6444h:2 = 0400h = 1024: 128 steps
+    write("603#2344640200000004");  // 6444h:2 (Analogue Output Error Value) = 0400h = 1024: 128 steps
     write("603#2F43640302000000");  // error mode of output 3: unchanged
     write("603#2310100173617665");
     inputs.internal_fault = true;

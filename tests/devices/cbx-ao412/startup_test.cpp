@@ -153,8 +153,8 @@ TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
 
 namespace {
 
-/// Returns the state after the delay of the self-start, with this value of 1029h:1, when the controller is bus-off from
-/// the boot-up on, or from 50 ms after it.
+/// Returns the state after the delay of the self-start, with this value of 1029h:1 (error behaviour). The controller is
+/// bus-off from the boot-up on, or from 50 ms after it.
 NmtState started_in_bus_off(const std::string& reaction, bool before_boot_up) {
     CbxBench bench;
     bench.power_on();

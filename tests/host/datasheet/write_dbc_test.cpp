@@ -270,7 +270,7 @@ TEST(WriteDbc, SdoIsMultiplexedByIndexAndSubIndex) {
         EXPECT_EQ(place(gain), "32|32-");
         EXPECT_EQ(gain.real, 1);
     }
-    // 1018h:04 is read-only: 4 x 65536 + 4120
+    // 1018h:04 (identity object) is read-only: 4 x 65536 + 4120
     EXPECT_EQ(response.signals.at("x1018_04_Identity_Entry_4").multiplex, "m266264");
     EXPECT_EQ(request.signals.count("x1018_04_Identity_Entry_4"), 0U);
     // 6200h:02 is write-only: 2 x 65536 + 25088

@@ -78,8 +78,9 @@ TEST(RegisterAdvice, UncoveredStatementIsReported) {
 TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
     EXPECT_THAT(
         advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"),
-        ElementsAre("spec/manuals/m/1.toml:5: no item that covers M1:1/1 names 1 as its source (items: AO4-R-1); "
-                    "add the place to the source of one item, or name an item that has this source"));
+        ElementsAre(
+            "spec/manuals/m/1.toml:5: M1:1/1 is covered by AO4-R-1, but none of these items names 1 as its source; "
+            "add the place to the source of one item, or name an item that has this source"));
 }
 
 TEST(RegisterAdvice, ObjectCountsForTheSectionThatDescribesIt) {

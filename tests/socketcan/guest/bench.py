@@ -126,10 +126,11 @@ def boot_up(ear, nodes):
 
 
 class Run:
-    """`canproof run …`, with notices that can be read while it runs. log: the frames in the format of candump."""
+    """`canproof run …`, with notices that can be read while it runs. log: the frames in the format of candump. Runs at the same time
+    need different names."""
 
-    def __init__(self, program, *words, prefix=()):
-        self.log = f"/tmp/run.{os.getpid()}.log"
+    def __init__(self, program, *words, prefix=(), name="run"):
+        self.log = f"/tmp/{name}.{os.getpid()}.log"
         if os.path.exists(self.log):
             os.unlink(self.log)
         open(self.log, "wb").close()

@@ -69,7 +69,7 @@ def dumped():
 
 
 def log_is_candumps(run):
-    """Compares the frames that the log has now. Heartbeats go on, so candump may soon have more.
+    """Compares the frames that the log has now. Heartbeats continue, so candump may soon have more.
 
     candump writes the frames of one socket as the kernel delivers them. Each device has a socket of its own, and the log is in
     the order of the kernel's time stamps. With two processors, the kernel may deliver two frames in another order than that of

@@ -13,6 +13,7 @@ import interface
 import lss
 import panel
 import readme
+import two_networks
 import warm_python
 
 CLONE_NEWNET = 0x40000000  # linux/sched.h
@@ -37,6 +38,7 @@ def check_program(program):
     lss.check_granted("", program)
     lss.check_refused(program)
     panel.check_panel(program)
+    two_networks.check_all(program)
 
 
 def check_sanitized(kind, program):

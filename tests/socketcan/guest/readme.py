@@ -17,7 +17,8 @@ def blocks():
 
 
 class Shell:
-    """A shell in a folder whose build/release/canproof is `program`. Its user may become root, and python3 starts fast (warm_python.py)."""
+    """A shell in a folder in which build/release/canproof is a link to `program`. `sudo` runs commands directly, and python3 starts fast
+    (warm_python.py)."""
 
     program = None
 

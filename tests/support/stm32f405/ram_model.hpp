@@ -37,7 +37,7 @@ class RamModel final : public Peripheral {
     Slots<stm32f405::Register> words() { return {block_.data(), block_.size()}; }
     /// Accesses a word as it is stored, without the defect.
     std::uint32_t& at(std::size_t word) { return content_.at(word); }
-    /// Counts the accesses, and those of them with interrupts enabled.
+    /// Returns the number of accesses; unmasked() returns the number of accesses with interrupts enabled.
     std::size_t accesses() const { return accesses_; }
     std::size_t unmasked() const { return unmasked_; }
 

@@ -15,7 +15,8 @@ namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 namespace index = generated::ax060805::index;
 
-// Distance between the indices of the same parameter of two consecutive functions: 3000h, 3010h, …
+// Distance between the indices of the same parameter of two consecutive functions: 3000h (Binary Function Output Field
+// Value), 3010h, …
 constexpr std::uint32_t function_index_step = generated::ax060805::index::binary_function_2_signal_source -
                                               generated::ax060805::index::binary_function_1_signal_source;
 

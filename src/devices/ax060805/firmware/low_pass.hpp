@@ -7,8 +7,8 @@
 
 namespace canproof::ax060805 {
 
-/// Returns the share of the remaining step that one sample covers: 1 - exp(-2 pi f T) for the cut-off frequency f and
-/// the period T, where f T is at most 0.5.
+/// Returns the share of the remaining step that one sample covers: 1 - exp(-2 pi f T). Here f is the cut-off frequency
+/// and T the period; f T is at most 0.5.
 float low_pass_coefficient(float cut_off_hz, Duration period) noexcept;
 
 /// Returns the delay of slow changes in milliseconds: the time constant 1 / (2 pi f).

@@ -32,8 +32,8 @@ class Device final : private Application {
   public:
     Device(NonVolatileMemory& memory, TransmitQueue& queue, const FactoryData& factory) noexcept;
 
-    /// Starts with the node-ID and bit rate that LSS stored, or that 1010h stored from 5B50h change baud rate and 5B51h
-    /// change node-ID; with those as shipped when nothing is stored.
+    /// Starts with the node-ID and bit rate that were stored, by LSS or by 1010h from 5B50h (change baud rate) and
+    /// 5B51h (change node-ID). Starts with those as shipped when nothing is stored.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
     /// Sets the physical inputs from `now` on; the blocks use them in their next cycle.
@@ -93,14 +93,15 @@ class Device final : private Application {
     RelayOutput relay_;
 
     std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
-    Instant epoch_{};                                  ///< cycles run at whole multiples of the cycle time after this
+    Instant epoch_{};                                  ///< start of the cycles: each cycle begins a whole number of
+                                                        //< cycle times later
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
     bool runs_{false};  ///< the node was operational at the last call of watch_network()
     /// The last cycle changed nothing. After two such cycles the blocks are not evaluated until something changes. The
-    /// result of a cycle depends on frames, inputs and writes (each calls wake()), on the state that watch_network()
-    /// reads, on the result of run_blocks(), and on the times in next_change().
+    /// result of a cycle depends on frames, inputs and writes, each of which calls wake(). It also depends on the state
+    /// that watch_network() reads, on the result of run_blocks(), and on the times in next_change().
     bool was_quiet_{false};
 };
 

@@ -104,8 +104,8 @@ AbortCode check_range(const double value, const double least, const double great
     return (value < least) ? AbortCode::value_too_low : AbortCode::none;
 }
 
-/// Checks the X of a point in data response: between its neighbours, in 16 bits, and within the limits of the source,
-/// if it has a value and its limits differ from each other (1.5.1).
+/// Checks the X of a point in data response (1.5.1): X must be between its neighbours and fit into 16 bits. If the
+/// source has a value and two different limits, X must also be within these limits.
 static_assert(implements<req::AOR_LT_009>);
 AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                            const std::uint8_t point, const std::int32_t x) noexcept {

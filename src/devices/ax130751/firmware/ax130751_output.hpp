@@ -62,7 +62,7 @@ class UniversalOutput {
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
     double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
     /// The last physical values of the parameters, which are rarely written and read in every cycle. This cache depends
-    /// on the integer of each parameter and its digits, 6302h or 6332h.
+    /// on the integer of each parameter and its digits, 6302h (AO Decimal Digits PV) or 6332h (AO Decimal Digits FV).
     struct KeptParameters {
         KeptPhysicalValue scaling_1_pv{};
         KeptPhysicalValue scaling_2_pv{};
@@ -81,7 +81,7 @@ class UniversalOutput {
     void clear(Outputs& outputs) const noexcept;
     double level() const noexcept;
     SwitchPolarity polarity() const noexcept;
-    /// Sets 7330h and 2370h. Returns true when one of them changes.
+    /// Sets 7330h (AO Output Field Value) and 2370h (AO Feedback Field Value). Returns true when one of them changes.
     bool show(std::int16_t target, std::int16_t feedback) noexcept;
 
     ObjectDictionary& objects_;

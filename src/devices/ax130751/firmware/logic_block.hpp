@@ -48,8 +48,8 @@ std::size_t select_function(const FunctionAt& function_at) noexcept {
     return 0U;
 }
 
-/// Returns where the value of `table` is between its lower limit (0) and its upper limit (100), clamped to 0…100; 0
-/// when the upper limit is not above the lower one.
+/// Returns the position of the value of `table` between its lower limit (0) and its upper limit (100), clamped to
+/// 0…100. Returns 0 when the upper limit is not above the lower one.
 double percentage_of_limits(const BlockSignal& table) noexcept;
 
 }  // namespace canproof::ax130751

@@ -24,8 +24,8 @@ struct LookupPoints {
     std::array<PointResponse, lookup_points> response{};
 };
 
-/// Returns y for x; the x of the points must not decrease. Up to the first point y is that of the first point, and
-/// beyond the last point of the table (the one before the first ignored point) it is that of this last point. An
+/// Returns y for x; the x of the points must not decrease. Up to the first point, y is that of the first point. Beyond
+/// the last point of the table, y is that of the last point, which is the one before the first ignored point. An
 /// interval between two points excludes its lower end.
 double lookup(double x, const LookupPoints& points) noexcept;
 

@@ -27,8 +27,8 @@ struct OutputConditions {
 /// The signal or the rule that drives the output.
 enum class OutputDrive : std::uint8_t { control, shutdown, fault_value, override_value, shut_off, ramp_off, keep };
 
-/// Returns what drives an output: the first that applies of a shutdown, an active override, an enable input that does
-/// not permit the control, an input in error, and the control.
+/// Returns what drives an output. The first that applies counts: a shutdown, an active override, an enable input that
+/// does not permit the control, an input in error, or the control.
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept;
 
 }  // namespace canproof::ax130751

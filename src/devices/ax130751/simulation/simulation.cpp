@@ -24,7 +24,7 @@ ax130751::FactoryData factory_data(const FactoryValues& values) {
     return data;
 }
 
-/// The AX130751 or AX130771: both have the same firmware and the same product code in 1018h:2.
+/// The AX130751 or AX130771: both have the same firmware and the same product code in 1018h:2 (identity object).
 class Ax130751Simulation final
     : public Simulation<ax130751::Device, ax130751::Inputs, ax130751::Outputs, ax130751::FactoryData> {
   public:

@@ -20,7 +20,7 @@ namespace field = generated::ax188001::field;
 const LssConfiguration shipped{own::shipped_node_id, own::shipped_bit_rate};
 
 const Duration scan_period = milliseconds(own::update_period_ms);
-// A late call performs at most so many of the missed readings, the earliest ones, and skips the rest.
+// A late call performs at most this number of the missed readings, the earliest ones, and skips the rest.
 constexpr std::size_t most_late_scans = 8U;
 
 constexpr ErrorId channel_error(const ChannelFault fault, const std::size_t channel) noexcept {

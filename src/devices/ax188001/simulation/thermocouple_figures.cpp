@@ -30,7 +30,7 @@ struct NamedType {
 constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorType::n, "N"}, {SensorType::r, "R"},
                             {SensorType::s, "S"}, {SensorType::t, "T"}, {SensorType::e, "E"}, {SensorType::b, "B"}};
 
-constexpr double sixteenths = 16.0;  // as shipped: 7130h = 16 T + 4368
+constexpr double sixteenths = 16.0;  // as shipped: 7130h (TC Input Process Value) = 16 T + 4368
 constexpr double offset = 4368.0;
 
 /// An AX188001 alone on a bus with one thermocouple; the plots read it over SDO.

@@ -76,7 +76,8 @@ class Device final : private Application {
     void watch_internal_faults(Instant now) noexcept;
     void set_failed(bool communication, bool internal) noexcept;
     void command_outputs() noexcept;
-    /// Sets output `number` (1…4) to `value`, in the unit of 6411h, until the next command.
+    /// Sets output `number` (1…4) to `value`, in the unit of 6411h (Write Analogue Output 16-Bit), until the next
+    /// command.
     void command_output(std::uint8_t number, std::int16_t value) noexcept;
     /// Sets the voltage of an output from its setting and the present calibration.
     void drive_output(std::uint8_t number) noexcept;

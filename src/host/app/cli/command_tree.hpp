@@ -28,7 +28,7 @@ struct CommandWords {
     std::string joined(const std::string& between) const;
 };
 
-/// Returns the program and all its commands. A command stands before its subcommands.
+/// Returns the program and all its commands. A command is before its subcommands.
 std::vector<CommandWords> command_tree(const CLI::App& app);
 
 }  // namespace canproof::host

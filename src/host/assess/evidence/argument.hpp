@@ -48,7 +48,7 @@ struct Tool {
 };
 
 struct Argument {
-    std::vector<Claim> claims;  ///< each parent stands before its children
+    std::vector<Claim> claims;  ///< each parent is before its children
     std::vector<ExpectedEvidence> evidence;
     std::vector<Technique> techniques;
     std::vector<Tool> tools;

@@ -36,8 +36,8 @@ bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     });
 }
 
-/// Returns the row of one failure. `review` is the note on the review of the hazard, as markup; it stands in the row of
-/// the hazard's first failure.
+/// Returns the row of one failure. `review` is the note on the review of the hazard, as markup; it is in the row of the
+/// hazard's first failure.
 std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status,
                                      const ItemLinks& links, const std::string& review) {
     const bool none = failure.prevented_by.empty();

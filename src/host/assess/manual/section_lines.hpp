@@ -18,9 +18,9 @@ struct SectionLines {
 };
 
 /// Returns the numbered sections whose headings are in the text, in the order of the text. A heading begins with the
-/// section's number, has no page number at its end, and stands before the heading of the next section. After a number
-/// of one or two parts, it must contain at least half of the words of the title. If several lines qualify, the last one
-/// is the heading.
+/// section's number, has no page number at its end, and is before the heading of the next section. After a number of
+/// one or two parts, it must contain at least half of the words of the title. If several lines qualify, the last one is
+/// the heading.
 std::vector<SectionLines> section_lines(const Manual& manual, const std::vector<std::string>& lines);
 
 }  // namespace canproof::host

@@ -31,7 +31,7 @@ FunctionPlace place_of(const AlteredCell& mutant) {
             colons == std::string::npos ? function : function.substr(colons + 2)};
 }
 
-/// Adds each name that stands directly before an opening parenthesis.
+/// Adds each name that is directly before an opening parenthesis.
 void add_calls(const std::string& code, Words& words) {
     for (auto at = code.find('('); at != std::string::npos; at = code.find('(', at + 1)) {
         std::size_t first = at;

@@ -50,8 +50,8 @@ std::string ask_block(Context& context, bool upload) {
     return *answer ? "" : fmt::format("the slave has no block {} (abort 05040001h)", upload ? "upload" : "download");
 }
 
-/// Reads a capability word such as 1010h:01. Returns an empty text when bit 0 of the word is set; otherwise the reason
-/// why the need is not met.
+/// Reads a capability word such as 1010h:01 (store parameters). Returns an empty text when bit 0 of the word is set;
+/// otherwise the reason why the need is not met.
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {

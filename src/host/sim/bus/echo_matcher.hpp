@@ -38,8 +38,8 @@ class EchoMatcher {
     }
 
   private:
-    // Greatest number of sent frames with one identifier that may still come back. A socket cannot contain so many
-    // unread frames, so an older frame has been lost.
+    // Greatest number of sent frames with one identifier that may still come back. A socket cannot contain this number
+    // of unread frames, so an older frame has been lost.
     static constexpr std::size_t most_open = 1U << 17U;
     struct Sent {
         Frame frame;

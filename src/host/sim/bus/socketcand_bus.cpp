@@ -230,7 +230,7 @@ void SocketcandBus::tell_remote_frame(const Frame& frame) {
     }
 }
 
-/// Reads at most one buffer of text from the client, so that a client that sends all the time cannot block the others.
+/// Reads at most one buffer of text from the client. So a client that sends all the time cannot block the others.
 /// take_arrivals() passes the text on at its time of arrival.
 void SocketcandBus::read_client(Client& client, Instant now) {
     if (!client.reads()) {

@@ -125,7 +125,7 @@ class Message {
         const std::uint64_t length = load_le<head>(bytes_.data());
         return (length <= (capacity - head)) ? static_cast<std::size_t>(length) : 0U;
     }
-    /// Marks the message as completely read. take() then begins with the value after the kind.
+    /// Marks the message in the buffer as complete. take() then begins with the value after the kind.
     void filled() {
         end_ = head + expected();
         at_ = head + sizeof(Kind);
@@ -133,7 +133,7 @@ class Message {
     }
 
   private:
-    /// Whether each bit pattern is a valid value of the type.
+    /// True when each bit pattern is a valid value of the type.
     template <typename Value>
     static constexpr bool is_value =
         (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) || std::is_enum_v<Value>;

@@ -9,8 +9,8 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// Any two bits of a word differ in at least one of these: in background n + 1, a bit of the word has the value of bit
-/// n of its position.
+/// Any two bits of a word differ in at least one of these backgrounds. In background n + 1, a bit of the word has the
+/// value of bit n of its position.
 constexpr std::array<std::uint32_t, RamCheck::background_count> backgrounds{0x00000000U, 0xAAAAAAAAU, 0xCCCCCCCCU,
                                                                             0xF0F0F0F0U, 0xFF00FF00U, 0xFFFF0000U};
 

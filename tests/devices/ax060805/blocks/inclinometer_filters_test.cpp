@@ -215,7 +215,7 @@ TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     for (int sample = 0; sample < 8000; ++sample) {
         filter.add(std::remainder(static_cast<float>(step * sample), 360.0F));
         if (sample >= 999) {
-            // The mean of the samples from n - 999 to n; the share of a run may be off by 8 samples.
+            // The mean of the samples from n - 999 to n. The oldest run counts in part: the error is at most 8 samples.
             const float mean = static_cast<float>(step) * (static_cast<float>(sample) - 499.5F);
             ASSERT_NEAR(std::remainder(filter.output() - mean, 360.0F), 0.0F, 1.0F) << sample;
         }

@@ -122,7 +122,7 @@ TEST(SensorErrors, LimitsOfSensorErrorsAreThoseOfThePartNumber) {
     EXPECT_THAT(refusal("ax188001", "sensor_drift=1"), HasSubstr("no sensor_drift"));
 }
 
-/// 4030h and 4040h: pitch and roll, one count per degree by default (4.3.7).
+/// 4030h (Pitch Angle Data Field Value) and 4040h: pitch and roll, one count per degree by default (4.3.7).
 TEST(SensorErrors, DeviceMeasuresTheSensorErrors) {
     verifies<req::INC_PLANT_004>();
     const ChosenDevice chosen = device_with("ax060805", {"sensor_initial_error=2"});

@@ -65,7 +65,7 @@ TEST(Ax130751Replay, OutputsFollowAnRpdoAndTheSupply) {
     const Played played = play(log, "2.0,supply,7.5\n", 2050);
     using testing::HasSubstr;
     EXPECT_THAT(played.frames, HasSubstr("(1.500000) can0 1D0#E803D007\n"));  // 1000 and 2000 mV
-    EXPECT_THAT(played.frames, HasSubstr(" can0 0D0#0031010000000000\n"));    // 3100h
+    EXPECT_THAT(played.frames, HasSubstr(" can0 0D0#0031010000000000\n"));    // 3100h (LT10 Input X-Axis Source)
     EXPECT_THAT(played.outputs, HasSubstr("out1_voltage,1\n"));
     EXPECT_THAT(played.outputs, HasSubstr("out2_voltage,2\n"));
     EXPECT_THAT(played.outputs, HasSubstr("relay_nc,1\n"));

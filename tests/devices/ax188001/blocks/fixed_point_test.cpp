@@ -71,9 +71,9 @@ TEST(FixedPoint, PolynomialIsEvaluatedAboutTheMiddleOfItsRange) {
     EXPECT_NEAR(from_fixed(made.value(to_fixed(-1000.0))), 15.0, 1e-11);
 }
 
-TEST(FixedPoint, ReachIncludesTheEndsOfTheRange) {
+TEST(FixedPoint, PolynomialIsExactAtTheEndsOfItsRange) {
     shows_rule("numbers in fixed point");
-    // x itself, from -1 to 1: a reach of 2^0 would end before the ends.
+    // The polynomial is x, from -1 to 1. With `reach` 0 its value at exactly 1 would be wrong.
     const auto made = fixed_polynomial(Coefficients{0.0, 1.0}, 2U, -1.0, 1.0);
     EXPECT_EQ(made.reach, 1U);
     EXPECT_EQ(made.value(to_fixed(1.0)), to_fixed(1.0));

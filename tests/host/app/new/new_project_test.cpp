@@ -133,7 +133,8 @@ TEST(NewProject, NodeIdBitRateAndObjectsComeFromTheDataSheet) {
     EXPECT_TRUE(device.objects[1].entries[1].stored);
 }
 
-/// Returns the frame that the generated error test expects of node 5 when the data sheet has 1014h with this default.
+/// Returns the frame that the generated error test expects of node 5 when the data sheet has 1014h (COB-ID EMCY) with
+/// this default.
 std::string expected_emergency(std::int64_t value, bool node_id) {
     NewProject project = project_named("box");
     project.eds = small_sheet();

@@ -28,7 +28,7 @@ class AuditPages : public Pack {
 
 }  // namespace
 
-TEST_F(AuditPages, ItemsStandOnThePageOfTheirPartBelowTheirService) {
+TEST_F(AuditPages, ItemsAreOnThePageOfTheirPartBelowTheirService) {
     const std::string page = make().at("audit-device.html");
     const auto relay = page.find("<h2 id=\"service-relay\">Relay</h2>");
     const auto block = page.find("<h2 id=\"service-sdo_block\">SDO block</h2>");
@@ -74,7 +74,7 @@ TEST_F(AuditPages, ItemShowsItsReviewOrWhyItNoLongerCounts) {
     EXPECT_THAT(make().at("audit-device.html"), HasSubstr("changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditPages, TestsOfOneSuiteWithTheSameResultStandInOneLine) {
+TEST_F(AuditPages, TestsOfOneSuiteWithTheSameResultAreInOneLine) {
     input_.evidence.verdicts["D-A-001"] = {{"S.One", "test", true}, {"T.Two", "test", true}, {"S.Three", "test", true}};
     input_.evidence.verdicts["D-A-001"].push_back({"S.Four", "test", false});
     const std::string page = make().at("audit-device.html");

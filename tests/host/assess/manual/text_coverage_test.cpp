@@ -161,7 +161,7 @@ TEST(ManualTextCoverage, NormativeSectionsWithoutAHeadingAreReported) {
 
 namespace {
 
-/// Returns the CPU seconds of the quickest of three searches for 50 passages in a text of so many words.
+/// Returns the CPU seconds of the quickest of three searches for 50 passages in a text of this number of words.
 double cost_of(const unsigned words) {
     std::string text;
     for (unsigned i = 0; i < words; ++i) {

@@ -27,7 +27,7 @@ TEST(LinkPlaces, LinkAboveAFunctionIsAccepted) {
                 IsEmpty());
 }
 
-TEST(LinkPlaces, CommentMayStandBetweenLinkAndFunction) {
+TEST(LinkPlaces, CommentMayBeBetweenLinkAndFunction) {
     EXPECT_THAT(misplaced({"static_assert(implements<req::A>);", "/// Does it.", "void do_it() {", "}"}), IsEmpty());
 }
 

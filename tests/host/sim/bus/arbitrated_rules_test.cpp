@@ -147,7 +147,7 @@ TEST(ArbitratedRules, LatencyOfAnAnswerCountsFromTheEndOfItsRequest) {
     EXPECT_EQ(bus.report(Instant{20000}).worst_latency.us, (3 + length_of("583#0102030405060708")) * 8);
 }
 
-TEST(ArbitratedRules, NodeThatIsBackOnTheBusTakesPartInTheArbitrationOfThatTime) {
+TEST(ArbitratedRules, NodeThatReturnsToTheBusTakesPartInTheArbitration) {
     ArbitratedBus bus{"inproc", 125000, {}};
     ReturningNode a{"a"};
     PlainNode b{"b"};

@@ -21,7 +21,8 @@ constexpr int longest_wait_ms = 5000;  // reached only in a broken test
 constexpr int comparisons = 100;       // of the run's clock with the real time: one of them is exact
 
 /// A socket that sends to itself until the kernel stamps what arrives. The kernel begins to stamp some time after the
-/// first socket asks for it; before that, the stamp is the time of reading. It goes on as long as this socket exists.
+/// first socket asks for it; before that, the stamp is the time of reading. The kernel continues as long as this socket
+/// exists.
 class StampedSocket {
   public:
     StampedSocket() {

@@ -248,7 +248,7 @@ TEST_F(ScriptedBus, ReturnedServerGetsTheWaitingFrames) {
     EXPECT_EQ(bus->next_deadline(), never);
 }
 
-TEST_F(ScriptedBus, ErrorOfALostConnectionIsNotReportedOnTheNextOne_AndTheSameErrorThereIs) {
+TEST_F(ScriptedBus, EachConnectionReportsOnlyItsOwnErrors) {
     join();
     say("< error no such thing >");
     server.hang_up();

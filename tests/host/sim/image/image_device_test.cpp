@@ -167,7 +167,7 @@ TEST(ImageDevice, ImageThatDiffersFromTheHostFirmwareIsRefused) {
     EXPECT_THROW(ao412.send("603#4018100400000000"), ImageFailed);  // 1018h:4 has the serial number
 }
 
-// 1018h:4 has the serial number: that of the image differs from that of the host's firmware.
+// 1018h:4 (identity object) has the serial number: that of the image differs from that of the host's firmware.
 TEST(ImageDevice, ImageWithItsOwnClockIsNotComparedWithTheHostFirmware) {
     FactoryValues other;
     other.set_number("serial_number", 7.0);
