@@ -18,6 +18,7 @@ class Pdo : public CbxTest {
     std::string output(int number) {
         return send("603#4011640" + std::to_string(number) + "00000000").at(0).substr(12, 4);
     }
+    std::vector<std::string> outputs() { return {output(1), output(2), output(3), output(4)}; }
     void disable_rpdo2() { write("603#2301140103030080"); }
     void enable_rpdo2() { write("603#2301140103030000"); }
 };
@@ -71,15 +72,21 @@ TEST_F(Pdo, PreOperationalAppliesNoRpdoAndDropsWaitingRpdos) {
 
 TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     verifies<req::CO_PDO_004, req::CO_PDO_037>();
-    send("303#01000200030004");
-    EXPECT_EQ(output(1), "0000");
+    send("303#1111222233334444");
+    for (const char* short_frame : {"303#", "303#0100", "303#01000200030004"}) {
+        send(short_frame);
+        EXPECT_EQ(outputs(), (std::vector<std::string>{"1111", "2222", "3333", "4444"})) << short_frame;
+    }
     disable_rpdo2();
     write("603#2F01160000000000");
     write("603#2F01160001000000");  // only the first entry, 6411h:1
     enable_rpdo2();
+    send("303#34");
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"1111", "2222", "3333", "4444"}));
     send("303#3412FFFFFFFF");
-    EXPECT_EQ(output(1), "3412");
-    EXPECT_EQ(output(2), "0000");
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"3412", "2222", "3333", "4444"}));
+    send("303#7856");
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"7856", "2222", "3333", "4444"}));
 }
 
 TEST_F(Pdo, Bit31OfTheCobIdSwitchesTheRpdoOff) {

@@ -170,22 +170,18 @@ TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#8000000001000405"}));  // no transfer is open any more
 }
 
-TEST_F(Sdo, EachUploadSegmentRestartsTheTimeOut) {
-    verifies<req::CO_SDO_014>();
-    send("603#4008100000000000");
-    pass(900);
-    send("603#6000000000000000");
-    EXPECT_TRUE(pass(900).empty());
-    EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
-}
-
 TEST_F(Sdo, EachDownloadSegmentRestartsTheTimeOut) {
-    verifies<req::CO_SDO_014>();
-    send("603#2120100104000000");
-    EXPECT_TRUE(pass(900).empty());
-    EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
-    EXPECT_TRUE(pass(900).empty());
-    EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
+    verifies<req::CO_SDO_014, req::CO_K_SDO_TIMEOUT>();
+    send("603#2120100104000000");  // four bytes, one in each segment
+    EXPECT_TRUE(pass(999).empty());
+    EXPECT_EQ(send("603#0C78000000000000"), (Frames{"583#2000000000000000"}));
+    EXPECT_TRUE(pass(999).empty());
+    EXPECT_EQ(send("603#1C56000000000000"), (Frames{"583#3000000000000000"}));
+    EXPECT_TRUE(pass(999).empty());
+    EXPECT_EQ(send("603#0C34000000000000"), (Frames{"583#2000000000000000"}));
+    EXPECT_TRUE(pass(999).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:583#8020100100000405"}));
+    EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100100000000"}));  // nothing was written
 }
 
 TEST_F(Sdo, RefusedWriteChangesNothing) {
@@ -225,6 +221,18 @@ TEST_F(SlaveSdo, AbortNamesTheObjectOfTheRefusedRequestOrEndedTransfer) {
                     {"605#2100230005000000", {"585#6000230000000000"}},
                     {"605#6000000000000000", {"585#8000230001000405"}},
                 });
+}
+
+TEST_F(SlaveSdo, EachUploadSegmentRestartsTheTimeOut) {
+    verifies<req::CO_SDO_014, req::CO_K_SDO_TIMEOUT>();
+    // 1008h has 17 bytes: the third segment is the last
+    EXPECT_EQ(send("605#4008100000000000"), (Frames{"585#4108100011000000"}));
+    for (const char* request : {"605#6000000000000000", "605#7000000000000000"}) {
+        EXPECT_TRUE(pass(999).empty()) << request;
+        EXPECT_EQ(send(request).size(), 1U);
+    }
+    EXPECT_TRUE(pass(999).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:585#8008100000000405"}));
 }
 
 TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {

@@ -98,6 +98,19 @@ TEST(TransmitQueueOrder, BootUpMessageDropsEarlierFramesAndIsNotOvertaken) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, FramesBehindAWaitingBootUpMessageAreInTheOrderOfTheirPriority) {
+    verifies<req::CO_FRAME_002, req::CO_FRAME_003>();
+    TransmitQueue queue;
+    queue.push_boot_up(numbered(0x703, 1));
+    queue.push(numbered(0x583, 4));
+    queue.push(numbered(0x183, 3));
+    queue.push(numbered(0x083, 2));
+    queue.push(numbered(0x703, 5));
+    for (const int expected : {1, 2, 3, 4, 5}) {
+        EXPECT_EQ(queue.pop().data[0], expected);
+    }
+}
+
 TEST(TransmitQueueOrder, SecondBootUpMessageReplacesAWaitingOneAndTheFramesBehindIt) {
     verifies<req::CO_FRAME_003, req::CO_NMT_001>();
     TransmitQueue queue;

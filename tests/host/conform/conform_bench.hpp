@@ -14,13 +14,14 @@
 
 namespace canproof::host::conform::test {
 
-/// The conformance slave with a hook for each of its frames: false drops the frame.
+/// The conformance slave with a hook for each of its frames: false drops the frame. While `*stuck`, the slave's
+/// deadline does not advance.
 class HookedSlave final : public SimulatedDevice {
   public:
     using Hook = std::function<bool(Frame&)>;
 
-    explicit HookedSlave(Hook hook)
-        : SimulatedDevice{1}, inner_{canproof::test::slave_part()}, hook_{std::move(hook)} {}
+    explicit HookedSlave(Hook hook, const bool* stuck = nullptr)
+        : SimulatedDevice{1}, inner_{canproof::test::slave_part()}, hook_{std::move(hook)}, stuck_{stuck} {}
 
     void set_node_id(NodeId node_id) override { inner_.set_node_id(node_id); }
     void power_on(Instant now) override {
@@ -35,7 +36,7 @@ class HookedSlave final : public SimulatedDevice {
         inner_.advance(now);
         pass_on();
     }
-    Instant next_deadline() const override { return inner_.next_deadline(); }
+    Instant next_deadline() const override { return stuck_ != nullptr && *stuck_ ? Instant{} : inner_.next_deadline(); }
     bool set_input(const std::string& name, double value, Instant now) override {
         return inner_.set_input(name, value, now);
     }
@@ -60,6 +61,7 @@ class HookedSlave final : public SimulatedDevice {
 
     GenericSimulation inner_;
     Hook hook_;
+    const bool* stuck_;
 };
 
 /// A target that behaves like a real bus: a failure may not repeat, the slave cannot be switched off, and the user may

@@ -68,6 +68,37 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
     EXPECT_THAT(next.left.front(), HasSubstr("failed: nothing to restore"));
 }
 
+// The slave sends a heartbeat each 100 ms.
+TEST(ConformRun, WatchEndsBeforeTheRestoreSteps) {
+    const CaseResult result =
+        run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
+                           "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
+    EXPECT_EQ(result.verdict, Verdict::passed) << result.why;
+    EXPECT_THAT(result.left, IsEmpty());
+}
+
+TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
+    bool written = false;
+    bool stuck = false;
+    VirtualTarget target{std::make_unique<HookedSlave>(
+                             [&](Frame& frame) {
+                                 written = written ||
+                                           (frame.id == sdo_answer && frame.data[0] == 0x60 && frame.data[1] == 0x17);
+                                 stuck = stuck || (written && frame.id == 0x705 && frame.data[0] == 0);
+                                 return true;
+                             },
+                             &stuck),
+                         5};
+    const ConformReport report =
+        run_on(target, case_text("some", "write 1017:00 = 50\nread 1000:00") + case_text("other", "read 1000:00"));
+    ASSERT_EQ(report.results.size(), 2U);
+    EXPECT_EQ(report.results[0].verdict, Verdict::no_answer);
+    EXPECT_THAT(report.results[0].why, HasSubstr("afterwards: "));
+    EXPECT_THAT(report.results[0].why, HasSubstr("does not advance at"));
+    EXPECT_EQ(report.results[1].verdict, Verdict::not_run);
+    EXPECT_EQ(report.results[1].why, "the slave stopped answering in some");
+}
+
 TEST(ConformRun, ReturnFromALoopEndsTheNameOfItsIteration) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";

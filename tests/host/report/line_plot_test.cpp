@@ -100,8 +100,16 @@ TEST(Grouped, ThousandsAreSeparated) {
 }
 
 TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
-    parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
-    parsed(write_svg(LinePlot{"none", "", "", {}, {}}));
+    // The axes extend half a unit on each side of the only point, so that it lies in the middle: 84 to 940, 360 to 44.
+    const auto flat = parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
+    EXPECT_STREQ(flat.child("svg").child("path").attribute("d").value(), "M512.0 202.0");
+    EXPECT_EQ(texts(flat).front(), "flat");
+    EXPECT_EQ(texts(flat).back(), "one");
+    // Without a curve, both axes extend from 0 to 1, in steps of 0.2.
+    const auto none = parsed(write_svg(LinePlot{"none", "x / s", "y / V", {}, {}}));
+    EXPECT_TRUE(none.child("svg").child("path").empty());
+    EXPECT_EQ(texts(none), (std::vector<std::string>{"none", "0", "0.2", "0.4", "0.6", "0.8", "1", "0", "0.2", "0.4",
+                                                     "0.6", "0.8", "1", "x / s", "y / V"}));
 }
 
 TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {

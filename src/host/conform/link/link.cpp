@@ -170,6 +170,10 @@ void Link::end_watch(const std::shared_ptr<const Watched>& watched) {
     watches_.erase(std::remove(watches_.begin(), watches_.end(), watched), watches_.end());
 }
 
+void Link::end_watches() {
+    watches_.clear();
+}
+
 void Link::produce(const Frame& frame, Duration period) {
     stop_producing(frame.id);
     if (on_send_) {
@@ -203,7 +207,7 @@ void Link::set_traffic(double percent, bool high) {
 void Link::begin_case() {
     stop_producing();
     set_traffic(0.0, false);
-    watches_.clear();
+    end_watches();
     inbox_.clear();
     log_.clear();
     worst_delay_ = {};

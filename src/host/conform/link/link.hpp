@@ -67,6 +67,7 @@ class Link {
     /// only the newest collects it.
     std::shared_ptr<const Watched> watch(Watched wanted);
     void end_watch(const std::shared_ptr<const Watched>& watched);
+    void end_watches();
     /// Waits until `done` returns true, but at most until `deadline`. Returns the last result of `done`.
     bool wait_for(const std::function<bool()>& done, Instant deadline);
 

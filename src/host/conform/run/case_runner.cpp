@@ -233,16 +233,23 @@ void CaseRunner::run_once(const Case& one, CaseResult& result) {
     if (result.verdict != Verdict::passed && result.verdict != Verdict::skipped) {
         result.frames = link_.log();
     }
-    try {
-        clean_up(one, result);
-    } catch (const SlaveFailed& failed) {
-        const bool answers = reset(NmtCommand::reset_node);
-        alive_ = answers;
-        result.left.push_back(failed.what());
+    const auto tell = [&](const std::string& why) {
+        result.left.push_back(why);
         if (result.verdict == Verdict::passed || result.verdict == Verdict::failed) {
-            result.why += (result.why.empty() ? "" : "; ") + std::string{"afterwards: "} + failed.what();
-            result.verdict = answers ? Verdict::failed : Verdict::no_answer;
+            result.why += (result.why.empty() ? "" : "; ") + std::string{"afterwards: "} + why;
+            result.verdict = alive_ ? Verdict::failed : Verdict::no_answer;
         }
+    };
+    try {
+        try {
+            clean_up(one, result);
+        } catch (const SlaveFailed& failed) {
+            alive_ = reset(NmtCommand::reset_node);
+            tell(failed.what());
+        }
+    } catch (const StuckDevice& stuck) {
+        alive_ = false;
+        tell(stuck.what());
     }
     if (!result.left.empty() && result.verdict == Verdict::passed) {
         result.verdict = Verdict::failed;
@@ -331,6 +338,7 @@ void CaseRunner::save_parameters() {
 void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     link_.stop_producing();
     link_.set_traffic(0.0, false);
+    link_.end_watches();  // a watch would take frames from the restore steps
     sdo_.allow_unasked(true);
     if (result.verdict != Verdict::skipped && !one.restore.empty()) {
         Context context{link_, sdo_, sheet_, book_.procedures, journal_};

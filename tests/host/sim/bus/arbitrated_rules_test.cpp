@@ -184,6 +184,21 @@ TEST(ArbitratedRules, EachBusOffStateEndsByTheBitRateOfItsBegin) {
     EXPECT_THAT(a.states, ElementsAre("0 3", "11264 0"));
 }
 
+TEST(ArbitratedRules, EachBusOffStateOfANodeLasts1408Bits) {
+    ArbitratedBus bus{"inproc", 125000, {}};
+    PlainNode a{"a"};
+    bus.attach(a);
+    for (const std::uint64_t begin : {1000U, 20000U, 50000U}) {
+        a.states.clear();
+        const std::string off = fmt::format("{} 3", begin);
+        bus.switch_off(a, Instant{begin});
+        bus.advance(Instant{begin + 11263});
+        EXPECT_THAT(a.states, ElementsAre(off));
+        bus.advance(Instant{begin + 11264});  // 128 × 11 bits of 8 us
+        EXPECT_THAT(a.states, ElementsAre(off, fmt::format("{} 0", begin + 11264)));
+    }
+}
+
 TEST(ArbitratedRules, BusOffIsReportedToANodeWithAnOverrunToo) {
     ErrorBench bench{BusFaultRates{0.0, 0.5, 0.0, 1}};
     for (int i = 0; i < 100 && (bench.node.overruns.empty() || !bench.node.overruns.back()); ++i) {

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "host/base/input_error.hpp"
@@ -50,6 +52,17 @@ class SocketcandServerRules : public SocketcandServer {
         bus.advance(now);
         now = bus.next_deadline();
         bus.advance(now);
+    }
+    /// Waits until the kernel has text that the server has not read.
+    static bool has_text(int descriptor) {
+        pollfd waiting{descriptor, POLLIN, 0};
+        return ::poll(&waiting, 1, most_looks * 10) > 0;
+    }
+    /// Returns the number of characters that the kernel has received and the server has not read.
+    static int unread(int descriptor) {
+        int count = -1;
+        EXPECT_EQ(ioctl(descriptor, FIONREAD, &count), 0);
+        return count;
     }
     int lowest_free_descriptor() const {
         const int descriptor = dup(bus.watches().front().descriptor);
@@ -165,11 +178,18 @@ TEST_F(SocketcandServerRules, CommandMayArriveByteByByte) {
 TEST_F(SocketcandServerRules, TextIsReadOnlyWhenEarlierTextHasBeenPassedOn) {
     TcpClient client{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
+    const int descriptor = bus.watches().back().descriptor;
     client.say("< echo >");
     ASSERT_TRUE(arrive());
     bus.poll(now);
+    EXPECT_EQ(unread(descriptor), 0);
     client.say("< echo >");
+    ASSERT_TRUE(has_text(descriptor));
     bus.poll(now);
+    EXPECT_EQ(unread(descriptor), 8);  // the eight characters of `< echo >`
+    bus.advance(now);
+    bus.poll(now);
+    EXPECT_EQ(unread(descriptor), 0);
     EXPECT_TRUE(until([&] { return client.heard() == "< hi >< echo >< echo >"; }));
 }
 

@@ -53,11 +53,16 @@ TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
-TEST(FrameLog, LogWithoutAStreamWritesNothing) {
-    FrameLog log{nullptr, LogFormat::pcapng};
-    log.begin("can0");
-    log.write({}, true);
-    EXPECT_FALSE(log.is_wanted());
+TEST(FrameLog, LogIsWantedWithAStreamOnlyAndIgnoresFramesWithoutOne) {
+    for (const LogFormat format : {LogFormat::candump, LogFormat::marked, LogFormat::pcap, LogFormat::pcapng}) {
+        std::ostringstream out;
+        EXPECT_TRUE((FrameLog{&out, format}.is_wanted()));
+        EXPECT_EQ(out.str(), "");  // the header comes with begin()
+        FrameLog none{nullptr, format};
+        EXPECT_FALSE(none.is_wanted());
+        none.begin("can0");
+        none.write({}, true);  // an access to the missing stream would end the program
+    }
 }
 
 TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
