@@ -21,8 +21,8 @@ function(canproof_add_device name)
   set_property(GLOBAL APPEND PROPERTY CANPROOF_DEVICES ${name})
 endfunction()
 
-# A switch over the parameters that a write can change (`Parameter` of generated/NAME/written.hpp) must have a label for each of them:
-# a new object of the register that the switch does not name stops the build.
+# A switch over `Parameter` of generated/NAME/written.hpp (the parameters that a write can change) must have a label for each of them.
+# A new object of the register that the switch does not name stops the build.
 function(canproof_check_written_parameters)
   foreach(source ${ARGN})
     file(STRINGS ${source} labels REGEX "case (own::)?Parameter::")

@@ -94,7 +94,7 @@ class Device final : private Application {
 
     std::array<std::uint16_t, output_count> types_{};  ///< last applied value of 6310h output type
     Instant epoch_{};                                  ///< start of the cycles: each cycle begins a whole number of
-                                                        //< cycle times later
+                                                       //< cycle times later
     Instant next_cycle_{never};
     std::uint8_t overdue_{0U};
     bool silent_{false};
