@@ -30,7 +30,7 @@ EXAMPLES = (
     ("a.md", "| a |\n|---|\n| It is told. |\n", ["3: layout: `told`"]),
     ("a.cpp", "// A sign stands for a number; the machine stands still. It stands above.\n", ["1: comment: `stands`; write is"]),
     ("a.md", "The boards are ours.\n", ["1: prose: `ours`"]),
-    ("a.cpp", "// The device lends memory to whoever asks.\n", ["1: comment: `lends`", "1: comment: `whoever`"]),
+    ("a.cpp", "// The device lends memory to all who ask.\n", ["1: comment: `lends`"]),
     # Names, parts of words, strings of a program.
     ("a.cpp", "// `held` and \"told\" are names; amend, threshold and re-mend are other words.\n", []),
     ("a.cpp", 'const char* a = "it is told // told";\n', []),
