@@ -142,6 +142,9 @@ PackFiles make_pack(const PackInput& input) {
             page(exhibits.at(one.key).page, one.title, exhibit_page(one));
         }
         files.insert(one.files.begin(), one.files.end());
+        if (!one.page.empty()) {
+            files[one.page] = framed_page(one, frame);
+        }
         for (const auto& name : one.data) {
             files["data/" + std::filesystem::path{name}.filename().string()] = one.files.at(name);
         }
