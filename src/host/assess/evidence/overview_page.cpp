@@ -28,7 +28,7 @@ std::string claims_on(const std::string& key, const Argument& argument) {
     std::string text;
     for (const auto& claim : argument.claims) {
         if (std::find(claim.evidence.begin(), claim.evidence.end(), key) != claim.evidence.end()) {
-            text += fmt::format("<a href=\"#{0}\">{0}</a> ", escaped(claim.id));
+            text += fmt::format("{1}<a href=\"#{0}\">{0}</a>", escaped(claim.id), text.empty() ? "" : ", ");
         }
     }
     return text;
