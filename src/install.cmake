@@ -43,6 +43,25 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/package/canproofConfig.cmake
 ]] @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/package/canproofConfig.cmake DESTINATION lib/cmake/canproof)
 
+# Manual pages and completions, as the program itself prints them.
+install(CODE "set(program \"$<TARGET_FILE:canproof>\")
+set(words \"${CMAKE_BINARY_DIR}/package/words\")")
+install(CODE [[
+file(REMOVE_RECURSE ${words})
+file(MAKE_DIRECTORY ${words}/man)
+execute_process(COMMAND ${program} manual --out ${words}/man COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB pages ${words}/man/*.1)
+execute_process(COMMAND gzip -9n ${pages} COMMAND_ERROR_IS_FATAL ANY)
+foreach(shell bash zsh fish)
+  execute_process(COMMAND ${program} completion ${shell} OUTPUT_FILE ${words}/${shell} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+set(share ${CMAKE_INSTALL_PREFIX}/share)
+file(INSTALL ${words}/man/ DESTINATION ${share}/man/man1)
+file(INSTALL ${words}/bash DESTINATION ${share}/bash-completion/completions RENAME canproof)
+file(INSTALL ${words}/zsh DESTINATION ${share}/zsh/vendor-completions RENAME _canproof)
+file(INSTALL ${words}/fish DESTINATION ${share}/fish/vendor_completions.d RENAME canproof.fish)
+]])
+
 # The Debian package (`cpack` in the build of the preset release).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "canproof maintainers <maintainers@localhost>")

@@ -6,8 +6,8 @@ import json
 MARKS = {"violations": "open", "deviations": "", "compliant": "shown"}
 STYLE = """:root{color-scheme:light dark}body{font:15px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem}
 h1,h2{line-height:1.2}table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:left;vertical-align:top;padding:.3rem .5rem;border-bottom:1px solid #8884}
-code{font-size:.92em}.open{color:#c22}.shown{color:#283}.wrap{overflow-x:auto}small{opacity:.75}
-@media(prefers-color-scheme:dark){.open{color:#f77}.shown{color:#7c7}}@media print{body{max-width:none}}"""
+caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}td{overflow-wrap:anywhere}.open{color:#a32016}.shown{color:#1c6b3a}
+@media(prefers-color-scheme:dark){.open{color:#ff9b8e}.shown{color:#7fd39b}}@media print{body{max-width:none}}"""
 
 
 class Outcome:
@@ -138,20 +138,25 @@ def write_markdown(folder, outcome):
 
 
 def write_html(folder, outcome):
+    """Writes the page. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
     mark = "open" if outcome.open or outcome.faults else "shown"
     text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-            f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<h1>MISRA C++:2023</h1>"
+            f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<main><h1>MISRA C++:2023</h1>"
             f'<p><b class="{mark}">{html.escape(lead(outcome))}</b></p>'
-            '<p><a href="../index.html">evidence</a> · <a href="misra.sarif">findings as SARIF 2.1.0</a></p>\n']
+            '<p><a href="misra.sarif">findings as SARIF 2.1.0</a></p>\n']
     for title, introduction, columns, rows in tables(outcome):
         text.append(f"<h2>{title}</h2><p>{introduction if rows else 'None.'}</p>\n")
         if rows:
-            text.append("<div class=wrap><table><tr>" + "".join(f"<th>{column}" for column in columns) + "\n")
+            heads = [column[0].upper() + column[1:] for column in columns]
+            text.append(f"<div{' class=wide' if len(columns) > 4 else ''}><table><caption>{title}</caption><thead><tr>" +
+                        "".join(f"<th scope=col>{head}" for head in heads) + "</thead><tbody>\n")
             for row in rows:
-                cells = "".join(f'<td class="{MARKS.get(cell, "")}">{html.escape(cell)}' for cell in row)
+                cells = "".join(f'<td class="{MARKS.get(cell, "")}" data-h="{head}">{html.escape(cell)}' if cell else "<td>"
+                                for head, cell in zip(heads, row))
                 text.append(f"<tr>{cells}\n")
-            text.append("</table></div>\n")
-    (folder / "misra.html").write_text("".join(text) + "</html>\n")
+            text.append("</tbody></table></div>\n")
+    text.append(f"</main><footer>canproof {html.escape(outcome.version)}</footer></html>\n")
+    (folder / "misra.html").write_text("".join(text))
 
 
 def write_exhibit(folder, outcome):

@@ -68,7 +68,8 @@ bool write_exhibit(const std::vector<Measured>& all, const std::filesystem::path
     canproof::host::write_file(
         folder / "scale.svg",
         canproof::host::write_svg(
-            {"AX130751 simulated on one core", "devices", "processor time for one second, ms", {curve}, {}}));
+            {"AX130751 simulated on one core", "devices", "processor time for one second, ms", {curve}, {}},
+            canproof::host::DrawnTitle::no));
     canproof::host::write_file(folder / "exhibit.json", exhibit.dump(1) + "\n");
     return holds;
 }

@@ -91,6 +91,15 @@ def workload_of_a_part_number():
     assert results[0][1].replace("cbx-ao412", "C.3040.02") == results[1][1], results
 
 
+def unknown_commands():
+    """An unknown or absent command is named, with the command that lists the others."""
+    for words, told in ((["nosuch"], "there is no command `canproof nosuch`; `canproof --help` lists the commands"),
+                        (["spec", "nosuch"], "there is no command `canproof spec nosuch`; `canproof spec --help` lists the commands"),
+                        (["spec"], "`canproof spec` needs a command; `canproof spec --help` lists the commands"),
+                        ([], "`canproof` needs a command; `canproof --help` lists the commands")):
+        assert call(*words) == (2, "", f"canproof: {told}\n"), call(*words)
+
+
 def one_word_each():
     """An option takes one word: the next word is a device, a file or another argument of the command."""
     with tempfile.TemporaryDirectory() as folder:
@@ -169,5 +178,6 @@ switches()
 images()
 keywords()
 folders_with_at()
+unknown_commands()
 one_word_each()
-print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, one word an option")
+print("version; node-IDs: refused, named, shared, switches; part numbers, factory data, images, commands, one word an option")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/shell_words.py PROGRAM: checks that completion and manual page contain every command and option of --help."""
+"""tests/program/shell_words.py PROGRAM: checks that completion and manual pages contain every command and option of --help."""
 import pathlib
 import re
 import shutil
@@ -61,6 +61,17 @@ def main():
             for option in options_of(path) if path else []:
                 if f".B {option}" not in page or f".B {option}" not in own_page:
                     sys.exit(f"a manual page does not have {option} of canproof {' '.join(path)}")
+        written = pathlib.Path(folder) / "man"
+        written.mkdir()
+        said(PROGRAM, "manual", "--out", written)
+        pages = {f"canproof-{name}.1": [name] for name in commands_of(())} | {"canproof.1": []}
+        if {file.name for file in written.iterdir()} != set(pages):
+            sys.exit(f"canproof manual --out writes {sorted(file.name for file in written.iterdir())}")
+        for name, path in pages.items():
+            if (written / name).read_text() != said(PROGRAM, "manual", *path):
+                sys.exit(f"{name} differs from canproof manual {' '.join(path)}")
+            if path and f".BR {name[:-2]} (1)" not in page:
+                sys.exit(f"the page of the program does not refer to {name}")
         unknown = subprocess.run([PROGRAM, "manual", "nosuch"], capture_output=True, text=True, check=False)
         if unknown.returncode != 2 or "there is no command `nosuch`" not in unknown.stderr:
             sys.exit(f"canproof manual nosuch ends with {unknown.returncode}: {unknown.stderr}")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "host/report/markup.hpp"
 
@@ -16,16 +17,20 @@ constexpr double width = 960.0;
 constexpr double left = 84.0;
 constexpr double right = 940.0;
 constexpr double top = 44.0;
+constexpr double title_height = 32.0;  // part above `top` that only the title uses
 constexpr double bottom = 360.0;
 constexpr double legend_top = 416.0;
 constexpr double legend_row = 20.0;
 constexpr std::size_t legend_columns = 6;
+constexpr double legend_sample = 34.0;  // long enough to show each dash pattern
 
-// The colours differ in hue and in lightness, so that readers who cannot see colours can distinguish them.
-constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#e08e0b", "#17a2a2", "#5d5d5d", "#a0522d"};
+constexpr const char* colours[]{"#1b6ca8", "#d1495b", "#2e8b57", "#8e44ad", "#b06c00", "#127c7c", "#5d5d5d", "#a0522d"};
 
-/// After all colours are used once, further curves are dashed, then dotted.
-constexpr const char* dashes[]{"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 2\""};
+/// Each of the first eight curves has a dash pattern of its own, so that readers who cannot see colours can distinguish
+/// them. Each further eight curves have the same patterns in wider lines.
+constexpr const char* dashes[]{"none", "8 3", "2 3", "10 3 2 3", "5 5", "14 3", "8 3 2 3 2 3", "1 6"};
+constexpr double thinnest = 1.6;
+constexpr double wider = 1.6;  ///< further width of a curve after each use of all patterns
 
 /// Greatest value of a curve that is drawn. The difference of two such values is finite.
 constexpr double greatest = 1e300;
@@ -38,24 +43,39 @@ bool is_drawn(double value) {
     return std::isfinite(value) && std::fabs(value) <= greatest;
 }
 
+struct DrawnRange {
+    double low;
+    double high;
+};
+
+/// Returns the least and the greatest value that is drawn; nothing when there is none.
+std::optional<DrawnRange> range_of(const std::vector<Curve>& curves, bool of_x) {
+    std::optional<DrawnRange> range;
+    for (const Curve& curve : curves) {
+        for (const auto& [x, y] : curve.points) {
+            const double value = of_x ? x : y;
+            if (is_drawn(value)) {
+                range = {range ? std::min(range->low, value) : value, range ? std::max(range->high, value) : value};
+            }
+        }
+    }
+    return range;
+}
+
+/// Returns the range in words: ` from 0 to 10`, or ` constant at 5`.
+std::string words_of(const DrawnRange& range) {
+    return range.low < range.high ? fmt::format(" from {:.4g} to {:.4g}", range.low, range.high)
+                                  : fmt::format(" constant at {:.4g}", range.low);
+}
+
 struct AxisRange {
     double low{0.0};
     double high{1.0};
 
     /// Returns the range of all points, extended to whole ticks. The range is never empty.
     static AxisRange of(const std::vector<Curve>& curves, bool of_x) {
-        bool any = false;
-        AxisRange range;
-        for (const Curve& curve : curves) {
-            for (const auto& [x, y] : curve.points) {
-                const double value = of_x ? x : y;
-                if (is_drawn(value)) {
-                    range.low = any ? std::min(range.low, value) : value;
-                    range.high = any ? std::max(range.high, value) : value;
-                    any = true;
-                }
-            }
-        }
+        const DrawnRange found = range_of(curves, of_x).value_or(DrawnRange{0.0, 1.0});
+        AxisRange range{found.low, found.high};
         const double share = least_share * std::max(std::fabs(range.low), std::fabs(range.high));
         if (range.high - range.low <= std::max(share, least_range)) {
             const double more = std::max(0.5, share);
@@ -71,14 +91,18 @@ class Canvas {
     explicit Canvas(const LinePlot& plot)
         : plot_{plot}, x_{AxisRange::of(plot.curves, true)}, y_{AxisRange::of(plot.curves, false)} {}
 
-    std::string svg() {
+    std::string svg(const DrawnTitle title) {
+        const double first = title == DrawnTitle::yes ? 0.0 : title_height;
         const std::size_t rows = (plot_.curves.size() + legend_columns - 1) / legend_columns;
         const double height = legend_top + legend_row * static_cast<double>(std::max<std::size_t>(rows, 1)) + 4.0;
         text_ = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-            "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-            width, height);
-        put(left, 24.0, plot_.title, "font-size=\"15\" font-weight=\"bold\"");
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 {0} {1} {2}\" width=\"{1}\" height=\"{2}\" "
+            "role=\"img\" aria-label=\"{3}\" font-family=\"sans-serif\" font-size=\"12\">\n<title>{4}</title>\n<rect "
+            "y=\"{0}\" width=\"{1}\" height=\"{2}\" fill=\"#ffffff\"/>\n",
+            first, width, height - first, escaped(plot_words(plot_)), escaped(plot_.title));
+        if (title == DrawnTitle::yes) {
+            put(left, 24.0, plot_.title, "font-size=\"15\" font-weight=\"bold\"");
+        }
         axes();
         for (const PlotMark& mark : plot_.marks) {
             text_ += fmt::format(
@@ -129,7 +153,6 @@ class Canvas {
 
     /// Draws a curve with a gap where a value is NaN, infinite or above the greatest value that is drawn.
     void draw(const Curve& curve, std::size_t i) {
-        const char* colour = colours[i % std::size(colours)];
         std::string path;
         bool drawing = false;
         for (const auto& [x, y] : curve.points) {
@@ -140,16 +163,16 @@ class Canvas {
             path += fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", at_x(x), at_y(y));
             drawing = true;
         }
-        const char* dash = dashes[(i / std::size(colours)) % std::size(dashes)];
-        text_ +=
-            fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"{}/>\n", path, colour, dash);
+        const std::string line = fmt::format(
+            "stroke=\"{}\" stroke-width=\"{:.1f}\" stroke-dasharray=\"{}\"", colours[i % std::size(colours)],
+            thinnest + wider * static_cast<double>(i / std::size(dashes)), dashes[i % std::size(dashes)]);
+        text_ += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path, line);
         const std::size_t columns = std::min(plot_.curves.size(), legend_columns);
         const double x = left + static_cast<double>(i % columns) * (right - left) / static_cast<double>(columns);
-        const double y = legend_top + static_cast<double>(i / columns) * legend_row;
-        text_ += fmt::format(
-            "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"3\"{}/>\n", x,
-            x + 18.0, y + 2.0, y + 2.0, colour, dash);
-        put(x + 24.0, y + 6.0, curve.name, "");
+        const double y = legend_top + static_cast<double>(i / columns) * legend_row + 2.0;
+        text_ += fmt::format("<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x,
+                             x + legend_sample, y, y, line);
+        put(x + legend_sample + 6.0, y + 4.0, curve.name, "");
     }
 
     const LinePlot& plot_;
@@ -174,13 +197,20 @@ double tick_step(double low, double high) {
 std::string plot_words(const LinePlot& plot) {
     std::string curves;
     for (const auto& curve : plot.curves) {
-        curves += (curves.empty() ? "" : ", ") + curve.name;
+        const auto range = range_of({curve}, false);
+        curves += fmt::format("{}{}{}", curves.empty() ? "" : ", ", curve.name, range ? words_of(*range) : "");
     }
-    return fmt::format("{}. Plot of {} against {}: {}.", plot.title, plot.y_label, plot.x_label, curves);
+    std::string marks;
+    for (const auto& mark : plot.marks) {
+        marks += fmt::format("{}“{}” at {:.4g}", marks.empty() ? " Marked: " : ", ", mark.word, mark.x);
+    }
+    const auto x = range_of(plot.curves, true);
+    return fmt::format("{}. Plot of {} against {}{}: {}.{}", plot.title, plot.y_label, plot.x_label,
+                       x ? words_of(*x) : "", curves, marks.empty() ? "" : marks + ".");
 }
 
-std::string write_svg(const LinePlot& plot) {
-    return Canvas{plot}.svg();
+std::string write_svg(const LinePlot& plot, const DrawnTitle title) {
+    return Canvas{plot}.svg(title);
 }
 
 }  // namespace canproof::host

@@ -31,10 +31,14 @@ struct LinePlot {
 /// or 5 times a power of ten. The axis is 3.2 to 8 times as long as this distance.
 double tick_step(double low, double high);
 
-/// Returns title, axes and curves in a sentence, for readers who do not see the plot.
+/// Returns title, axes, marks and the range of each curve in sentences, for readers who do not see the plot.
 std::string plot_words(const LinePlot& plot);
 
-/// Returns the plot as a complete SVG file.
-std::string write_svg(const LinePlot& plot);
+/// Whether a plot shows its title. A plot below a caption that has the title does not.
+enum class DrawnTitle { no, yes };
+
+/// Returns the plot as a complete SVG file, with plot_words() as its label. Each curve has a dash pattern or a width of
+/// its own.
+std::string write_svg(const LinePlot& plot, DrawnTitle title = DrawnTitle::yes);
 
 }  // namespace canproof::host

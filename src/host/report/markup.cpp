@@ -2,6 +2,7 @@
 #include "host/report/markup.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace canproof::host {
 
@@ -24,6 +25,38 @@ std::string escaped(const std::string& text) {
             default:
                 out += c;
         }
+    }
+    return out;
+}
+
+std::string prose(const std::string& text) {
+    return prose(text, escaped);
+}
+
+std::string prose(const std::string& text, const std::function<std::string(const std::string&)>& plain) {
+    std::string out;
+    std::size_t at = 0;
+    for (;;) {
+        const auto begin = text.find('`', at);
+        const auto end = begin == std::string::npos ? begin : text.find('`', begin + 1);
+        out += plain(text.substr(at, end == std::string::npos ? end : begin - at));
+        if (end == std::string::npos) {
+            return out;
+        }
+        out += "<code>" + escaped(text.substr(begin + 1, end - begin - 1)) + "</code>";
+        at = end + 1;
+    }
+}
+
+std::string breakable(const std::string& name) {
+    std::string out;
+    char before = '\0';
+    for (const char c : name) {
+        const bool is_hump =
+            std::islower(static_cast<unsigned char>(before)) != 0 && std::isupper(static_cast<unsigned char>(c)) != 0;
+        out += is_hump || before == '_' || before == '/' || before == '.' ? "<wbr>" : "";
+        out += escaped(std::string(1, c));
+        before = c;
     }
     return out;
 }

@@ -20,24 +20,24 @@ nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;padding:.7rem max(1rem,calc(50v
 nav a{color:inherit;text-decoration:none;padding:.15rem 0}nav a[aria-current]{font-weight:650;box-shadow:0 2px var(--link)}
 main{max-width:76rem;margin:0 auto;padding:1rem}
 h1{font-size:1.9rem;line-height:1.2;margin:1.2rem 0 .6rem;overflow-wrap:anywhere}h2{font-size:1.3rem;margin:2.2rem 0 .6rem}h3{font-size:1.05rem;margin:1.6rem 0 .4rem}
-p{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
+p,main>ul>li,.claim li{max-width:46rem}a{color:var(--link)}code{font-size:.9em;overflow-wrap:anywhere}small,.quiet{color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:.9rem;margin:.6rem 0 1.2rem}
-th,td{text-align:left;vertical-align:top;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
-caption{text-align:left;font-weight:600;padding:.4rem 0}h2+div caption,h3+div caption,summary+div caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}li,td{overflow-wrap:anywhere}td a{display:inline-block;min-width:1.5rem;padding:.2rem 0}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
+th,td{text-align:left;vertical-align:baseline;padding:.4rem .9rem .4rem 0;border-bottom:1px solid var(--line)}th{font-weight:600;background:var(--back);position:sticky;top:0}
+td a[href*=".html#"]:not([href*="#L"],[href*="#service-"]){white-space:nowrap}details>p{margin:.3rem 0}
+caption{text-align:left;font-weight:600;padding:.4rem 0}h2+div>table>caption,h3+div>table>caption,summary+div>table>caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}li,td{overflow-wrap:break-word}.n{font-variant-numeric:tabular-nums}td.n,span.n{white-space:nowrap}td.n,th.n{text-align:right}
 .holds,.shown{color:var(--good)}.open,.not{color:var(--bad)}.partly{color:var(--part)}.state{white-space:nowrap;font-weight:600}
 .tile{display:inline-block;border-left:.3rem solid;padding:0 .4rem;font-weight:600;white-space:nowrap}.tiles{display:flex;flex-wrap:wrap;gap:.3rem;margin:1rem 0}.tiles a{text-decoration:none;font-size:.8rem}td ul{margin:0;padding-left:1.1rem}td p{margin:.2rem 0}
 .proven{color:var(--good);background:#1c6b3a22}.unproven{color:var(--part);background:#7a5a0022}.uncovered{color:var(--bad);background:#a3201622}.aside{color:var(--quiet);background:#8882}
 .claim{border-left:3px solid var(--line);padding:.1rem 0 .1rem 1rem;margin:.9rem 0}.claim>p{margin:.25rem 0}.claim .claim{margin-left:.2rem}
 input[type=search]{font:inherit;width:min(100% - 6.5rem,26rem);padding:.4rem .6rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
 .filter{display:flex;flex-wrap:wrap;align-items:center;gap:.4rem 1rem;margin:1rem 0}select{font:inherit;padding:.35rem .4rem;border:1px solid var(--quiet);border-radius:.3rem;background:var(--back);color:inherit}
-details{border-top:1px solid var(--line)}summary{cursor:pointer;padding:.5rem 0}summary h2{display:inline;font-size:1.1rem;margin:0 .6rem 0 .2rem}summary .state{margin-right:.8rem}
+details{border-top:1px solid var(--line)}summary{cursor:pointer;padding:.5rem 0}summary h2,summary h3{display:inline;font-size:1.1rem;margin:0 .6rem 0 .2rem}summary small{margin-right:.4rem}summary .state{margin-right:.8rem}
 .source{margin:0;padding-left:3.5rem;font-size:.9rem;line-height:1.4}.source li::marker{color:var(--quiet);font-variant-numeric:tabular-nums}.source code{white-space:pre-wrap}.source li:target{background:#c8a40033}.source a{display:inline-block;min-height:1.5rem}
-figure{margin:1rem 0}figure img,figure svg{width:100%;height:auto;background:#fff;border-radius:.3rem}
+pre{white-space:pre-wrap;overflow-wrap:anywhere}figure{margin:1rem 0}figcaption{font-weight:600;font-size:.9rem}figure img,figure svg{width:100%;height:auto;background:#fff;border-radius:.3rem}
 .wrap{overflow-x:auto}footer{max-width:76rem;margin:0 auto;padding:1rem;color:var(--quiet);font-size:.85rem;overflow-wrap:anywhere}
-.grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22rem),1fr));gap:1rem}
-@media(max-width:44rem){thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
+@media(max-width:44rem){figure a{display:block;overflow-x:auto}figure a img{width:44rem}thead{display:none}tr,td{display:block}tr{border-bottom:1px solid var(--line);padding:.5rem 0}tr[hidden]{display:none}td{border:0;padding:.1rem 0}td[data-h]::before{content:attr(data-h) ": ";color:var(--quiet);font-size:.85em}td:empty{display:none}td.n{text-align:left;display:inline-block;margin-right:1rem}.wrap tr{display:table-row}.wrap td{display:table-cell;padding:.3rem .9rem .3rem 0;overflow-wrap:normal}}
 @page{size:A4;margin:11mm 9mm}@page wide{size:A4 landscape}
-@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8pt}nav,input,.filter,.screen,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td a{display:inline;padding:0}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}.grid{grid-template-columns:1fr 1fr}}
+@media print{:root{--line:#999;--quiet:#444;--good:#14532d;--bad:#8f1a10;--part:#6b4e00;--head:#fff;--back:#fff;--text:#000}html{font-size:8pt}nav,input,.filter,.screen,[role=status],script,footer{display:none}details::details-content{content-visibility:visible;display:block}summary{list-style:none;padding:.2rem 0}details table{font-size:.86rem;line-height:1.2}td p{margin:.1rem 0}td,th{padding-top:.15rem;padding-bottom:.15rem}details table{margin:0 0 .4rem}.source li{break-inside:avoid}body{font-size:1rem;line-height:1.35}main{max-width:none;padding:0}p{max-width:none}h1{margin-top:0}h1,h2,h3{break-after:avoid}th{position:static}tr,.claim>p,figure{break-inside:avoid}a{color:inherit;text-decoration:none}.wide{page:wide}}
 )";
 
 constexpr std::size_t many_columns = 4;  ///< a table with more columns is printed in landscape format
@@ -52,7 +52,8 @@ const show=()=>{const words=field.value.toLowerCase().split(/\s+/).filter(Boolea
 const chosen=choices.filter(c=>c.value);
 for(const[r,t]of rows){const hit=words.every(w=>t.includes(w))&&chosen.every(c=>r.querySelector(c.dataset.of)?.textContent.endsWith(c.value));r.hidden=!hit;n+=hit}
 const asked=words.length+chosen.length>0;
-for(const p of parts){const hit=!!p.querySelector('tbody tr:not([hidden])');p.hidden=!hit;if(asked||p.dataset.asked)p.open=asked&&hit;p.dataset.asked=asked||''}
+for(const p of parts){const hit=!!p.querySelector('tbody tr:not([hidden])');p.hidden=!hit;
+if(asked){p.dataset.was??=p.open?'open':'closed';p.open=hit}else if(p.dataset.was){p.open=p.dataset.was==='open';delete p.dataset.was}}
 counted.textContent=n+' of '+rows.length};
 field.addEventListener('input',show);for(const c of choices)c.addEventListener('change',show);
 const asked=new URLSearchParams(location.search).get('q');if(asked)field.value=asked;show();
@@ -156,6 +157,14 @@ std::string html_table(const std::string& caption, const std::vector<HtmlColumn>
         text += "\n";
     }
     return text + "</tbody></table></div>\n";
+}
+
+std::string html_figure(const std::string& drawing, const std::string& caption) {
+    return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing, escaped(caption));
+}
+
+std::string html_judged(const bool good, const std::string& markup) {
+    return fmt::format("<span class={}>{} {}</span>", good ? "holds" : "open", good ? "✓" : "✗", markup);
 }
 
 std::string html_filter(const std::vector<HtmlChoice>& choices) {

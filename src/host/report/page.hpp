@@ -39,6 +39,9 @@ enum class Search { no, yes };
 std::string html_table(const std::string& caption, const std::vector<HtmlColumn>& head,
                        const std::vector<std::vector<std::string>>& rows, Search search = Search::no);
 
+/// Returns a figure as markup. `drawing` is markup; the caption below it is plain text.
+std::string html_figure(const std::string& drawing, const std::string& caption);
+
 /// A list of words, one of which the reader may choose.
 struct HtmlChoice {
     std::string title;
@@ -49,6 +52,10 @@ struct HtmlChoice {
 /// Returns a search field and lists to choose from. Inside an element of class `filtered` they hide each row of its
 /// tables that lacks a searched or a chosen word, and each `<details>` without a visible row.
 std::string html_filter(const std::vector<HtmlChoice>& choices);
+
+/// Returns markup behind a symbol for readers who cannot see colours: `<span class=holds>✓ 7 of 9</span>` when `good`,
+/// otherwise `<span class=open>✗ …`.
+std::string html_judged(bool good, const std::string& markup);
 
 /// Returns the word of a state as markup with its symbol: `<span class=holds>✓ holds</span>` and so on.
 std::string html_state(const std::string& word);

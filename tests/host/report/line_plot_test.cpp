@@ -63,7 +63,7 @@ TEST(LinePlot, NanValueIsAGap) {
     EXPECT_STREQ(document.child("svg").child("path").attribute("d").value(), "M84.0 360.0M512.0 202.0L940.0 44.0");
 }
 
-TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
+TEST(LinePlot, LegendOfManyCurvesHasRowsAndCurvesDifferWithoutColour) {
     LinePlot plot{"", "", "", {}, {}};
     for (int i = 0; i < 18; ++i) {
         plot.curves.push_back({std::to_string(i), {{0.0, 0.0}, {1.0, 2.5e6}}});
@@ -79,7 +79,8 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
             places.emplace_back(node.attribute("x").as_double(), node.attribute("y").as_double());
         }
         if (node.name() == std::string{"path"}) {
-            looks.insert(node.attribute("stroke").value() + std::string{node.attribute("stroke-dasharray").value()});
+            looks.insert(node.attribute("stroke-width").value() + std::string{" "} +
+                         node.attribute("stroke-dasharray").value());
         }
         has_grouped_tick = has_grouped_tick || word == "2,500,000";
     }
@@ -87,7 +88,7 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndDashes) {
     EXPECT_EQ(places[6].first, places[0].first);  // six in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // all 18 looks differ
+    EXPECT_EQ(looks.size(), 18U);  // all 18 differ in width or dashes
     EXPECT_TRUE(has_grouped_tick);
 }
 
@@ -97,6 +98,18 @@ TEST(Grouped, ThousandsAreSeparated) {
     EXPECT_EQ(grouped("1000"), "1,000");
     EXPECT_EQ(grouped("-1234567.25"), "-1,234,567.25");
     EXPECT_EQ(grouped(std::uint64_t{18446744073709551615U}), "18,446,744,073,709,551,615");
+}
+
+TEST(Prose, BackticksBecomeCode) {
+    EXPECT_EQ(prose("run `a < b` & `c`."), "run <code>a &lt; b</code> &amp; <code>c</code>.");
+    EXPECT_EQ(prose("one ` alone"), "one ` alone");
+    EXPECT_EQ(prose(""), "");
+}
+
+TEST(Breakable, NameIsDividedBetweenItsWords) {
+    EXPECT_EQ(breakable("RelayStaysOff"), "Relay<wbr>Stays<wbr>Off");
+    EXPECT_EQ(breakable("ax/led_ring.cpp:7"), "ax/<wbr>led_<wbr>ring.<wbr>cpp:7");
+    EXPECT_EQ(breakable("a<B"), "a&lt;B");
 }
 
 TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
@@ -127,9 +140,19 @@ TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {
     EXPECT_STREQ(parsed(write_svg(flat)).child("svg").child("path").attribute("d").value(), "M84.0 202.0L940.0 202.0");
 }
 
-TEST(LinePlot, DescriptionNamesTitleAxesAndCurves) {
-    const LinePlot plot{"Output after a step", "time in s", "voltage in V", {{"aout1", {}}, {"aout2", {}}}, {}};
-    EXPECT_EQ(plot_words(plot), "Output after a step. Plot of voltage in V against time in s: aout1, aout2.");
+TEST(LinePlot, DescriptionNamesTitleAxesRangesAndMarks) {
+    const LinePlot plot{"Output after a step",
+                        "time in s",
+                        "voltage in V",
+                        {{"aout1", {{0.0, -2.5}, {10.0, 5.0}}}, {"aout2", {{0.0, 1.0}, {10.0, 1.0}}}, {"aout3", {}}},
+                        {{4.0, "here"}}};
+    const std::string words =
+        "Output after a step. Plot of voltage in V against time in s from 0 to 10: aout1 from -2.5 to 5, aout2 "
+        "constant at 1, aout3. Marked: “here” at 4.";
+    EXPECT_EQ(plot_words(plot), words);
+    const auto document = parsed(write_svg(plot));
+    EXPECT_EQ(document.child("svg").attribute("aria-label").value(), words);
+    EXPECT_STREQ(document.child("svg").child_value("title"), "Output after a step");
 }
 
 }  // namespace canproof::host::test

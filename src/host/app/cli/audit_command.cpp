@@ -175,7 +175,7 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
     if (!story) {
         throw InputError{fmt::format(
             "`{}` is no device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test "
-            "(Suite.Name)",
+            "(Suite.Name); `canproof audit --kind requirement` lists the ids of requirements",
             options.subject)};
     }
     if (options.json) {

@@ -26,6 +26,7 @@
 #include "host/app/cli/run_command.hpp"
 #include "host/app/cli/shell_completion.hpp"
 #include "host/app/cli/spec_command.hpp"
+#include "host/base/files.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/standard_streams.hpp"
 
@@ -302,17 +303,27 @@ class WordsCommands : Command {
         });
         auto* manual = app.add_subcommand("manual", "print a manual page: `canproof manual eds | man -l -`");
         manual->add_option("COMMAND", manual_of_, "words of a command; default: the page of the whole program");
-        manual->callback([this, &app, &chosen] {
-            chosen = [this, &app] {
-                std::cout << manual_page(command_tree(app), manual_of_, generated::canproof_version);
-                return 0;
-            };
-        });
+        auto* const folder =
+            manual->add_option("--out", manual_folder_, "folder to write: the page of the program and of each command");
+        manual->get_option("COMMAND")->excludes(folder);
+        manual->callback([this, &app, &chosen] { chosen = [this, &app] { return write_manual(command_tree(app)); }; });
     }
 
   private:
+    int write_manual(const std::vector<CommandWords>& commands) const {
+        if (manual_folder_.empty()) {
+            std::cout << manual_page(commands, manual_of_, generated::canproof_version);
+            return 0;
+        }
+        for (const auto& [name, page] : manual_pages(commands, generated::canproof_version)) {
+            write_file(std::filesystem::path{manual_folder_} / name, page);
+        }
+        return 0;
+    }
+
     std::string shell_;
     std::vector<std::string> manual_of_;
+    std::string manual_folder_;
 };
 
 /// Returns the message of an error. A command without a message of its own for a path gets a general one.
@@ -337,6 +348,12 @@ std::string why(const std::exception& error) {
 int run_chosen(CLI::App& app, const Chosen& chosen, int argc, char** argv) {
     try {
         app.parse(argc, argv);
+    } catch (const CLI::RequiredError& error) {
+        const std::string no_command = CLI::RequiredError::Subcommand(1).what();
+        if (error.what() == no_command) {
+            throw InputError{no_command_words(app, {argv + 1, argv + argc})};
+        }
+        return app.exit(error) == 0 ? 0 : wrong_use;
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : wrong_use;
     }

@@ -52,4 +52,18 @@ std::vector<CommandWords> command_tree(const CLI::App& app) {
     return all;
 }
 
+std::string no_command_words(const CLI::App& app, const std::vector<std::string>& words) {
+    const CLI::App* at = &app;
+    std::string path = "canproof";
+    for (const auto& word : words) {
+        const auto found = at->get_subcommands([&word](const CLI::App* one) { return one->get_name() == word; });
+        if (found.empty()) {
+            return fmt::format("there is no command `{0} {1}`; `{0} --help` lists the commands", path, word);
+        }
+        at = found.front();
+        path += " " + word;
+    }
+    return fmt::format("`{0}` needs a command; `{0} --help` lists the commands", path);
+}
+
 }  // namespace canproof::host

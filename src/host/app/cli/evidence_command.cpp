@@ -143,7 +143,7 @@ PackInput gather(const Places& places, const Register& content) {
     }
     input.newer = stale_ones(places);
     for (const auto& [name, plot] : all_figures()) {
-        input.figures[name] = {write_svg(plot), plot_words(plot)};
+        input.figures[name] = {plot.title, write_svg(plot, DrawnTitle::no), plot_words(plot)};
     }
     input.packages = read_package_records(root / "reports" / "packages.toml");
     input.provenance = provenance_of(root);

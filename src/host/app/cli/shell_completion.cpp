@@ -166,6 +166,17 @@ std::string synopsis_of(const CommandWords& command) {
     return text + " [OPTION…]";
 }
 
+/// Returns references to the pages of all commands, in roff.
+std::string other_pages(const std::vector<CommandWords>& commands) {
+    std::string text;
+    for (const auto& command : commands) {
+        if (command.path.size() == 1) {
+            text += fmt::format("{}.BR {} (1)", text.empty() ? "" : ",\n", roff("canproof-" + command.path.front()));
+        }
+    }
+    return text + "\n";
+}
+
 }  // namespace
 
 std::string shell_completion(const std::vector<CommandWords>& commands, const std::string& shell) {
@@ -205,7 +216,18 @@ std::string manual_page(const std::vector<CommandWords>& commands, const std::ve
     text +=
         ".SH EXIT STATUS\n0: done without a finding. 1: a gap, a fault or a failed case. 2: wrong use, or an "
         "input or output that cannot be read or written. `fuzz` also ends with 130 when interrupted.\n";
-    return path.empty() ? text : text + ".SH SEE ALSO\n.BR canproof (1)\n";
+    return text + ".SH SEE ALSO\n" + (path.empty() ? other_pages(commands) : ".BR canproof (1)\n");
+}
+
+std::map<std::string, std::string> manual_pages(const std::vector<CommandWords>& commands, const std::string& version) {
+    std::map<std::string, std::string> pages;
+    for (const auto& command : commands) {
+        if (command.path.size() <= 1) {
+            const std::string name = command.path.empty() ? "canproof" : "canproof-" + command.path.front();
+            pages[name + ".1"] = manual_page(commands, command.path, version);
+        }
+    }
+    return pages;
 }
 
 }  // namespace canproof::host

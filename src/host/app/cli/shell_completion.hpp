@@ -2,6 +2,7 @@
 // Shell completion and manual page, generated from the command line.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,8 @@ std::string shell_completion(const std::vector<CommandWords>& commands, const st
 /// subcommands, for example canproof-eds(1). Throws InputError when there is no such command.
 std::string manual_page(const std::vector<CommandWords>& commands, const std::vector<std::string>& path,
                         const std::string& version);
+
+/// Returns the page of the program and of each command that is no subcommand, by file name: `canproof-eds.1`.
+std::map<std::string, std::string> manual_pages(const std::vector<CommandWords>& commands, const std::string& version);
 
 }  // namespace canproof::host

@@ -100,17 +100,16 @@ DocumentTable pdo_table(const Part& part, const EntryIndex& entries, const bool 
     DocumentTable table{received ? "RPDOs as shipped" : "TPDOs as shipped",
                         {"PDO", "COB-ID", "Transmission type", "Inhibit time", "Event timer", "Mapped objects"},
                         {}};
-    const auto time = [&](const unsigned index, const unsigned sub, const char* unit) {
+    const auto time = [&](const unsigned index, const unsigned sub, const double milliseconds) {
         const auto value = entries.number(index, sub, node);
-        return value ? fmt::format("{} {}", *value, unit) : std::string{};
+        return !value ? "" : *value == 0 ? "off" : fmt::format("{:g} ms", *value * milliseconds);
     };
     const unsigned first = received ? first_rpdo : first_tpdo;
     for (unsigned index = first; index < first + pdos; ++index) {
         if (const auto cob_id = entries.number(index, 1, node)) {
             table.rows.push_back({fmt::format("{}PDO{}, {:04X}h", received ? "R" : "T", index - first + 1, index),
-                                  identifier(*cob_id), type_words(entries.number(index, 2, node)),
-                                  time(index, 3, "x 100 us"), time(index, 5, "ms"),
-                                  joined_or(mapped_objects(entries, index, node), "none")});
+                                  identifier(*cob_id), type_words(entries.number(index, 2, node)), time(index, 3, 0.1),
+                                  time(index, 5, 1.0), joined_or(mapped_objects(entries, index, node), "none")});
         }
     }
     return table;
@@ -124,7 +123,7 @@ DocumentTable service_table(const Part& part) {
         rates.push_back(std::to_string(rate));
     }
     return {"Services",
-            {"Service", "Here"},
+            {"Service", "This device"},
             {{"Bit rates (bit/s)", joined_or(rates)},
              {"Bit rate as shipped", fmt::format("{} bit/s", part.info.bit_rate)},
              {"SDO, expedited and segmented", "yes"},

@@ -21,8 +21,8 @@ bool stands_in_id(const char c) {
            c == '-';
 }
 
-/// Returns the escaped text in which each id of `links` is a link.
-std::string linked(const std::string& text, const ItemLinks& links) {
+/// Returns the escaped text in which each id of `links` is a link. The text has no backticks.
+std::string linked_plain(const std::string& text, const ItemLinks& links) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
@@ -44,12 +44,22 @@ std::string linked(const std::string& text, const ItemLinks& links) {
     return out;
 }
 
+/// Returns the text as markup in which each id of `links` outside of backticks is a link.
+std::string linked(const std::string& text, const ItemLinks& links) {
+    return prose(text, [&links](const std::string& plain) { return linked_plain(plain, links); });
+}
+
 std::string cell_html(const std::string& text, const ItemLinks& links) {
     return text == missing ? fmt::format("<span class=open>{}</span>", missing) : linked(text, links);
 }
 
-/// Returns a table as HTML. A table without a caption gets the title of its chapter.
+/// Returns a table as HTML, or a sentence when the table has no rows. A table without a caption gets the title of its
+/// chapter.
 std::string table_html(const DocumentTable& table, const std::string& chapter, const ItemLinks& links) {
+    const std::string caption = table.caption.empty() ? chapter : table.caption;
+    if (table.rows.empty()) {
+        return fmt::format("<p>{}: none.</p>\n", escaped(caption));
+    }
     std::vector<HtmlColumn> head;
     for (const auto& title : table.head) {
         head.push_back({escaped(title)});
@@ -61,8 +71,9 @@ std::string table_html(const DocumentTable& table, const std::string& chapter, c
             cells.push_back(cell_html(cell, links));
         }
     }
-    return html_table(table.caption.empty() ? chapter : table.caption, head, rows,
-                      rows.size() > searched ? Search::yes : Search::no);
+    const std::string text = html_table(caption, head, rows, rows.size() > searched ? Search::yes : Search::no);
+    // the style sheet hides the caption of a table that stands directly below a heading
+    return caption == chapter ? text : "<div>" + text + "</div>\n";
 }
 
 /// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
@@ -106,8 +117,12 @@ std::string document_markdown(const Document& document) {
             text += fmt::format("\n{}\n", paragraph);
         }
         for (const auto& table : chapter.tables) {
-            text +=
-                fmt::format("\n{}{}", table.caption.empty() ? "" : table.caption + "\n\n", markdown_row(table.head));
+            const std::string caption = table.caption.empty() ? chapter.title : table.caption;
+            if (table.rows.empty()) {
+                text += fmt::format("\n{}: none.\n", caption);
+                continue;
+            }
+            text += fmt::format("\n{}{}", caption == chapter.title ? "" : caption + "\n\n", markdown_row(table.head));
             text += markdown_row(std::vector<std::string>(table.head.size(), "---"));
             for (const auto& row : table.rows) {
                 text += markdown_row(row);

@@ -43,7 +43,7 @@ Chapter arithmetic_chapter() {
              "CAN detects each single bit error. For two or more bit errors, the estimate ignores the Hamming distance "
              "of the CRC, because an error at a stuff bit can shift the bits behind it. It assumes that a wrong frame "
              "passes the CRC of 15 bits with the probability 2^-15 = 3.05e-5. This is an estimate, not a bound: it "
-             "also ignores for the checks of form, acknowledgement and stuffing."},
+             "also ignores the checks of form, acknowledgement and stuffing."},
             {table}};
 }
 

@@ -26,8 +26,8 @@ Chapter device_chapter(const Register& content, const Part& part) {
     return {"Scope",
             {"This manual is generated from the requirements register. It covers the firmware of this repository. It "
              "does not cover electronics, electromagnetic compatibility, or the plant.",
-             "The firmware has no safety integrity level and no certificate. Nobody but its authors has reviewed the "
-             "register. The list of hazards has no severities and no probabilities."},
+             "The firmware has no safety integrity level and no certificate. Nobody outside the project has "
+             "reviewed the register. The list of hazards has no severities and no probabilities."},
             {table}};
 }
 

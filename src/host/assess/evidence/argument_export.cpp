@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "host/assess/evidence/argument_page.hpp"
 #include "host/assess/evidence/exhibit.hpp"
@@ -15,9 +16,12 @@ namespace canproof::host {
 namespace {
 
 constexpr int box_width = 118;
-constexpr int box_height = 40;
 constexpr int gap = 10;
-constexpr int row = box_height + 18;
+constexpr int between = 18;  ///< height between two boxes
+constexpr int margin = 8;    ///< width between the edge of a box and its text
+constexpr int line_height = 14;
+constexpr int solution_corner = 20;       // below its radius the text stays inside the corner
+constexpr std::size_t most_in_line = 15;  ///< characters of a title that fit into a line
 
 /// Returns the colour of a state. The graph also shows each state as a word, for readers who cannot see colours.
 const char* outline_of(const Exhibit::State state) {
@@ -33,43 +37,57 @@ const char* outline_of(const Exhibit::State state) {
     }
 }
 
+/// Returns the number of characters of a text in UTF-8.
+std::size_t characters_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](const char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Returns the words of a title in lines that fit into a box. A word that is longer than a line has a line alone.
+std::vector<std::string> lines_of(const std::string& title) {
+    std::vector<std::string> lines{""};
+    std::istringstream words{title};
+    for (std::string word; words >> word;) {
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || characters_of(longer) <= most_in_line) {
+            lines.back() = longer;
+        } else {
+            lines.push_back(word);
+        }
+    }
+    return lines;
+}
+
 struct Box {
     int x;
     int y;
     std::string link;
-    std::string title;
+    std::vector<std::string> lines;
     Exhibit::State state;
+
+    int height() const { return (static_cast<int>(lines.size()) + 1) * line_height + margin + 4; }
+    int bottom() const { return y + height(); }
 };
 
 /// Returns a box as SVG. `corner` is the radius of the corners: 0 for a goal, more for a solution.
 std::string box_svg(const Box& box, const int corner) {
-    const std::string shown = fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" "
-        "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\" font-size=\"11\" font-weight=\"600\" "
-        "fill=\"#1b2220\">{}</text><text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"{}\">{}</text>",
-        box.x, box.y, box_width, box_height, corner, outline_of(box.state), box.x + 8, box.y + 16, escaped(box.title),
-        box.x + 8, box.y + 31, outline_of(box.state), word_of(box.state));
+    std::string shown = fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\" fill=\"#fff\" stroke=\"{}\" stroke-width=\"2\"/>",
+        box.x, box.y, box_width, box.height(), corner, outline_of(box.state));
+    int y = box.y + margin + line_height / 2;
+    for (const auto& line : box.lines) {
+        shown += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" font-weight=\"600\" fill=\"#1b2220\">{}</text>",
+                             box.x + margin, y, escaped(line));
+        y += line_height;
+    }
+    shown += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"{}\">{}</text>", box.x + margin, y,
+                         outline_of(box.state), word_of(box.state));
     return box.link.empty() ? shown : fmt::format("<a href=\"{}\">{}</a>\n", escaped(box.link), shown);
 }
 
 std::string line_svg(const int x1, const int y1, const int x2, const int y2) {
     return fmt::format("<path d=\"M{} {}V{}H{}V{}\" fill=\"none\" stroke=\"#5a625f\"/>\n", x1, y1, (y1 + y2) / 2, x2,
                        y2);
-}
-
-/// Returns a title that fits into the box. Cuts a title of more than 13 characters of UTF-8 after 12 characters and
-/// adds an ellipsis.
-std::string shortened(const std::string& title) {
-    constexpr std::size_t most = 13;
-    std::size_t characters = 0;
-    std::size_t last = 0;  // where character number `most` begins
-    for (std::size_t at = 0; at < title.size(); ++at) {
-        const bool begins = (static_cast<unsigned char>(title[at]) & 0xC0U) != 0x80U;
-        if (begins && ++characters == most) {
-            last = at;
-        }
-    }
-    return characters <= most ? title : title.substr(0, last) + "…";
 }
 
 std::vector<const Claim*> children_of(const Argument& argument, const std::string& id) {
@@ -85,18 +103,21 @@ std::vector<const Claim*> children_of(const Argument& argument, const std::strin
 /// Draws one column: a goal and its solutions below it. Returns the y coordinate of the bottom edge.
 int draw_column(std::string& text, const Claim& claim, const Argument& argument, const Exhibits& exhibits, const int x,
                 const int y) {
-    text += box_svg({x, y, "#" + claim.id, claim.id, state_of_claim(claim, argument, exhibits)}, 0);
-    int below = y;
+    const Box goal{x, y, "#" + claim.id, {claim.id}, state_of_claim(claim, argument, exhibits)};
+    text += box_svg(goal, 0);
+    int bottom = goal.bottom();
     for (const auto& key : claim.evidence) {
+        const int middle = x + box_width / 2;
+        text += line_svg(middle, bottom, middle, bottom + between);
         const auto found = exhibits.find(key);
-        text += line_svg(x + box_width / 2, below + box_height, x + box_width / 2, below + row);
-        below += row;
-        text += found == exhibits.end()
-                    ? box_svg({x, below, "", shortened(key), Exhibit::State::absent}, box_height / 2)
-                    : box_svg({x, below, found->second.page, shortened(found->second.title), found->second.state},
-                              box_height / 2);
+        const Box solution =
+            found == exhibits.end()
+                ? Box{x, bottom + between, "", lines_of(key), Exhibit::State::absent}
+                : Box{x, bottom + between, found->second.page, lines_of(found->second.title), found->second.state};
+        text += box_svg(solution, solution_corner);
+        bottom = solution.bottom();
     }
-    return below + box_height;
+    return bottom;
 }
 
 }  // namespace
@@ -130,8 +151,8 @@ std::string argument_graph(const Argument& argument, const Exhibits& exhibits) {
         const int middle = x + (columns * (box_width + gap) - gap) / 2 - box_width / 2;
         const int own = draw_column(text, *root, argument, exhibits, middle, 2);
         for (const Claim* child : children) {
-            text += line_svg(middle + box_width / 2, own, x + box_width / 2, own + row - box_height);
-            lowest = std::max(lowest, draw_column(text, *child, argument, exhibits, x, own + row - box_height));
+            text += line_svg(middle + box_width / 2, own, x + box_width / 2, own + between);
+            lowest = std::max(lowest, draw_column(text, *child, argument, exhibits, x, own + between));
             x += box_width + gap;
         }
         lowest = std::max(lowest, own);

@@ -30,12 +30,12 @@ std::string evidence_line(const std::string& key, const Exhibits& exhibits) {
     }
     const Exhibit& one = found->second;
     return fmt::format("<li>{} {}{}{}\n", html_state(word_of(one.state)), title_markup(one),
-                       one.says.empty() ? "" : ": ", escaped(one.says));
+                       one.says.empty() ? "" : ": ", prose(one.says));
 }
 
 std::string claim_markup(const Claim& claim, const Argument& argument, const Exhibits& exhibits) {
     std::string text = fmt::format("<div class=claim id=\"{0}\"><p><b>{0}</b> {1}</p><p>{2}</p>\n", escaped(claim.id),
-                                   html_state(word_of(state_of_claim(claim, argument, exhibits))), escaped(claim.text));
+                                   html_state(word_of(state_of_claim(claim, argument, exhibits))), prose(claim.text));
     if (!claim.evidence.empty()) {
         text += "<ul>";
         for (const auto& key : claim.evidence) {
@@ -44,7 +44,7 @@ std::string claim_markup(const Claim& claim, const Argument& argument, const Exh
         text += "</ul>\n";
     }
     if (!claim.limits.empty()) {
-        text += fmt::format("<p class=quiet>Limits: {}</p>\n", escaped(claim.limits));
+        text += fmt::format("<p class=quiet>Limits: {}</p>\n", prose(claim.limits));
     }
     for (const auto& other : argument.claims) {
         if (other.parent == claim.id) {
@@ -123,7 +123,7 @@ std::string argument_page(const PackInput& input, const Exhibits& exhibits) {
     std::vector<std::vector<std::string>> tools;
     for (const auto& one : input.argument.tools) {
         tools.push_back({escaped(one.name), escaped(one.tool_class), escaped(version_of(one, input.provenance)),
-                         escaped(one.hides), escaped(one.noticed), escaped(one.defects)});
+                         prose(one.hides), prose(one.noticed), prose(one.defects)});
     }
     return "<h2>Claims</h2>\n" + argument_graph(input.argument, exhibits) + claims_markup(input.argument, exhibits) +
            "<h2>Confidence in tools</h2>\n<p>The class is that of IEC 61508-4: a T2 tool checks the code and could "

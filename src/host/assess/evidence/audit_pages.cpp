@@ -43,11 +43,6 @@ std::map<std::string, std::size_t> count_states(const std::vector<const AuditedI
     return counts;
 }
 
-/// Returns the title of a part, or its name when it has none.
-std::string title_of(const Part& part) {
-    return part.info.title.empty() ? part.name : part.info.title;
-}
-
 /// Returns `text` as a link to a line of a source; returns `text` unchanged when the pack does not contain the source.
 std::string linked(const PackInput& input, const std::string& file, const unsigned line, const std::string& text) {
     const std::string place = source_link(input, file, line);
@@ -71,7 +66,7 @@ std::string places_of(const PackInput& input, const Part& part, const std::strin
         const auto colon = place.find(':');
         const unsigned line =
             colon == std::string::npos ? 0U : static_cast<unsigned>(std::stoul(place.substr(colon + 1)));
-        const std::string words = fmt::format("<code>{}</code>", escaped(short_place(part, place)));
+        const std::string words = fmt::format("<code>{}</code>", breakable(short_place(part, place)));
         all.push_back(linked(input, place.substr(0, colon), line, words));
     }
     return all.empty() ? "" : fmt::format("<p>{}</p>", fmt::join(all, ", "));
@@ -90,8 +85,8 @@ std::string tests_of(const PackInput& input, const std::string& id) {
         const std::string name = dot == std::string::npos ? suite : verdict.test.substr(dot + 1);
         const std::string head =
             fmt::format("<span class={}>{}</span> {} <small>{}</small>", verdict.passed ? "holds" : "open",
-                        verdict.passed ? "✓" : "✗", escaped(suite), verdict.kind);
-        lines[head].push_back(linked(input, verdict.file, verdict.line, escaped(name)));
+                        verdict.passed ? "✓" : "✗", breakable(suite), verdict.kind);
+        lines[head].push_back(linked(input, verdict.file, verdict.line, breakable(name)));
     }
     std::string text;
     for (const auto& [head, names] : lines) {
@@ -112,7 +107,7 @@ std::string mutants_of(const std::string& id, const PackInput& input) {
 /// Returns the text of an item, then the facts of an object, the value of a constant or the rows of a table.
 std::string text_of(const Part& part, const Item& item) {
     const std::string facts = item_words(part, item.id);
-    return (item.text.empty() ? "" : fmt::format("<p>{}</p>", escaped(item.text))) +
+    return (item.text.empty() ? "" : fmt::format("<p>{}</p>", prose(item.text))) +
            (facts.empty() ? "" : fmt::format("<p><small>{}</small></p>", escaped(facts)));
 }
 
@@ -162,7 +157,7 @@ std::string sentence_list(const char* id, const char* title, const std::vector<s
     }
     std::string text = fmt::format("<h2 class=open id={}>{}</h2><ul>", id, title);
     for (const auto& sentence : sentences) {
-        text += fmt::format("<li>{}\n", escaped(sentence));
+        text += fmt::format("<li>{}\n", prose(sentence));
     }
     return text + "</ul>\n";
 }
@@ -189,6 +184,12 @@ std::string service_markup(const PartAudit& audit, const std::string& service,
 std::string service_of(const Item& item) {
     const std::string name = std::filesystem::path{item.place.file}.stem().string();
     return name.empty() ? "other" : name;
+}
+
+std::string title_of(const Part& part) {
+    return !part.is_device()         ? "CANopen rules that all devices share"
+           : part.info.title.empty() ? part.name
+                                     : part.info.title;
 }
 
 std::string service_title(const std::string& service) {
@@ -253,9 +254,9 @@ std::string part_audit_page(const PackInput& input, const PartAudit& audit) {
         kinds.insert(one.word);
     }
     std::string text = fmt::format(
-        "<p>{} items of {} by service. A service opens with a click; a search opens the services that have a hit.</p>\n"
-        "<div class=\"filtered wide\">\n{}",
-        audit.items.size(), escaped(title_of(*audit.part)),
+        "<p>The page has {} items by service. A service opens with a click; a search opens the services that have a "
+        "hit.</p>\n<div class=\"filtered wide\">\n{}",
+        audit.items.size(),
         html_filter(
             {{"Kind", ".kind", {kinds.begin(), kinds.end()}}, {"State", "td .state", {states.begin(), states.end()}}}));
     for (const auto& [service, items] : by_service(audit)) {

@@ -15,6 +15,9 @@ std::string service_of(const Item& item);
 /// Returns the title of a service: `SDO block` for `sdo_block`.
 std::string service_title(const std::string& service);
 
+/// Returns the title of a device, or that of the rules that all devices share.
+std::string title_of(const Part& part);
+
 /// Returns the counts of items by part and service, the gaps and the suspects.
 std::string audit_page(const PackInput& input);
 

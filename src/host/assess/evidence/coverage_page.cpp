@@ -37,7 +37,7 @@ std::string coverage_page(const MeasuredCoverage& coverage) {
     for (const auto& [gap, reason] : coverage.verdict.gaps) {
         gaps.push_back({fmt::format("<code>{}:{}</code>", escaped(gap.file), gap.line), gap.kind,
                         fmt::format("<code>{}</code><br><small>{}</small>", escaped(gap.code), escaped(gap.missing)),
-                        reason.empty() ? html_state("open") : escaped(reason)});
+                        reason.empty() ? html_state("open") : prose(reason)});
     }
     return "<p>Lines, branches (each outcome counts) and conditions shown to decide alone (MC/DC), from unit and "
            "conformance "

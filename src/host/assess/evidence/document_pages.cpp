@@ -49,12 +49,12 @@ class DocumentWriter {
             files_[file + ".md"] = document_markdown(document);
             files_[file + ".json"] = document_json(document);
             rows.push_back(
-                {fmt::format("<a href=\"{}\">{}</a>", escaped(page), escaped(document.title)), escaped(document.about),
+                {fmt::format("<a href=\"{}\">{}</a>", escaped(page), escaped(document.title)), prose(document.about),
                  std::to_string(count_missing(document)),
                  fmt::format("<a href=\"{0}.md\">Markdown</a> <a href=\"{0}.json\">JSON</a>", escaped(file))});
         }
         list_ += html_table("Documents: " + part,
-                            {{"Document", 28}, {"About"}, {"Cells missing", 10}, {"As a file", 14}}, rows);
+                            {{"Document", 28}, {"About"}, {"Missing cells", 10}, {"As a file", 14}}, rows);
     }
 
     const PackInput& input_;

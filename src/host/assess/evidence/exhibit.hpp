@@ -3,7 +3,9 @@
 //
 // A tool with results for the pack writes a folder with `exhibit.json`:
 //   {"title": "…", "state": "holds" | "open", "says": "one sentence with figures",
-//    "page": "index.html",                     without it, the pack makes a page from figures, CSV tables and SVG plots
+//    "page": "index.html",                     without it, the pack makes a page from figures, CSV tables and SVG
+//    plots;
+//                                              its <main> goes into the frame of the pack's pages, without its heading
 //    "figures": {"cells altered": "21,136"},   text or numbers, in this order
 //    "open": ["an open point"],                one sentence each
 //    "data": ["misra.sarif"]}                  files for import by other tools; also copied into the pack's data/

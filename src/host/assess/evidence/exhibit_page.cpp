@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <pugixml.hpp>
 #include <sstream>
 
 #include "host/assess/evidence/exhibit.hpp"
 #include "host/report/markup.hpp"
-#include "host/report/page.hpp"
 
 namespace canproof::host {
 
@@ -55,14 +56,40 @@ std::string csv_table(const std::string& caption, const std::string& text) {
     return html_table(caption, head, rows, rows.size() > 20 ? Search::yes : Search::no);
 }
 
+struct Drawing {
+    std::string title;
+    std::string words;  ///< description for readers who do not see the drawing
+};
+
+/// Returns title and label of an SVG file. A drawing without them gets the title of its exhibit.
+Drawing drawing_in(const std::string& svg, const std::string& exhibit) {
+    pugi::xml_document document;
+    document.load_string(svg.c_str());
+    const pugi::xml_node drawn = document.child("svg");
+    const std::string title = drawn.child_value("title");
+    const std::string label = drawn.attribute("aria-label").value();
+    return {title.empty() ? exhibit : title, !label.empty() ? label : "Plot of the figures of " + exhibit};
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string open_points(const Exhibit& exhibit) {
+    if (exhibit.open.empty()) {
+        return "";
+    }
+    std::string text = "<h2>Open</h2>\n<ul>";
+    for (const auto& sentence : exhibit.open) {
+        text += fmt::format("<li>{}\n", prose(sentence));
+    }
+    return text + "</ul>\n";
 }
 
 }  // namespace
 
 std::string exhibit_page(const Exhibit& exhibit) {
-    std::string text = fmt::format("<p>{} {}</p>\n", html_state(word_of(exhibit.state)), escaped(exhibit.says));
+    std::string text = fmt::format("<p>{} {}</p>\n", html_state(word_of(exhibit.state)), prose(exhibit.says));
     if (!exhibit.figures.empty()) {
         std::vector<std::vector<std::string>> rows;
         for (const auto& [name, value] : exhibit.figures) {
@@ -70,24 +97,45 @@ std::string exhibit_page(const Exhibit& exhibit) {
         }
         text += html_table("Figures: " + exhibit.title, {{"Figure", 50}, {"Value"}}, rows);
     }
-    if (!exhibit.open.empty()) {
-        text += "<h2>Open</h2>\n<ul>";
-        for (const auto& sentence : exhibit.open) {
-            text += fmt::format("<li>{}\n", escaped(sentence));
-        }
-        text += "</ul>\n";
-    }
+    text += open_points(exhibit);
     for (const auto& [path, bytes] : exhibit.files) {
         text += fmt::format("<h2><a href=\"{0}\">{1}</a></h2>\n", escaped(path),
                             escaped(std::filesystem::path{path}.filename().string()));
         if (ends_with(path, ".csv")) {
             text += csv_table(std::filesystem::path{path}.filename().string(), bytes);
         } else if (ends_with(path, ".svg")) {
-            text += fmt::format("<figure><img src=\"{}\" alt=\"Plot of the figures of {}\"></figure>\n", escaped(path),
-                                escaped(exhibit.title));
+            const Drawing drawing = drawing_in(bytes, exhibit.title);
+            text += html_figure(fmt::format("<img src=\"{}\" alt=\"{}\">", escaped(path), escaped(drawing.words)),
+                                drawing.title);
         }
     }
     return text;
+}
+
+std::string framed_page(const Exhibit& exhibit, const PageFrame& frame) {
+    const std::string& page = exhibit.files.at(exhibit.page);
+    const std::string begins = "<main>";
+    const auto begin = page.find(begins);
+    const auto end = page.rfind("</main>");
+    if (begin == std::string::npos || end == std::string::npos || end < begin) {
+        return page;
+    }
+    std::string body = page.substr(begin + begins.size(), end - begin - begins.size());
+    const std::string heading_ends = "</h1>";
+    if (const auto heading = body.find(heading_ends); heading != std::string::npos) {
+        body.erase(0, heading + heading_ends.size());
+    }
+    std::string way_back;
+    for (auto depth = std::count(exhibit.page.begin(), exhibit.page.end(), '/'); depth > 0; --depth) {
+        way_back += "../";
+    }
+    // the links in the body begin at the exhibit's folder, so the page has no base
+    PageFrame own{frame.navigation, frame.origin};
+    for (auto& entry : own.navigation) {
+        entry.page.insert(0, way_back);
+    }
+    return html_page(exhibit.title, way_back + exhibit.page, own,
+                     fmt::format("<p>{}</p>\n{}{}", html_state(word_of(exhibit.state)), open_points(exhibit), body));
 }
 
 }  // namespace canproof::host

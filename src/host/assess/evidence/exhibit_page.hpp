@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generated page of an exhibit that has no page of its own.
+// The page of an exhibit: generated, or the exhibit's own in the frame of the pack.
 #pragma once
 
 #include <string>
 
 #include "host/assess/evidence/exhibit.hpp"
+#include "host/report/page.hpp"
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: figures, CSV tables, plots.
+/// Returns the body of the page of an exhibit without a page of its own as markup: figures, CSV tables, plots.
 std::string exhibit_page(const Exhibit& exhibit);
+/// Returns the exhibit's own page in the frame of the pack: the content of its `<main>` without the heading, after the
+/// state and the open points. Returns a page without `<main>` unchanged.
+std::string framed_page(const Exhibit& exhibit, const PageFrame& frame);
 
 }  // namespace canproof::host

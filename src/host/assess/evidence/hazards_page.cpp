@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "host/assess/evidence/audit_pages.hpp"
 #include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/audit.hpp"
@@ -36,19 +37,28 @@ bool is_open(const Hazard::Failure& failure, const StatusById& status) {
     });
 }
 
-/// Returns the row of one failure. `review` is the note on the review of the hazard, as markup; it is in the row of the
-/// hazard's first failure.
-std::vector<std::string> failure_row(const Hazard& hazard, const Hazard::Failure& failure, const StatusById& status,
-                                     const ItemLinks& links, const std::string& review) {
+std::vector<std::string> failure_row(const Hazard::Failure& failure, const StatusById& status, const ItemLinks& links) {
     const bool none = failure.prevented_by.empty();
-    const bool first = &failure == &hazard.failures.front();
-    const std::string anchor = first ? fmt::format(" id=\"{}\"", hazard.id) : "";
-    return {fmt::format("<code{}>{}</code><br>{}{}", anchor, hazard.id, escaped(hazard.text), first ? review : ""),
-            escaped(hazard.safe_state),
-            escaped(failure.text),
-            none ? escaped(failure.reason) : link_to_each(links, failure.prevented_by),
-            link_to_each(links, hazard.decisions),
-            none ? "not prevented" : html_state(is_open(failure, status) ? "open" : "shown")};
+    return {prose(failure.text), none ? prose(failure.reason) : link_to_each(links, failure.prevented_by),
+            none ? "<span class=\"state partly\">– not prevented</span>"
+                 : html_state(is_open(failure, status) ? "open" : "shown")};
+}
+
+/// Returns the markup of one hazard; `review` is the note on its review, as markup.
+std::string hazard_markup(const Hazard& hazard, const StatusById& status, const ItemLinks& links,
+                          const std::string& review) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& failure : hazard.failures) {
+        rows.push_back(failure_row(failure, status, links));
+    }
+    const std::string decisions =
+        hazard.decisions.empty() ? "" : fmt::format("<p>Decided by: {}.</p>\n", link_to_each(links, hazard.decisions));
+    return fmt::format("<details open><summary><h3 id=\"{0}\"><code>{0}</code> {1}</h3></summary>\n", hazard.id,
+                       prose(hazard.text)) +
+           fmt::format("<p>Safe state: {}</p>\n{}{}\n", prose(hazard.safe_state), decisions, review) +
+           html_table("Failures of " + hazard.id, {{"Failure", 42}, {"Prevented by, or why not", 44}, {"State", 14}},
+                      rows) +
+           "</details>\n";
 }
 
 }  // namespace
@@ -74,29 +84,20 @@ std::string hazards_page(const PackInput& input) {
     const ReviewNotes notes{input};
     const ItemLinks links = links_of(input);
     std::string text =
-        "<p>The tables list each hazard of an output or a message, its safe state, the failures that can violate this "
+        "<p>The page lists each hazard of an output or a message, its safe state, the failures that can violate this "
         "state, and the requirements that prevent these failures. A failure that the device does not prevent has a "
-        "reason; the integrator must assess this failure.</p>\n";
+        "reason; the integrator must assess this failure.</p>\n<div class=filtered>\n" +
+        html_filter({{"State", "td .state", {"shown", "open", "not prevented"}}});
     for (const auto& audit : input.audits) {
-        std::vector<std::vector<std::string>> rows;
-        for (const auto& hazard : audit.part->hazards) {
-            for (const auto& failure : hazard.failures) {
-                rows.push_back(failure_row(hazard, failure, status, links, notes.of(*audit.part, hazard.id)));
-            }
+        if (audit.part->hazards.empty()) {
+            continue;
         }
-        if (!rows.empty()) {
-            text += fmt::format("<h2>{}</h2>\n", escaped(audit.part->info.title)) +
-                    html_table("Hazards: " + audit.part->info.title,
-                               {{"Hazard", 22},
-                                {"Safe state", 16},
-                                {"Failure", 22},
-                                {"Prevented by, or why not", 22},
-                                {"Decisions", 10},
-                                {"State", 8}},
-                               rows, Search::yes);
+        text += fmt::format("<h2>{}</h2>\n", escaped(title_of(*audit.part)));
+        for (const auto& hazard : audit.part->hazards) {
+            text += hazard_markup(hazard, status, links, notes.of(*audit.part, hazard.id));
         }
     }
-    return text;
+    return text + "</div>\n";
 }
 
 }  // namespace canproof::host

@@ -37,7 +37,7 @@ std::string link_to(const ItemLinks& links, const std::string& id) {
 std::string link_to_each(const ItemLinks& links, const std::vector<std::string>& ids) {
     std::string text;
     for (const auto& id : ids) {
-        text += link_to(links, id) + " ";
+        text += (text.empty() ? "" : ", ") + link_to(links, id);
     }
     return text;
 }

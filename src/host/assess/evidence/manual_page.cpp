@@ -133,14 +133,14 @@ class ManualPage {
             text = "<ul>" + text + "</ul>";
         } else if (manual_.statements.empty() && section.normative) {
             for (const auto& id : index_.items_of(manual_.key, section)) {
-                text += link_to(links_, id) + " ";
+                text += (text.empty() ? "" : ", ") + link_to(links_, id);
             }
         }
         for (const auto& condition : section.conditions) {
-            text += fmt::format("<p>{}</p>", escaped(condition));
+            text += fmt::format("<p>{}</p>", prose(condition));
         }
         if (!section.normative && !section.reason.empty()) {
-            text += fmt::format("<small>{}</small>", escaped(section.reason));
+            text += fmt::format("<small>{}</small>", prose(section.reason));
         }
         text += notes_.of(*audit_.part, section.id(manual_.key));
         return {fmt::format("<span id=\"{}\">{}</span>", anchor(section.ref), escaped(section.ref)),
@@ -151,14 +151,11 @@ class ManualPage {
     std::string statement_markup(const AuditedStatement& audited) const {
         const Statement& one = *audited.statement;
         const std::string place = audited.id.substr(manual_.key.size() + 1);
-        std::string links;
-        for (const auto& id : one.covered) {
-            links += " " + link_to(links_, id);
-        }
+        const std::string links = link_to_each(links_, one.covered);
         const std::string state =
             audited.status == "explained" ? "<span class=quiet>– explained</span>" : html_state(audited.status);
         return fmt::format("<li id=\"{}\"><small>{}</small> {} {} <small>{}{}</small>\n", anchor(place), escaped(place),
-                           state, escaped(one.text), links, escaped(one.reason));
+                           state, prose(one.text), links, prose(one.reason));
     }
 
     const PartAudit& audit_;

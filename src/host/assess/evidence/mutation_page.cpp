@@ -21,7 +21,7 @@ std::vector<std::vector<std::string>> survivors_in(const std::string& text, cons
         const std::string reason = one.at("reason");
         rows.push_back({link_to(links, one.at("item")), escaped(one.at("cell").get<std::string>()),
                         escaped(one.at("change").get<std::string>()),
-                        reason.empty() ? html_state("open") : escaped(reason)});
+                        reason.empty() ? html_state("open") : prose(reason)});
     }
     return rows;
 }

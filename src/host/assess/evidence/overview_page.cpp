@@ -21,21 +21,21 @@ namespace {
 constexpr std::size_t listed = 40;  ///< most open points that a group lists; further points are only counted
 
 std::string verdict_line(const Argument& argument, const Exhibits& exhibits) {
-    return fmt::format("<p><b>{}</b></p>\n", escaped(claims_sentence(count_claims(argument, exhibits))));
+    return fmt::format("<p><b>{}</b></p>\n", prose(claims_sentence(count_claims(argument, exhibits))));
 }
 
 std::string claims_on(const std::string& key, const Argument& argument) {
     std::string text;
     for (const auto& claim : argument.claims) {
         if (std::find(claim.evidence.begin(), claim.evidence.end(), key) != claim.evidence.end()) {
-            text += fmt::format("<a href=\"#{0}\">{0}</a> ", escaped(claim.id));
+            text += fmt::format("{1}<a href=\"#{0}\">{0}</a>", escaped(claim.id), text.empty() ? "" : ", ");
         }
     }
     return text;
 }
 
 std::string said_by(const Exhibit& exhibit) {
-    std::string text = escaped(exhibit.says);
+    std::string text = prose(exhibit.says);
     for (const auto& [name, value] : exhibit.figures) {
         text += fmt::format("<br><small>{}: <b>{}</b></small>", escaped(name), escaped(value));
     }
@@ -44,7 +44,7 @@ std::string said_by(const Exhibit& exhibit) {
                             escaped(std::filesystem::path{file}.filename().string()));
     }
     if (exhibit.state == Exhibit::State::absent || exhibit.state == Exhibit::State::stale) {
-        text += (text.empty() ? "" : "<br>") + escaped(exhibit.open.back());
+        text += (text.empty() ? "" : "<br>") + prose(exhibit.open.back());
     }
     return text;
 }
@@ -61,8 +61,9 @@ std::string group(const std::string& title, const std::vector<std::string>& entr
     return text + "</ul>\n";
 }
 
-std::vector<std::string> escaped_all(std::vector<std::string> sentences) {
-    std::transform(sentences.begin(), sentences.end(), sentences.begin(), escaped);
+std::vector<std::string> prose_all(std::vector<std::string> sentences) {
+    std::transform(sentences.begin(), sentences.end(), sentences.begin(),
+                   [](const std::string& sentence) { return prose(sentence); });
     return sentences;
 }
 
@@ -70,7 +71,7 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
     std::vector<std::string> evidence;
     for (const auto& [key, one] : exhibits) {
         for (const auto& sentence : one.open) {
-            evidence.push_back(title_markup(one) + ": " + escaped(sentence));
+            evidence.push_back(title_markup(one) + ": " + prose(sentence));
         }
     }
     std::vector<std::string> gaps;
@@ -83,14 +84,14 @@ std::string open_markup(const PackInput& input, const Exhibits& exhibits) {
     for (const auto& technique : input.argument.techniques) {
         if (technique.state == "partly" || technique.state == "missing") {
             techniques.push_back(fmt::format("{} {}, {}: {}", html_state(technique.state), escaped(technique.table),
-                                             escaped(technique.name), escaped(technique.how)));
+                                             escaped(technique.name), prose(technique.how)));
         }
     }
     const std::string text =
         group("Evidence that is missing, stale or open", evidence) +
-        group("Gaps that the audit found", escaped_all(gaps)) +
-        group("Changed since they were reviewed", escaped_all(suspects)) +
-        group("Code or tests without a requirement", escaped_all(input.orphans.value_or(std::vector<std::string>{}))) +
+        group("Gaps that the audit found", prose_all(gaps)) +
+        group("Changed since they were reviewed", prose_all(suspects)) +
+        group("Code or tests without a requirement", prose_all(input.orphans.value_or(std::vector<std::string>{}))) +
         group("Recommended techniques that are not or only partly used", techniques);
     return text.empty() ? "<p>There is no open point.</p>\n" : text;
 }

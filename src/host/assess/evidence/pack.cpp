@@ -12,6 +12,7 @@
 #include "host/assess/evidence/audit_pages.hpp"
 #include "host/assess/evidence/coverage_page.hpp"
 #include "host/assess/evidence/csv.hpp"
+#include "host/assess/evidence/decisions_page.hpp"
 #include "host/assess/evidence/document_pages.hpp"
 #include "host/assess/evidence/exhibit_page.hpp"
 #include "host/assess/evidence/hazards_page.hpp"
@@ -111,7 +112,7 @@ PackFiles make_pack(const PackInput& input) {
     page("plots.html", "Plots", plots_page(input));
     for (const auto& audit : input.audits) {
         files[audit_page_name(*audit.part)] =
-            html_page("Audit of " + audit.part->name, "audit.html", frame, part_audit_page(input, audit));
+            html_page("Audit of " + title_of(*audit.part), "audit.html", frame, part_audit_page(input, audit));
         if (const Manual* manual = input.content->manual(audit.part->info.manual)) {
             page(manual_page_name(*audit.part), "Manual " + manual->key, manual_page(input, audit, *manual));
         }
@@ -144,6 +145,9 @@ PackFiles make_pack(const PackInput& input) {
             page(exhibits.at(one.key).page, one.title, exhibit_page(one));
         }
         files.insert(one.files.begin(), one.files.end());
+        if (!one.page.empty()) {
+            files[one.page] = framed_page(one, frame);
+        }
         for (const auto& name : one.data) {
             files["data/" + std::filesystem::path{name}.filename().string()] = one.files.at(name);
         }

@@ -33,6 +33,7 @@ struct MeasuredMutation {
 
 /// A plot of a device's behaviour.
 struct Figure {
+    std::string title;
     std::string svg;
     std::string words;  ///< description for readers who do not see the plot
 };

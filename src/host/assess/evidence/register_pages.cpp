@@ -9,7 +9,6 @@
 #include "host/assess/evidence/item_links.hpp"
 #include "host/assess/evidence/manual_page.hpp"
 #include "host/assess/evidence/pack_input.hpp"
-#include "host/assess/evidence/review_notes.hpp"
 #include "host/assess/trace/audit.hpp"
 #include "host/assess/trace/statement_audit.hpp"
 #include "host/report/markup.hpp"
@@ -25,7 +24,7 @@ std::string conditions_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {
         for (const auto& condition : section.conditions) {
-            rows.push_back({escaped(section.ref), escaped(section.title), escaped(condition)});
+            rows.push_back({escaped(section.ref), escaped(section.title), prose(condition)});
         }
     }
     return rows.empty()
@@ -79,7 +78,7 @@ std::string informative_table(const Manual& manual) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& section : manual.sections) {
         if (!section.normative && !section.reason.empty()) {
-            rows.push_back({escaped(section.ref), escaped(section.title), escaped(section.reason)});
+            rows.push_back({escaped(section.ref), escaped(section.title), prose(section.reason)});
         }
     }
     return rows.empty() ? ""
@@ -111,36 +110,6 @@ std::string sections_page(const PackInput& input) {
     return text;
 }
 
-std::string decisions_page(const PackInput& input) {
-    const ItemLinks links = links_of(input);
-    const ReviewNotes notes{input};
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& audit : input.audits) {
-        for (const auto& decision : audit.part->decisions) {
-            std::string readings;
-            for (const auto& reading : decision.readings) {
-                readings += fmt::format("{} <small>{}</small><br>", escaped(reading.says), escaped(reading.source));
-            }
-            const std::string affects = link_to_each(links, decision.affects);
-            rows.push_back({fmt::format("<code id=\"{0}\">{0}</code><br><small>{1}</small>", decision.id,
-                                        escaped(decision.severity)) +
-                                notes.of(*audit.part, decision.id),
-                            escaped(decision.text), readings,
-                            fmt::format("<b>{}</b><br>{}", escaped(decision.chosen), escaped(decision.because)),
-                            affects.empty() ? escaped(decision.none) : affects});
-        }
-    }
-    return fmt::format(
-               "<p>In {} places the manuals contradict themselves, each other or CiA's standards, or leave a question "
-               "open. A decision settles each place: by the standard, then by the manual's own consistency, then by "
-               "the safer failure. A decision is of severity high when it changes the wire or an output, medium when "
-               "it changes the configuration or a range, low when it is editorial.</p>\n",
-               rows.size()) +
-           html_table("Decisions",
-                      {{"Decision", 9}, {"Question", 20}, {"Readings", 28}, {"Chosen, because", 30}, {"Affects", 13}},
-                      rows, Search::yes);
-}
-
 std::string tests_page(const PackInput& input) {
     // by suite: the names of the cases and the number of failed cases
     std::map<std::string, std::pair<std::vector<std::string>, std::size_t>> suites;
@@ -169,13 +138,15 @@ std::string tests_page(const PackInput& input) {
 
 std::string plots_page(const PackInput& input) {
     std::string text =
-        "<p>The plots show the behaviour of the devices, drawn from their frames and outputs.</p><div class=grid>\n";
+        "<p>The plots show the behaviour of the devices, drawn from their frames and outputs. A plot opens alone with "
+        "a "
+        "click.</p>\n";
     for (const auto& [name, figure] : input.figures) {
-        text +=
-            fmt::format("<figure><a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{1}\" loading=lazy></a></figure>\n",
-                        escaped(name), escaped(figure.words));
+        text += html_figure(fmt::format("<a href=\"plots/{0}\"><img src=\"plots/{0}\" alt=\"{1}\" loading=lazy></a>",
+                                        escaped(name), escaped(figure.words)),
+                            figure.title);
     }
-    return text + "</div>\n";
+    return text;
 }
 
 }  // namespace canproof::host

@@ -11,7 +11,6 @@ namespace canproof::host {
 /// Returns the manuals with their coverage and links to their pages, their conditions of use and their sections without
 /// requirements; for a manual without statements, also its normative sections.
 std::string sections_page(const PackInput& input);
-std::string decisions_page(const PackInput& input);
 std::string tests_page(const PackInput& input);
 /// Returns the plots of the devices' behaviour.
 std::string plots_page(const PackInput& input);

@@ -38,10 +38,11 @@ std::string standards_page(const PackInput& input) {
         std::vector<std::vector<std::string>> rows;
         std::for_each(first, last, [&rows](const Technique& one) {
             rows.push_back(
-                {escaped(one.number), escaped(one.name), escaped(one.level), html_state(one.state), escaped(one.how)});
+                {escaped(one.number), escaped(one.name), escaped(one.level), html_state(one.state), prose(one.how)});
         });
         text += fmt::format("<h2>{}: {}</h2>\n", escaped(first->table), escaped(first->title)) +
-                html_table(first->title, {{"Row", 6}, {"Technique", 30}, {"Level", 8}, {"State", 14}, {"Here"}}, rows);
+                html_table(first->title,
+                           {{"Row", 6}, {"Technique", 30}, {"Level", 8}, {"State", 14}, {"In this project"}}, rows);
         first = last;
     }
     return text;

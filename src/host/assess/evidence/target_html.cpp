@@ -24,32 +24,43 @@ json read_json(const std::filesystem::path& path) {
 
 /// Returns a table cell with a figure and its limit.
 std::string bounded(std::uint64_t value, std::uint64_t budget) {
-    return fmt::format("<td class={}>{} <small>of {}</small>", value <= budget ? "shown" : "open", grouped(value),
-                       grouped(budget));
+    return html_judged(value <= budget, fmt::format("{} <small>of {}</small>", grouped(value), grouped(budget)));
 }
 
 std::string memory_table(const json& footprint) {
     const json& budgets = footprint.at("budgets");
-    std::string text =
-        "<div class=wrap tabindex=0 role=\"region\" aria-label=\"Table, scrolls sideways\"><table><tr><th>Image, -Os, "
-        "bytes<th>Flash<th>RAM with stack<th>Deepest stack<th>CANopen layer: code<th>RAM without values<th>stack\n";
+    std::vector<std::vector<std::string>> rows;
     for (const auto& [device, found] : footprint.at("devices").items()) {
         const json& budget = budgets.at("devices").at(device);
         const json& layer = found.at("canopen");
-        text += fmt::format("<tr><td>{}", escaped(device));
+        std::vector<std::string> row{escaped(device)};
         for (const char* key : {"flash", "ram", "stack"}) {
-            text += bounded(found.at(key), budget.at(key));
+            row.push_back(bounded(found.at(key), budget.at(key)));
         }
         for (const char* key : {"code", "ram", "stack"}) {
-            text += bounded(layer.at(key), budgets.at("canopen").at(key));
+            row.push_back(bounded(layer.at(key), budgets.at("canopen").at(key)));
         }
-        text += '\n';
+        rows.push_back(row);
     }
-    return text + "</table></div>\n";
+    return html_table("Flash and RAM in bytes, each with its limit (images compiled with -Os)",
+                      {{"Device", 13},
+                       {"Flash"},
+                       {"RAM with stack"},
+                       {"Deepest stack"},
+                       {"CANopen layer: code"},
+                       {"CANopen layer: RAM without values"},
+                       {"CANopen layer: stack"}},
+                      rows);
 }
 
-const char* met_or_open(const json& goal) {
-    return goal.at("holds").get<bool>() ? "shown" : "open";
+/// Returns a list entry that is marked as met or open.
+std::string goal_entry(const json& goal, const std::string& markup) {
+    return fmt::format("<li>{}\n", html_judged(goal.at("holds").get<bool>(), markup));
+}
+
+/// Returns the kind of work as a word: `power-on` for `power_on`.
+std::string word_of_kind(const std::string& kind) {
+    return kind == "power_on" ? "power-on" : kind;
 }
 
 std::string work_table(const json& work) {
@@ -57,7 +68,8 @@ std::string work_table(const json& work) {
     for (const auto& [device, kinds] : work.at("devices").items()) {
         for (const auto& [kind, one] : kinds.items()) {
             if (kind != "share") {
-                rows.push_back({escaped(device), escaped(kind), std::to_string(one.at("count").get<std::uint64_t>()),
+                rows.push_back({escaped(device), escaped(word_of_kind(kind)),
+                                std::to_string(one.at("count").get<std::uint64_t>()),
                                 std::to_string(one.at("instructions").get<std::uint64_t>()),
                                 fmt::format("<code>{}</code>", escaped(one.at("what").get<std::string>())),
                                 escaped(one.at("where").get<std::string>())});
@@ -77,22 +89,22 @@ std::string work_table(const json& work) {
     for (const auto& [device, kinds] : work.at("devices").items()) {
         if (kinds.contains("share")) {
             const json& share = kinds.at("share");
-            text += fmt::format("<li class={}>{}: {:.1f} % of the core by <code>{}</code>\n", met_or_open(share),
-                                escaped(device), 100.0 * share.at("bus_load").get<double>(),
-                                escaped(share.at("what").get<std::string>()));
+            text += goal_entry(share, fmt::format("{}: {:.1f} % of the core by <code>{}</code>", escaped(device),
+                                                  100.0 * share.at("bus_load").get<double>(),
+                                                  escaped(share.at("what").get<std::string>())));
         }
         for (const char* const kind : {"power_on", "command"}) {
             if (kinds.contains(kind) && kinds.at(kind).contains("ms")) {
                 const json& one = kinds.at(kind);
-                text += fmt::format("<li class={}>{}: {:.1f} ms of the core for the worst-case {}\n", met_or_open(one),
-                                    escaped(device), one.at("ms").get<double>(), kind);
+                text += goal_entry(one, fmt::format("{}: {:.1f} ms of the core for the worst-case {}", escaped(device),
+                                                    one.at("ms").get<double>(), word_of_kind(kind)));
             }
         }
         if (kinds.contains("tick") && kinds.at("tick").contains("load")) {
             const json& tick = kinds.at("tick");
-            text += fmt::format("<li class={}>{}: {:.1f} % of the core for the worst-case tick, one every {} ms\n",
-                                met_or_open(tick), escaped(device), 100.0 * tick.at("load").get<double>(),
-                                tick.at("period_us").get<double>() / 1000.0);
+            text += goal_entry(
+                tick, fmt::format("{}: {:.1f} % of the core for the worst-case tick, one every {} ms", escaped(device),
+                                  100.0 * tick.at("load").get<double>(), tick.at("period_us").get<double>() / 1000.0));
         }
     }
     return text +

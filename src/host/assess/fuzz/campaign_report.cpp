@@ -41,7 +41,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string figure(const LinePlot& plot) {
-    return fmt::format("<figure>{}</figure>\n", write_svg(plot));
+    return html_figure(write_svg(plot, DrawnTitle::no), plot.title);
 }
 
 std::string head(const CampaignState& state, const std::optional<Night>& last) {

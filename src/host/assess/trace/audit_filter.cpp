@@ -30,8 +30,8 @@ std::string with_key(const std::string& ref, const Register& content, const std:
         }
     }
     if (found.empty()) {
-        throw InputError{
-            fmt::format("no manual has a section {}; write a section that the requirements register contains", ref)};
+        throw InputError{fmt::format(
+            "no manual has a section {}; `canproof spec statements KEY` lists the sections of a manual", ref)};
     }
     if (found.size() > 1) {
         throw InputError{
@@ -48,7 +48,7 @@ void check_section(const std::string& section, const Register& content) {
     const bool is_section = !ref.empty() && ref.find_first_not_of("0123456789.") == std::string::npos;
     if (is_section && !has_section(manual, ref)) {
         throw InputError{fmt::format(
-            "the manual {} has no section {}; write a section that the requirements register contains", key, ref)};
+            "the manual {0} has no section {1}; `canproof spec statements {0}` lists its sections", key, ref)};
     }
 }
 

@@ -241,7 +241,10 @@ std::set<std::string> unreviewed(const Register& content, const Part& part, cons
 }
 
 std::string reader_words(const Review& review) {
-    return fmt::format("{} by {}{}", review.date, review.by,
+    const std::string role = " (author of the change)";  // a part of some names, which the words below repeat
+    const auto at = review.role == "author" ? review.by.find(role) : std::string::npos;
+    const std::string by = at == std::string::npos ? review.by : std::string{review.by}.erase(at, role.size());
+    return fmt::format("{} by {}{}", review.date, by,
                        review.role == "author"        ? ", author of the change"
                        : review.role == "independent" ? ", not the author of the change"
                                                       : ", role not stated");

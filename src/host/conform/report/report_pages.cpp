@@ -46,6 +46,11 @@ std::vector<NavigationEntry> navigation(const ConformReport& report) {
     return all;
 }
 
+/// Returns program, data sheet and node, which each page shows at its foot and on each printed sheet.
+std::string origin(const ConformReport& report) {
+    return fmt::format("{}, {}, node-ID {}", report.program, report.sheet, report.node);
+}
+
 std::string summary_page(const ConformReport& report) {
     std::vector<std::vector<std::string>> facts{
         {"Data sheet", escaped(report.sheet)},
@@ -95,7 +100,7 @@ std::string summary_page(const ConformReport& report) {
     body += "<h2>The run</h2>\n" + html_table("Facts of the run", {{"What"}, {"Value"}}, facts);
     const std::string times = times_table(times_of_all(report));
     body += times.empty() ? "" : "<h2>Measured times of all cases</h2>\n" + times;
-    return html_page("Conformance test", "index.html", {navigation(report), ""}, body);
+    return html_page("Conformance test", "index.html", {navigation(report), origin(report)}, body);
 }
 
 std::string service_page(const ConformReport& report, const std::string& group) {
@@ -115,7 +120,7 @@ std::string service_page(const ConformReport& report, const std::string& group) 
         html_table("Cases of the service", {{"Case"}, {"Verdict"}, {"Public"}, {"Shows"}, {"Section"}, {"Why"}}, rows,
                    Search::yes) +
         (times.empty() ? "" : "<h2>Measured times</h2>\n" + times);
-    return html_page("Conformance: " + group, group + ".html", {navigation(report), ""}, body);
+    return html_page("Conformance: " + group, group + ".html", {navigation(report), origin(report)}, body);
 }
 
 std::string case_page(const ConformReport& report, const CaseResult& one) {
@@ -139,7 +144,7 @@ std::string case_page(const ConformReport& report, const CaseResult& one) {
     body += "</pre>\n";
     const std::string times = times_table(one.times);
     body += times.empty() ? "" : "<h2>Measured times</h2>\n" + times;
-    return html_page(one.id, page_of(one), {navigation(report), ""}, body);
+    return html_page(one.id, page_of(one), {navigation(report), origin(report)}, body);
 }
 
 }  // namespace

@@ -336,6 +336,22 @@ TEST_F(Documents, DocumentIsWrittenAsHtmlMarkdownAndJson) {
     EXPECT_EQ(json.at("chapters").at(2).at("tables").at(0).at("rows").at(0).at("Failure"), "The switch is welded.");
 }
 
+TEST(DocumentTables, TableWithoutRowsIsASentence) {
+    const Document document{"d", "D", "About.", {{"Limits", {}, {{"Limits of <x>", {"Signal"}, {}}}}}};
+    EXPECT_THAT(document_html(document, {}), HasSubstr("<h2>Limits</h2>\n<p>Limits of &lt;x&gt;: none.</p>\n"));
+    EXPECT_THAT(document_markdown(document), HasSubstr("## Limits\n\nLimits of <x>: none.\n"));
+}
+
+TEST(DocumentTables, CaptionThatDiffersFromItsHeadingStaysVisible) {
+    const DocumentTable own{"Limits of signals", {"Signal"}, {{"x"}}};
+    const DocumentTable same{"", {"Signal"}, {{"x"}}};
+    const Document document{"d", "D", "About.", {{"Limits", {}, {own}}, {"Rest", {}, {same}}}};
+    const std::string page = document_html(document, {});
+    // The style sheet hides the caption of a table in a <div> that follows a heading.
+    EXPECT_THAT(page, HasSubstr("<h2>Limits</h2>\n<div><div><table><caption>Limits of signals</caption>"));
+    EXPECT_THAT(page, HasSubstr("<h2>Rest</h2>\n<div><table><caption>Rest</caption>"));
+}
+
 TEST(ResidualErrors, ResidualErrorsFollowTheBinomialDistribution) {
     // Three bits, each wrong with probability 1/2: of the eight patterns 3 + 1 have two or more wrong bits.
     EXPECT_DOUBLE_EQ(two_or_more_wrong(3, 0.5), 4.0 / 8.0);

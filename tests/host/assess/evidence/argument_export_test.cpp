@@ -20,13 +20,32 @@ std::string graph_with(const std::string& title) {
     return argument_graph(argument, {{"one", exhibit}});
 }
 
-// A box has space for 13 characters: a longer title keeps 12 and gets an ellipsis.
-TEST(ArgumentGraph, TitleIsShortenedByCharactersAndNotByBytes) {
-    EXPECT_THAT(graph_with("abcdefghijklm"), testing::HasSubstr(">abcdefghijklm<"));
-    EXPECT_THAT(graph_with("abcdefghijklmn"), testing::HasSubstr(">abcdefghijkl…<"));
-    EXPECT_THAT(graph_with("äöüäöüäöüäöüä"), testing::HasSubstr(">äöüäöüäöüäöüä<"));
-    EXPECT_THAT(graph_with("abcdefghijkäöü"), testing::HasSubstr(">abcdefghijkä…<"));
-    EXPECT_THAT(graph_with("±5 % → 10 µs…!"), testing::HasSubstr(">±5 % → 10 µs…<"));
+/// Returns the texts of the graph from the title of the evidence on; the last one is its state.
+std::vector<std::string> texts_of(const std::string& graph) {
+    std::vector<std::string> texts;
+    for (auto at = graph.find("<text"); at != std::string::npos; at = graph.find("<text", at + 1)) {
+        const auto begin = graph.find('>', at) + 1;
+        texts.push_back(graph.substr(begin, graph.find('<', begin) - begin));
+    }
+    texts.erase(texts.begin(), texts.begin() + 2);  // id and state of the claim
+    return texts;
+}
+
+// A line of a box has space for 15 characters.
+TEST(ArgumentGraph, TitleIsShownWholeInLinesOfWords) {
+    using testing::ElementsAre;
+    EXPECT_THAT(texts_of(graph_with("abcdefg hijklmn")), ElementsAre("abcdefg hijklmn", "not measured"));
+    EXPECT_THAT(texts_of(graph_with("abcdefg hijklmno")), ElementsAre("abcdefg", "hijklmno", "not measured"));
+    EXPECT_THAT(texts_of(graph_with("äöüäöüä öüäöüäö")), ElementsAre("äöüäöüä öüäöüäö", "not measured"));
+    EXPECT_THAT(texts_of(graph_with("one two-and-a-long-word")),
+                ElementsAre("one", "two-and-a-long-word", "not measured"));
+}
+
+TEST(ArgumentGraph, BoxIsAsHighAsItsLines) {
+    // One line and the state: 2 * 14 + 12; four lines and the state: 5 * 14 + 12.
+    EXPECT_THAT(graph_with("abc"), testing::HasSubstr("height=\"40\" rx=\"20\""));
+    EXPECT_THAT(graph_with("Mutation of the firmware's operators and conditions"),
+                testing::HasSubstr("height=\"82\" rx=\"20\""));
 }
 
 }  // namespace

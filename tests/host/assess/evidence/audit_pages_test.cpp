@@ -60,10 +60,12 @@ TEST_F(AuditPages, KindsAndStatesCanBeChosen) {
 TEST_F(AuditPages, CodeAndTestsAreLinksToTheirLines) {
     const PackFiles files = make();
     const std::string& page = files.at("audit-device.html");
-    EXPECT_THAT(page, HasSubstr("<a href=\"source/src/firmware/base/one.cpp.html#L3\"><code>firmware/base/one.cpp:3"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"source/src/firmware/base/one.cpp.html#L3\">"
+                                "<code>firmware/<wbr>base/<wbr>one.<wbr>cpp:3"));
     EXPECT_THAT(page, HasSubstr("✓</span> S <small>test</small> "
                                 "<a href=\"source/tests/one_test.cpp.html#L2\">One</a>"));
-    EXPECT_THAT(page, HasSubstr("<code>firmware/base/two.cpp:4</code>"));  // the pack does not have this source
+    EXPECT_THAT(
+        page, HasSubstr("<code>firmware/<wbr>base/<wbr>two.<wbr>cpp:4</code>"));  // the pack does not have this source
     EXPECT_THAT(page, Not(HasSubstr("two.cpp.html")));
 }
 

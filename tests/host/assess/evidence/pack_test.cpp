@@ -84,6 +84,12 @@ TEST_F(Pack, PageOfSectionsShowsTheConditionsOfUse) {
 
 TEST_F(Pack, EachPageNamesItsSourceRevision) {
     input_.provenance.date = "2026-01-02T03:04:05Z";
+    input_.exhibits = {{"rules",
+                        "Rules",
+                        Exhibit::State::holds,
+                        "all kept",
+                        "rules/report.html",
+                        {{"rules/report.html", "<!doctype html><main><h1>Own heading</h1><p>Body</p></main>"}}}};
     for (const auto& [name, text] : make()) {
         if (name.size() > 5 && name.substr(name.size() - 5) == ".html") {
             EXPECT_THAT(text, HasSubstr("<footer>canproof abc, 2026-01-02T03:04:05Z</footer>")) << name;
@@ -91,6 +97,22 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
             EXPECT_THAT(text, HasSubstr("@bottom-left{content:\"canproof abc, 2026-01-02T03:04:05Z\"")) << name;
         }
     }
+}
+
+TEST_F(Pack, OwnPageOfAnExhibitIsInTheFrameOfThePack) {
+    input_.exhibits = {{"rules",
+                        "Rules",
+                        Exhibit::State::open,
+                        "one broken",
+                        "rules/report.html",
+                        {{"rules/report.html", "<!doctype html><main><h1>Own heading</h1><p>Body</p></main>"}}}};
+    input_.exhibits[0].open = {"rule <1>"};
+    const std::string page = make().at("rules/report.html");
+    EXPECT_THAT(page, HasSubstr("<a href=\"../audit.html\">Audit</a>"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"../rules/report.html\" aria-current=true>Rules</a>"));
+    EXPECT_THAT(page, HasSubstr("<main><h1>Rules</h1>\n<p><span class=\"state open\">✗ open</span></p>\n"
+                                "<h2>Open</h2>\n<ul><li>rule &lt;1&gt;\n</ul>\n<p>Body</p></main>"));
+    EXPECT_THAT(page, Not(HasSubstr("Own heading")));
 }
 
 TEST_F(Pack, EachTableOfEachPageHasACaption) {
@@ -248,7 +270,10 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     exhibit.files = {{"scale/scale.csv",
                       "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"
                       "1,1,\"a \"\"wire\"\", cut\"\r\n2,2,\"\"\r\n3,3,\"\"\"\"\r\n"},
-                     {"scale/scale.svg", "<svg/>"}};
+                     {"scale/bare.svg", "<svg/>"},
+                     {"scale/scale.svg",
+                      "<svg aria-label=\"Growth of &quot;ms&quot;. Plot of a.\"><title>Growth of "
+                      "&quot;ms&quot;</title></svg>"}};
     exhibit.figures = {{"devices in real time", "1,000"}};
     exhibit.open = {"nothing beyond 2,000 was tried"};
     exhibit.data = {"scale/scale.csv"};
@@ -265,7 +290,10 @@ TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
     EXPECT_THAT(page, HasSubstr("<td data-h=\"case\">a &quot;wire&quot;, cut\n"));  // quotes are doubled in CSV
     EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"seconds\">2<td>\n"));
     EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"seconds\">3<td data-h=\"case\">&quot;"));
-    EXPECT_THAT(page, HasSubstr("<img src=\"scale/scale.svg\" alt=\"Plot of the figures of Many devices\">"));
+    EXPECT_THAT(page, HasSubstr("<figure><img src=\"scale/scale.svg\" alt=\"Growth of &quot;ms&quot;. Plot of a.\">"
+                                "<figcaption>Growth of &quot;ms&quot;</figcaption></figure>"));
+    EXPECT_THAT(page, HasSubstr("<figure><img src=\"scale/bare.svg\" alt=\"Plot of the figures of Many devices\">"
+                                "<figcaption>Many devices</figcaption></figure>"));
     EXPECT_THAT(page, HasSubstr("<li>nothing beyond 2,000 was tried"));
     EXPECT_EQ(files.at("data/scale.csv"), files.at("scale/scale.csv"));
     EXPECT_THAT(files.at("index.html"), HasSubstr("devices in real time: <b>1,000</b>"));
@@ -300,12 +328,14 @@ TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("2 altered cells of 1 items that no test notices"));
 }
 
-TEST_F(Pack, PlotsHaveAnAlternativeText) {
-    input_.figures["lamp.svg"] = {"<svg/>", "Light of a lamp. Plot of <lux> against seconds: lamp."};
+TEST_F(Pack, PlotsHaveACaptionAndAnAlternativeText) {
+    input_.figures["lamp.svg"] = {"Light of a <lamp>", "<svg/>",
+                                  "Light of a lamp. Plot of <lux> against seconds: lamp."};
     const PackFiles files = make();
     EXPECT_EQ(files.at("plots/lamp.svg"), "<svg/>");
     EXPECT_THAT(files.at("plots.html"),
                 HasSubstr("alt=\"Light of a lamp. Plot of &lt;lux&gt; against seconds: lamp.\""));
+    EXPECT_THAT(files.at("plots.html"), HasSubstr("<figcaption>Light of a &lt;lamp&gt;</figcaption>"));
 }
 
 TEST_F(Pack, OnlyExistingDataFilesAreLinked) {

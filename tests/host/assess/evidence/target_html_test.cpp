@@ -34,10 +34,10 @@ TEST_F(TargetHtml, FigureAboveItsBudgetIsOpen) {
         "canopen": {"code": 40, "ram": 10, "stack": 9}},
         "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");
     const std::string page = host::write_target_html(folder);
-    EXPECT_THAT(page, HasSubstr("<td class=shown>100 <small>of 100</small>"));
-    EXPECT_THAT(page, HasSubstr("<td class=open>21 <small>of 20</small>"));
-    EXPECT_THAT(page, HasSubstr("<td class=open>50 <small>of 40</small>"));
-    EXPECT_THAT(page, HasSubstr("<td class=shown>9 <small>of 9</small>"));
+    EXPECT_THAT(page, HasSubstr("data-h=\"Flash\"><span class=holds>✓ 100 <small>of 100</small></span>"));
+    EXPECT_THAT(page, HasSubstr("data-h=\"RAM with stack\"><span class=open>✗ 21 <small>of 20</small></span>"));
+    EXPECT_THAT(page, HasSubstr("<span class=open>✗ 50 <small>of 40</small></span>"));
+    EXPECT_THAT(page, HasSubstr("<span class=holds>✓ 9 <small>of 9</small></span>"));
 }
 
 TEST_F(TargetHtml, TestsAndFramesOfAllImagesAreAddedUp) {
@@ -58,10 +58,11 @@ TEST_F(TargetHtml, InstructionsPerFrameAndCoreTimeOfAFullBusAreShown) {
     const std::string page = host::write_target_html(folder);
     EXPECT_THAT(page, HasSubstr("<td class=n data-h=\"Times\">7<td class=n data-h=\"Instructions at most\">4,321"
                                 "<td data-h=\"Frame\"><code>605#40</code><td data-h=\"Where\">Suite.&lt;Test&gt;"));
-    EXPECT_THAT(page, HasSubstr("<li class=open>one: 62.5 % of the core by <code>605#41</code>"));
-    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 4.0 % of the core for the worst-case tick, one every 2.5 ms"));
-    EXPECT_THAT(page, HasSubstr("<li class=shown>one: 5.0 ms of the core for the worst-case power_on"));
-    EXPECT_THAT(page, HasSubstr("<li class=open>one: 11.0 ms of the core for the worst-case command"));
+    EXPECT_THAT(page, HasSubstr("<li><span class=open>✗ one: 62.5 % of the core by <code>605#41</code>"));
+    EXPECT_THAT(page,
+                HasSubstr("<li><span class=holds>✓ one: 4.0 % of the core for the worst-case tick, one every 2.5 ms"));
+    EXPECT_THAT(page, HasSubstr("<li><span class=holds>✓ one: 5.0 ms of the core for the worst-case power-on"));
+    EXPECT_THAT(page, HasSubstr("<li><span class=open>✗ one: 11.0 ms of the core for the worst-case command"));
     EXPECT_THAT(page, Not(HasSubstr("not measured in this build")));
 }
 

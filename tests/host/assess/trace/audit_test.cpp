@@ -246,9 +246,9 @@ TEST_F(AuditOfASmallRegister, FilterRefusesUnknownNames) {
         return "taken";
     };
     EXPECT_EQ(refusal({"9.9", "", ""}),
-              "no manual has a section 9.9; write a section that the requirements register contains");
+              "no manual has a section 9.9; `canproof spec statements KEY` lists the sections of a manual");
     EXPECT_EQ(refusal({"M:9.9", "", ""}),
-              "the manual M has no section 9.9; write a section that the requirements register contains");
+              "the manual M has no section 9.9; `canproof spec statements M` lists its sections");
     EXPECT_EQ(refusal({"X:1", "", ""}), "no manual has the key X; the keys are M");
     EXPECT_THAT(refusal({"", "timings", ""}),
                 HasSubstr("no item is of the kind `timings`; the kinds are functional, "));
