@@ -65,6 +65,20 @@ Term is_below(const Term& a, const Term& b) {
     return (!is_nan(a) && !is_nan(b) && order_of(a) < order_of(b)).simplify();
 }
 
+/// Returns whether z3 leaves this value open: the result of an operation that has none.
+bool is_unspecified(const Term& value) {
+    return value.is_app() && value.num_args() > 0 && value.decl().decl_kind() == Z3_OP_UNINTERPRETED;
+}
+
+/// Returns the value without the choices that z3 leaves open.
+Term specified(const Term& value) {
+    if (!value.is_ite()) {
+        return value;
+    }
+    const Term otherwise = specified(value.arg(2));
+    return is_unspecified(value.arg(1)) ? otherwise : z3::ite(value.arg(0), value.arg(1), otherwise);
+}
+
 using Round = Z3_ast (*)(Z3_context);
 
 /// Returns the rounding mode of an intrinsic that rounds to a whole number.
@@ -94,7 +108,7 @@ Floats::Number Floats::input(unsigned at, unsigned width) const {
     return {bits, bits.mk_from_ieee_bv(context_.fpa_sort(layout.exponent, layout.fraction + 1))};
 }
 
-Term Floats::applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make) {
+Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make) {
     auto known = circuits_.find(name);
     if (known == circuits_.end()) {
         std::vector<Number> inputs;
@@ -108,32 +122,32 @@ Term Floats::applied(const std::string& name, const std::vector<Term>& operands,
         z3::goal goal{context_};
         goal.add(result == operation);
         const z3::apply_result done = z3::tactic{context_, "fpa2bv"}(goal);
-        const Term circuit = done.size() == 1 && done[0].size() == 1 ? done[0][0] : context_.bool_val(false);
-        if (!circuit.is_eq() || !same(circuit.arg(0), result)) {
+        // the first formula defines the result; others say that the bits of a NaN, which z3 leaves open, are a NaN
+        const Term definition = done.size() == 1 && done[0].size() > 0 ? done[0][0] : context_.bool_val(false);
+        if (!definition.is_eq() || !same(definition.arg(0), result)) {
             throw Unknown{"z3 writes no circuit for the floating-point operation `" + name + "`"};
         }
-        known = circuits_.emplace(name, Circuit{bits, circuit.arg(1)}).first;
+        const Term all = definition.arg(1);
+        const bool may_fail = all.is_ite() && is_unspecified(all.arg(1));
+        known = circuits_.emplace(name, Circuit{bits, may_fail ? all.arg(0) : context_.bool_val(false), specified(all)})
+                    .first;
     }
     z3::expr_vector values{context_};
     for (const Term& one : operands) {
         values.push_back(one);
     }
-    Term result = known->second.result;
-    return result.substitute(known->second.inputs, values).simplify();
+    const auto with_operands = [&](Term term) { return term.substitute(known->second.inputs, values).simplify(); };
+    return {with_operands(known->second.result), with_operands(known->second.fails)};
 }
 
 Term Floats::number_of(const std::string& name, const std::vector<Term>& operands, unsigned width,
                        const MakeTerm& make) {
-    const Term bits = applied(name + std::to_string(width) + "of" + std::to_string(width_of(operands.front())),
-                              operands, [&make](const std::vector<Number>& inputs) {
-                                  return z3::expr{make(inputs)}.mk_to_ieee_bv();
-                              });
-    const Term failed = is_nan(bits);
-    if (is_false(failed)) {
-        return bits;
-    }
+    const std::string type = std::to_string(width) + "of" + std::to_string(width_of(operands.front()));
+    const Applied done = applied(name + type, operands, [&make](const std::vector<Number>& inputs) {
+        return make(inputs).mk_to_ieee_bv();
+    });
     const Term quiet = constant(context_, quiet_nan_of(width), width);
-    return choose(failed, fresh_(width) | quiet, bits);  // a quiet NaN of any sign and payload
+    return is_false(done.fails) ? done.value : choose(done.fails, fresh_(width) | quiet, done.value);  // a quiet NaN of any sign and payload
 }
 
 Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
@@ -165,24 +179,25 @@ Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
     return any_of(context_, wanted);
 }
 
+Term Floats::joined(const char* name, Join join, const Term& a, const Term& b) {
+    return number_of(name, {a, b}, width_of(a), [this, join](const auto& inputs) {
+        return Term{context_, join(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)};
+    });
+}
+
 std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b) {
     if (!is_modelled(*operation.getType())) {
         return std::nullopt;
     }
-    const auto made = [&](Z3_ast (*make)(Z3_context, Z3_ast, Z3_ast, Z3_ast)) {
-        return number_of(operation.getOpcodeName(), {a, b}, width_of(a), [this, make](const auto& inputs) {
-            return Term{context_, make(context_, Z3_mk_fpa_rne(context_), inputs[0].value, inputs[1].value)};
-        });
-    };
     switch (operation.getOpcode()) {
         case llvm::Instruction::FAdd:
-            return made(Z3_mk_fpa_add);
+            return joined("add", Z3_mk_fpa_add, a, b);
         case llvm::Instruction::FSub:
-            return made(Z3_mk_fpa_sub);
+            return joined("subtract", Z3_mk_fpa_sub, a, b);
         case llvm::Instruction::FMul:
-            return made(Z3_mk_fpa_mul);
+            return joined("multiply", Z3_mk_fpa_mul, a, b);
         case llvm::Instruction::FDiv:
-            return made(Z3_mk_fpa_div);
+            return joined("divide", Z3_mk_fpa_div, a, b);
         default:
             return std::nullopt;
     }
@@ -220,50 +235,39 @@ std::optional<Term> Floats::compared(const llvm::FCmpInst& comparison, const Ter
     return any_of(context_, holds);
 }
 
-std::optional<Computed> Floats::converted(const llvm::CastInst& cast, const Term& from) {
-    const auto sort = [this](unsigned width) {
-        const Layout layout = layout_of(width);
-        return context_.fpa_sort(layout.exponent, layout.fraction + 1);
-    };
-    const Term always = context_.bool_val(true);
-    const unsigned opcode = cast.getOpcode();
-    const bool from_integer = opcode == llvm::Instruction::SIToFP || opcode == llvm::Instruction::UIToFP;
-    const bool to_integer = opcode == llvm::Instruction::FPToSI || opcode == llvm::Instruction::FPToUI;
-    if (from_integer && is_modelled(*cast.getType())) {
-        const unsigned width = cast.getType()->getScalarSizeInBits();
-        // a sign bit more makes each integer a signed one
-        const Term integer = as_bits(from);
-        const Term wide = opcode == llvm::Instruction::SIToFP ? z3::sext(integer, 1) : z3::zext(integer, 1);
-        return Computed{applied("from_integer" + std::to_string(width) + "of" + std::to_string(width_of(wide)),
-                                {wide.simplify()},
-                                [&](const auto& inputs) {
-                                    const Z3_ast number = Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_),
-                                                                                 inputs[0].bits, sort(width));
-                                    return Term{context_, Z3_mk_fpa_to_ieee_bv(context_, number)};
-                                }),
-                        always};
+Term Floats::resized_number(const Term& from, unsigned width) {
+    const Layout layout = layout_of(width);
+    const z3::sort sort = context_.fpa_sort(layout.exponent, layout.fraction + 1);
+    return number_of("resized", {from}, width, [&](const auto& inputs) {
+        return Term{context_, Z3_mk_fpa_to_fp_float(context_, Z3_mk_fpa_rne(context_), inputs[0].value, sort)};
+    });
+}
+
+std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
+    const unsigned bits = width_of(integer);
+    const Layout layout = layout_of(width);
+    if (bits <= layout.fraction + 1) {  // without rounding
+        const z3::sort sort = context_.fpa_sort(layout.exponent, layout.fraction + 1);
+        return number_of("of_integer", {integer}, width, [&](const auto& inputs) {
+            return Term{context_, Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_), inputs[0].bits, sort)};
+        });
     }
-    if (!is_modelled(*cast.getSrcTy())) {
-        return std::nullopt;
+    // z3 4.8.12 writes no circuit for an integer that has to be rounded; two steps round once here, too
+    constexpr unsigned half = 32;
+    if (width == double_width && bits <= 2 * half + 1) {
+        const auto upper = of_integer(integer.extract(bits - 1, half).simplify(), width);
+        const auto lower = of_integer(z3::zext(integer.extract(half - 1, 0), 1).simplify(), width);
+        const Term scale = constant(context_, power_of_two(half, width), width);
+        return joined("add", Z3_mk_fpa_add, joined("multiply", Z3_mk_fpa_mul, *upper, scale), *lower);
     }
+    if (width == float_width && bits <= layout_of(double_width).fraction + 1) {
+        return resized_number(*of_integer(integer, double_width), width);
+    }
+    return std::nullopt;
+}
+
+Computed Floats::to_integer(const Term& from, unsigned bits, bool is_signed) {
     const unsigned width = width_of(from);
-    if (opcode == llvm::Instruction::FPExt || opcode == llvm::Instruction::FPTrunc) {
-        if (!is_modelled(*cast.getType())) {
-            return std::nullopt;
-        }
-        const unsigned wanted = cast.getType()->getScalarSizeInBits();
-        return Computed{number_of("resized", {from}, wanted,
-                                  [&](const auto& inputs) {
-                                      return Term{context_, Z3_mk_fpa_to_fp_float(context_, Z3_mk_fpa_rne(context_),
-                                                                                  inputs[0].value, sort(wanted))};
-                                  }),
-                        always};
-    }
-    if (!to_integer) {
-        return std::nullopt;
-    }
-    const bool is_signed = opcode == llvm::Instruction::FPToSI;
-    const unsigned bits = cast.getType()->getIntegerBitWidth();
     const Term whole = number_of("trunc", {from}, width, [this](const auto& inputs) {
         return Term{context_, Z3_mk_fpa_round_to_integral(context_, Z3_mk_fpa_rtz(context_), inputs[0].value)};
     });
@@ -272,10 +276,43 @@ std::optional<Computed> Floats::converted(const llvm::CastInst& cast, const Term
     const Term fits = (is_below(whole, end) && !is_below(whole, least)).simplify();
     // one bit more than the result has, so that each value that fits is one of a signed integer
     const std::string name = "to_integer" + std::to_string(bits) + "of" + std::to_string(width);
-    const Term integer = applied(name, {from}, [&](const auto& inputs) {
-        return Term{context_, Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};
+    const Applied integer = applied(name, {from}, [this, bits](const auto& inputs) {
+        return Term{context_,
+                    Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};
     });
-    return Computed{integer.extract(bits - 1, 0).simplify(), fits};
+    return {integer.value.extract(bits - 1, 0).simplify(), fits};
+}
+
+std::optional<Computed> Floats::converted(const llvm::CastInst& cast, const Term& from) {
+    const bool is_number = is_modelled(*cast.getType());
+    const bool was_number = is_modelled(*cast.getSrcTy());
+    const auto bits = static_cast<unsigned>(cast.getType()->getPrimitiveSizeInBits().getFixedValue());
+    std::optional<Term> value;
+    switch (cast.getOpcode()) {
+        case llvm::Instruction::SIToFP:
+        case llvm::Instruction::UIToFP: {
+            // a sign bit more makes each integer a signed one
+            const Term plain = as_bits(from);
+            const Term wide = cast.getOpcode() == llvm::Instruction::SIToFP ? z3::sext(plain, 1) : z3::zext(plain, 1);
+            value = is_number ? of_integer(wide.simplify(), bits) : std::nullopt;
+            break;
+        }
+        case llvm::Instruction::FPExt:
+        case llvm::Instruction::FPTrunc:
+            if (is_number && was_number) {
+                value = resized_number(from, bits);
+            }
+            break;
+        case llvm::Instruction::FPToSI:
+        case llvm::Instruction::FPToUI:
+            if (was_number && bits <= double_width) {
+                return to_integer(from, bits, cast.getOpcode() == llvm::Instruction::FPToSI);
+            }
+            break;
+        default:
+            break;
+    }
+    return value ? std::optional<Computed>{Computed{*value, context_.bool_val(true)}} : std::nullopt;
 }
 
 std::optional<Term> Floats::computed(llvm::Intrinsic::ID function, const llvm::Type& type,

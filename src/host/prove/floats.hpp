@@ -40,11 +40,22 @@ class Floats {
     using MakeTerm = std::function<Term(const std::vector<Number>& inputs)>;
 
     Number input(unsigned at, unsigned width) const;
-    /// Returns the circuit of an operation on numbers of `width` bits, applied to the operands. `make` writes the
-    /// operation with z3's theory; its result is a truth value, an integer or the bits of a number.
-    Term applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
+    struct Applied {
+        Term value;
+        Term fails;  ///< the result is no number
+    };
+    /// Returns the result of an operation on these operands. `make` writes the operation with z3's theory; its result
+    /// is an integer or the bits of a number.
+    Applied applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
     /// Does the same for an operation whose result is a number.
     Term number_of(const std::string& name, const std::vector<Term>& operands, unsigned width, const MakeTerm& make);
+    using Join = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
+    /// Returns the sum, difference, product or quotient of two numbers.
+    Term joined(const char* name, Join join, const Term& a, const Term& b);
+    /// Converts a number to another type.
+    Term resized_number(const Term& from, unsigned width);
+    std::optional<Term> of_integer(const Term& integer, unsigned width);
+    Computed to_integer(const Term& from, unsigned bits, bool is_signed);
     /// Returns whether a number is of one of the classes of llvm.is.fpclass, a bit each.
     Term is_of_class(const Term& number, std::uint64_t classes);
 
@@ -52,6 +63,7 @@ class Floats {
     MakeFresh fresh_;
     struct Circuit {
         z3::expr_vector inputs;
+        Term fails;
         Term result;
     };
     std::map<std::string, Circuit> circuits_{};
