@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on writes to the mapping of a PDO, for the dictionary of the CAN-CBX-AO412 with any values.
+// Theorems on writes to the mapping of a PDO, for the dictionary of the AX188001 with any values.
 #include "firmware/canopen/pdo_mapping.hpp"
 
 #include "firmware/canopen/pdo_communication.hpp"
+#include "generated/ax188001/objects.hpp"
 #include "generated/canopen/requirements.hpp"
-#include "properties/proofs/support/node.hpp"
+#include "properties/proofs/support/proof.hpp"
 
 namespace canproof::proofs {
 
 namespace {
 
-/// Returns an entry of the communication parameters or of the mapping of RPDO1 or TPDO1, whichever each() tries.
+namespace device = generated::ax188001;
+
+/// The dictionary of the AX188001, which has receive and transmit PDOs. Its values are open.
+struct AnyDictionary {
+    std::array<std::uint8_t, device::image_size> image{any<std::array<std::uint8_t, device::image_size>>()};
+    ObjectDictionary objects{device::tables, MutableBytes{image}, LimitAbort::range};
+};
+
+/// Returns an object of RPDO1 or TPDO1, whichever each() tries: `offset` is 0 for the communication parameters.
 std::uint16_t any_pdo_object(const std::uint32_t offset) {
     const auto direction = static_cast<PdoDirection>(each(2U));
     return static_cast<std::uint16_t>(communication_object(direction, 0U) + offset);

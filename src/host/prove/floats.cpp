@@ -50,10 +50,13 @@ Term sign_of(const Term& number) {
     return as_truth(number.extract(width - 1, width - 1));
 }
 
-/// Returns an integer with the order of the numbers, as long as none is NaN: -0 and +0 are equal.
+/// Returns an unsigned integer with the order of the numbers, as long as none is NaN: -0 and +0 are equal.
 Term order_of(const Term& number) {
-    const Term magnitude = magnitude_of(number);
-    return choose(sign_of(number), -magnitude, magnitude);
+    const unsigned width = width_of(number);
+    const Term zero = constant(number.ctx(), 0, width);
+    const Term sign_bit = constant(number.ctx(), std::uint64_t{1} << (width - 1), width);
+    const Term one_zero = choose((magnitude_of(number) == zero).simplify(), zero, number);
+    return one_zero ^ choose(sign_of(one_zero), ~zero, sign_bit);
 }
 
 Term is_nan(const Term& number) {
@@ -62,7 +65,7 @@ Term is_nan(const Term& number) {
 }
 
 Term is_below(const Term& a, const Term& b) {
-    return (!is_nan(a) && !is_nan(b) && order_of(a) < order_of(b)).simplify();
+    return (!is_nan(a) && !is_nan(b) && z3::ult(order_of(a), order_of(b))).simplify();
 }
 
 /// Returns whether z3 leaves this value open: the result of an operation that has none.
@@ -193,7 +196,7 @@ std::optional<Term> Floats::computed(const llvm::BinaryOperator& operation, cons
         case llvm::Instruction::FAdd:
             return joined("add", Z3_mk_fpa_add, a, b);
         case llvm::Instruction::FSub:
-            return joined("subtract", Z3_mk_fpa_sub, a, b);
+            return joined("add", Z3_mk_fpa_add, a, negated(b));  // z3 4.8.12 writes no circuit for a difference
         case llvm::Instruction::FMul:
             return joined("multiply", Z3_mk_fpa_mul, a, b);
         case llvm::Instruction::FDiv:
