@@ -14,6 +14,30 @@ constexpr bool offers_block = true;
 constexpr SdoStates downloading{static_cast<std::size_t>(State::block_downloading), 1U};
 /// A block upload from its start to its end, and the end of a block download.
 constexpr SdoStates others{static_cast<std::size_t>(State::block_download_ending), 4U};
+constexpr SdoStates starting{static_cast<std::size_t>(State::block_upload_starting), 1U};
+constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 1U};
+
+constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments that leave at once
+
+/// Decides an upload for each number of segments, up to the most that leave at once, that the sub-block has `left` and
+/// that the value has from this place on.
+void split(const Served& node, const std::size_t left, const std::size_t from) {
+    const std::size_t more = each(most + 1U);
+    const std::size_t full = each(most + 1U);
+    const std::size_t rest = node.server.value_.size() - from;
+    assume((more == most) ? (left >= most) : (left == more));
+    assume((full == 0U) || (rest > (full * sdo::segment_capacity)));
+    assume((full == most) || (rest <= ((full + 1U) * sdo::segment_capacity)));
+}
+
+/// Returns a request of a block upload with this command in its lowest bits.
+Frame block_upload_request(const sdo::BlockUploadCommand command) {
+    Frame frame = any_frame();
+    frame.length = max_frame_length;
+    frame.data[0] = static_cast<std::uint8_t>((std::uint32_t{frame.data[0]} & 0x1CU) | 0xA0U |
+                                              static_cast<std::uint32_t>(command));
+    return frame;
+}
 
 }  // namespace
 
@@ -34,16 +58,41 @@ void a_block_download_segment_keeps_the_server_consistent() {
     claim(!is_invalid || (node.has_aborted() && (node.server.state_ == State::idle)));
 }
 
-void a_request_of_a_block_transfer_keeps_the_server_consistent() {
+void a_request_behind_the_segments_keeps_the_server_consistent() {
     shows(
-        "any request behind the segments of a block transfer leaves the server consistent, queues at most 8 frames and "
-        "writes at most once");
-    proves<req::CO_SDO_020, req::CO_SDO_021, req::CO_SDO_053>();
+        "any request behind the segments of a block transfer, except the start and the acknowledgement of an upload, "
+        "leaves the server consistent, is answered at most once and writes at most once");
+    proves<req::CO_SDO_020, req::CO_SDO_052>();
     Served node{others, offers_block};
     const Frame frame = any_request();
+    const std::uint32_t command = frame.data[0] & 0x03U;
+    assume(((frame.data[0] >> 5U) != 5U) || (command == 0U) || (command == 1U));
     node.server.receive(frame, any_time());
     claim(is_consistent(node.server));
-    claim((node.queue.size() <= generated::canopen::sdo_block_queued) && (node.objects.writes_ <= 1U));
+    claim((node.queue.size() <= 1U) && (node.objects.writes_ <= 1U));
+}
+
+void the_start_of_a_block_upload_keeps_the_server_consistent() {
+    shows("the start of a block upload leaves the server consistent and queues at most 8 frames");
+    proves<req::CO_SDO_021, req::CO_SDO_053>();
+    Served node{starting, offers_block};
+    const SdoBlockUpload& sent = node.server.sent_;
+    split(node, std::size_t{sent.block_size_} - sent.sent_,
+          sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
+    node.server.receive(block_upload_request(sdo::BlockUploadCommand::start), any_time());
+    claim(is_consistent(node.server));
+    claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
+}
+
+void an_acknowledgement_keeps_the_server_consistent() {
+    shows("any acknowledgement of a sub-block leaves the server consistent and queues at most 8 frames");
+    proves<req::CO_SDO_021, req::CO_SDO_022, req::CO_SDO_025, req::CO_SDO_053>();
+    Served node{uploading, offers_block};
+    const Frame frame = block_upload_request(sdo::BlockUploadCommand::acknowledge);
+    split(node, frame.data[2], node.server.sent_.base_ + (std::size_t{frame.data[1]} * sdo::segment_capacity));
+    node.server.receive(frame, any_time());
+    claim(is_consistent(node.server));
+    claim((node.queue.size() <= most) && (node.objects.writes_ == 0U));
 }
 
 void a_block_transfer_begins_consistent() {
@@ -60,13 +109,26 @@ void a_block_transfer_begins_consistent() {
 }
 
 void a_stalled_block_transfer_ends_in_time() {
-    shows("advance() keeps a block transfer consistent and queues at most 8 frames");
+    shows("advance() keeps a block transfer in which no segments leave consistent and queues at most one frame");
     proves<req::CO_SDO_014>();
     Served node{others, offers_block};
-    const Instant now = any_time();
-    node.server.advance(now);
+    assume(!node.server.can_send_segment());
+    node.server.advance(any_time());
     claim(is_consistent(node.server));
-    claim(node.queue.size() <= generated::canopen::sdo_block_queued);
+    claim(node.queue.size() <= 1U);
+}
+
+void segments_that_leave_keep_the_server_consistent() {
+    shows("advance() keeps a block upload whose segments leave consistent and queues at most 8 frames");
+    proves<req::CO_SDO_014, req::CO_SDO_053>();
+    Served node{uploading, offers_block};
+    const SdoBlockUpload& sent = node.server.sent_;
+    assume(node.server.can_send_segment());
+    split(node, std::size_t{sent.block_size_} - sent.sent_,
+          sent.base_ + (std::size_t{sent.sent_} * sdo::segment_capacity));
+    node.server.advance(any_time());
+    claim(is_consistent(node.server));
+    claim(node.queue.size() <= most);
 }
 
 }  // namespace canproof::proofs

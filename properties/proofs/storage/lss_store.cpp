@@ -3,34 +3,13 @@
 #include "firmware/canopen/lss_store.hpp"
 
 #include "generated/canopen/requirements.hpp"
-#include "properties/proofs/support/proof.hpp"
+#include "properties/proofs/support/cut_memory.hpp"
 
 namespace canproof::proofs {
 
 namespace {
 
-/// Memory for both slots whose power fails after a number of bytes; later writes have no effect.
-class CutMemory final : public NonVolatileMemory {
-  public:
-    std::size_t size() const override { return bytes_.size(); }
-    bool read(const std::size_t at, MutableBytes to) const override {
-        to.copy(0U, ByteView{bytes_}.part(at, to.size()));
-        return true;
-    }
-    bool write(const std::size_t at, const ByteView bytes) override {
-        for (std::size_t i = 0U; i < bytes.size(); ++i) {
-            if (left_ != 0U) {
-                bytes_[at + i] = bytes[i];
-                --left_;
-            }
-        }
-        return true;
-    }
-    bool commit() override { return true; }
-
-    std::array<std::uint8_t, LssStore::size> bytes_{};
-    std::size_t left_{1000U};
-};
+using Memory = CutMemory<LssStore::size>;
 
 /// A save writes a void marker, 20 bytes and two markers.
 constexpr std::size_t bytes_of_a_save = 23U;
@@ -50,18 +29,18 @@ void cut_a_save_behind(const std::size_t saves) {
     const LssConfiguration shipped = any_configuration();
     const LssConfiguration next = any_configuration();
     LssConfiguration last = shipped;
-    CutMemory before{};
+    Memory before{};
     for (std::size_t i = 0U; i < saves; ++i) {
         last = any_configuration();
         claim(LssStore{before}.store(last) == LssError::none);
     }
     claim(same(LssStore{before}.load(shipped), last));
     for (std::size_t cut = 0U; cut <= bytes_of_a_save; ++cut) {
-        CutMemory memory{};
+        Memory memory{};
         memory.bytes_ = before.bytes_;
         memory.left_ = cut;
         static_cast<void>(LssStore{memory}.store(next));
-        memory.left_ = 1000U;
+        memory.left_ = Memory::no_cut;
         const LssConfiguration loaded = LssStore{memory}.load(shipped);
         claim(same(loaded, last) || same(loaded, next));
         claim((cut != bytes_of_a_save) || same(loaded, next));
@@ -82,10 +61,24 @@ void a_later_lss_save_is_whole_or_not_at_all() {
     cut_a_save_behind(1U);
 }
 
-void a_third_lss_save_is_whole_or_not_at_all() {
-    shows("a save behind two others, which takes the place of the first, loads as saved before or as saved now");
+void a_lss_save_is_whole_over_any_memory() {
+    shows(
+        "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as saved "
+        "now, and as saved now when it is complete");
     proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
-    cut_a_save_behind(2U);
+    const std::size_t cut = each(bytes_of_a_save + 1U);
+    const LssConfiguration shipped = any_configuration();
+    const LssConfiguration next = any_configuration();
+    Memory memory{};
+    memory.bytes_ = any<std::array<std::uint8_t, LssStore::size>>();
+    const LssConfiguration last = LssStore{memory}.load(shipped);
+    assume(!last.damaged);
+    memory.left_ = cut;
+    static_cast<void>(LssStore{memory}.store(next));
+    memory.left_ = Memory::no_cut;
+    const LssConfiguration loaded = LssStore{memory}.load(shipped);
+    claim(same(loaded, last) || same(loaded, next));
+    claim((cut != bytes_of_a_save) || same(loaded, next));
 }
 
 }  // namespace canproof::proofs

@@ -79,7 +79,7 @@ void Assignment::set(const Term& unknown, Bits value) {
 std::optional<Bits> Assignment::of(const Term& term) {
     const NodeId wanted = graph_->node_of(term);
     if (!(*graph_)[wanted].supported) {
-        return std::nullopt;
+        return by_z3(wanted, term);
     }
     open_.assign(1, wanted);
     while (!open_.empty()) {
@@ -110,6 +110,30 @@ std::optional<Bits> Assignment::of(const Term& term) {
             open_.pop_back();
         }
     }
+    return values_[wanted];
+}
+
+std::optional<Bits> Assignment::by_z3(NodeId wanted, const Term& term) {
+    if (is_known(wanted)) {
+        return values_[wanted];
+    }
+    z3::context& context = term.ctx();
+    z3::expr_vector unknowns{context};
+    z3::expr_vector values{context};
+    for (const NodeId id : graph_->unknowns_of(term)) {
+        const Term unknown{context, Z3_app_to_ast(context, graph_->term_of(id))};
+        const auto found = unknowns_.find(id);
+        const auto value = static_cast<std::uint64_t>(found == unknowns_.end() ? 0 : found->second);
+        unknowns.push_back(unknown);
+        values.push_back(unknown.is_bool() ? context.bool_val(value != 0) : resized(constant(context, value, 64), width_of(unknown)));
+    }
+    Term open = term;
+    const Term closed = open.substitute(unknowns, values).simplify();
+    const auto bits = closed.is_bool() ? std::nullopt : number(closed);
+    if (!bits && !is_true(closed) && !is_false(closed)) {
+        return std::nullopt;
+    }
+    put(wanted, bits ? Bits{*bits} : truth(is_true(closed)));
     return values_[wanted];
 }
 

@@ -13,8 +13,8 @@ class Assignment {
     /// Takes the values of a model of z3 for some unknowns, and those of `others` for the rest.
     Assignment(const Assignment& others, const z3::model& model, const std::vector<NodeId>& unknowns);
 
-    /// Returns the value of a term. Returns nothing for a term with more than 128 bits, or an operation that only z3
-    /// evaluates.
+    /// Returns the value of a term. A term with more than 128 bits, or with an operation that only z3 evaluates, is left
+    /// to z3. Returns nothing when z3 finds no number for it.
     std::optional<Bits> of(const Term& term);
     bool makes_true(const Term& truth) { return of(truth) == Bits{1}; }
     /// Gives another value to an unknown. No term that depends on it may have been evaluated yet.
@@ -24,6 +24,8 @@ class Assignment {
     bool is_known(NodeId id) const { return id < known_.size() && known_[id]; }
     void put(NodeId id, Bits value);
     void take(NodeId unknown, const z3::model& model, const z3::func_decl& declared);
+    /// Lets z3 evaluate a term, the node `wanted`.
+    std::optional<Bits> by_z3(NodeId wanted, const Term& term);
     /// Returns the value of a node whose arguments have values.
     Bits computed(const Node& node) const;
     Bits at(const Node& node, std::uint32_t argument) const { return values_[graph_->argument(node, argument)]; }

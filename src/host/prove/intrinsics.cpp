@@ -144,6 +144,12 @@ CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call
     if (overflow_checked(proof, id, arguments, result) == CallEffect::goes_on) {
         return CallEffect::goes_on;
     }
+    if (!arguments.empty()) {
+        if (const auto number = proof.floats.computed(id, *call.getArgOperand(0)->getType(), arguments)) {
+            result = {*number};
+            return CallEffect::goes_on;
+        }
+    }
     const auto done = arguments.empty() ? std::nullopt : computed(id, arguments);
     if (!done) {
         return CallEffect::none;

@@ -35,8 +35,11 @@ std::optional<Return> Machine::call(const llvm::Function& function, const std::v
     if (order == orders_.end()) {
         order = orders_.emplace(&function, block_order(function)).first;
     }
-    if (const std::string file = file_of(function); file.find("src/firmware/") != std::string::npos) {
-        proof_.functions.insert(readable_name(function));
+    const std::string file = file_of(function);
+    for (const char* const folder : {"src/firmware/", "src/devices/", "src/target/"}) {
+        if (file.find(folder) != std::string::npos) {
+            proof_.functions.insert(readable_name(function));
+        }
     }
     Frame frame{function, order->second};
     for (const auto& [block, position] : order->second) {

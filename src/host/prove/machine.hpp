@@ -62,6 +62,8 @@ class Machine {
     std::vector<Value> arguments_of(Frame& frame, const llvm::CallBase& call, Arrival& arrival);
 
     Value evaluate(Frame& frame, const llvm::Instruction& instruction, Arrival& arrival);
+    /// Returns the result of an instruction on floating-point numbers; nothing for any other instruction.
+    std::optional<Term> evaluate_float(const llvm::Instruction& instruction, const Arrival& arrival);
     Value load_value(const llvm::LoadInst& load, const Arrival& arrival);
     void check_range(const llvm::LoadInst& load, const Term& value, const Arrival& arrival);
     void store_value(const llvm::StoreInst& store, Arrival& arrival);

@@ -38,6 +38,9 @@ Value Machine::evaluate(Frame& frame, const llvm::Instruction& instruction, Arri
     if (const auto* comparison = llvm::dyn_cast<llvm::ICmpInst>(&instruction)) {
         return {compared(*comparison, arrival)};
     }
+    if (const auto floating = evaluate_float(instruction, arrival)) {
+        return {*floating};
+    }
     if (const auto* choice = llvm::dyn_cast<llvm::SelectInst>(&instruction)) {
         return joined(as_truth(scalar(choice->getCondition(), arrival)), operand(choice->getTrueValue(), arrival),
                       operand(choice->getFalseValue(), arrival), &instruction);
@@ -85,6 +88,27 @@ Value Machine::evaluate(Frame& frame, const llvm::Instruction& instruction, Arri
         }
     }
     throw Unknown{where_is(instruction) + ": `" + instruction.getOpcodeName() + "` is not modelled"};
+}
+
+std::optional<Term> Machine::evaluate_float(const llvm::Instruction& instruction, const Arrival& arrival) {
+    const auto argument = [&](unsigned at) { return scalar(instruction.getOperand(at), arrival); };
+    if (const auto* comparison = llvm::dyn_cast<llvm::FCmpInst>(&instruction)) {
+        return proof_.floats.compared(*comparison, argument(0), argument(1));
+    }
+    if (instruction.getOpcode() == llvm::Instruction::FNeg) {
+        return proof_.floats.negated(argument(0));
+    }
+    if (const auto* operation = llvm::dyn_cast<llvm::BinaryOperator>(&instruction)) {
+        return proof_.floats.computed(*operation, argument(0), argument(1));
+    }
+    if (const auto* cast = llvm::dyn_cast<llvm::CastInst>(&instruction)) {
+        if (const auto done = proof_.floats.converted(*cast, argument(0))) {
+            proof_.obligations.add(arrival.state.path, done->defined, "a number fits into the integer",
+                                   where_is(instruction));
+            return done->value;
+        }
+    }
+    return std::nullopt;
 }
 
 Value Machine::new_object(Frame& frame, const llvm::AllocaInst& made, Arrival& arrival) {

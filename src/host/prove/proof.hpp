@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/prove/case.hpp"
+#include "host/prove/floats.hpp"
 #include "host/prove/layered_contents.hpp"
 #include "host/prove/memory.hpp"
 #include "host/prove/obligations.hpp"
@@ -51,6 +52,7 @@ struct Proof {
     std::size_t each_calls{0};  ///< calls of each() so far
     z3::context context{};
     Solver solver{context};
+    Floats floats{context, [this](unsigned width) { return fresh(width); }};
     Objects objects{};
     Obligations obligations{solver};
     std::size_t unknowns{0};

@@ -7,8 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
+#include <ctime>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "host/base/files.hpp"
@@ -51,6 +52,11 @@ void bound_processor_time(rlim_t seconds) {
     }
 }
 
+/// Returns the processor time of this process so far, in seconds.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 /// Decides one theorem in a separate process, so that a crash ends that process only.
 class Task {
   public:
@@ -58,7 +64,6 @@ class Task {
         : program_{&program}, result_{std::move(result)}, place_{place} {}
 
     pid_t start(Compiler& compiler, const ProveOptions& options) {
-        began_ = std::chrono::steady_clock::now();
         process_ = fork();
         if (process_ < 0) {
             throw InputError{"no process can be started; close other programs"};
@@ -77,7 +82,7 @@ class Task {
         if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
             const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
             result_.verdict = Verdict::unknown;
-            result_.seconds = elapsed();
+            result_.seconds = late ? seconds : 0.0;
             result_.reason = late ? fmt::format("not decided in {} s of processor time{}", seconds, result_.reason)
                                   : fmt::format("the process that decides the theorem ended with status {}", status);
         }
@@ -85,8 +90,6 @@ class Task {
     }
 
   private:
-    double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
-
     void save() const { write_file(place_, json_of(result_).dump()); }
 
     /// Does the work of the child process and ends it.
@@ -94,7 +97,7 @@ class Task {
         try {
             bound_processor_time(options.seconds);
             decide(*program_, Limits{}, result_, [this] { save(); });
-            result_.seconds = elapsed();
+            result_.seconds = processor_seconds();
             bound_processor_time(RLIM_INFINITY);
             if (result_.verdict == Verdict::refuted && options.replays && !result_.inputs.empty()) {
                 replay(compiler, options.scratch, options.seeds, result_);
@@ -111,7 +114,6 @@ class Task {
     TheoremResult result_;
     std::filesystem::path place_;
     pid_t process_{-1};
-    std::chrono::steady_clock::time_point began_{};
 };
 
 /// Starts the tasks in order, at most `jobs` at the same time, and collects their results.
@@ -139,6 +141,8 @@ class Queue {
             for (std::size_t i = 0; i < next; ++i) {
                 if (tasks_[i].process() == ended) {
                     results[i] = tasks_[i].finish(status, options_.seconds);
+                    std::cerr << fmt::format("{:<9} {:5.1f} s  {}\n", name_of(results[i].verdict), results[i].seconds,
+                                             results[i].name);
                     --running;
                 }
             }

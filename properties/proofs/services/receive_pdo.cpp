@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Theorems on PDO reception: any frame, for two receive PDOs of up to two entries each, in any state, for any rows of
+// a dictionary with values within two limits.
+#include "firmware/canopen/receive_pdo.hpp"
+
+#include "generated/canopen/requirements.hpp"
+#include "properties/proofs/support/node.hpp"
+
+namespace canproof::proofs {
+
+namespace {
+
+constexpr std::size_t pdo_count = 2U;
+constexpr std::size_t line_count = 2U;  ///< most entries of a PDO
+constexpr std::size_t entry_count = pdo_count * line_count;
+constexpr std::size_t image_size = 16U;
+
+/// The owner of the mapped entries. It takes a value or refuses it; the choice is open, and is made before the call.
+class AnyOwner final : public ObjectAccess {
+  public:
+    Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        return Result<ByteView, AbortCode>::failure(AbortCode::object_missing);
+    }
+    AbortCode write(std::uint16_t /*index*/, std::uint8_t /*sub*/, ByteView /*value*/, Instant /*now*/) override {
+        return AbortCode::object_missing;
+    }
+    Result<WritePlace, AbortCode> writable(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
+        return Result<WritePlace, AbortCode>::failure(AbortCode::object_missing);
+    }
+    AbortCode before_received(const EntryRef& /*entry*/, std::uint64_t /*bits*/) override {
+        return takes_ ? AbortCode::none : AbortCode::value_range;
+    }
+    void after_put(const EntryRef& /*entry*/, bool /*changes*/, Instant /*now*/) override { ++effects_; }
+
+    bool takes_{any<bool>()};
+    std::size_t effects_{0U};
+};
+
+/// Returns any row of a number of 1, 2, 4 or 8 bytes in the image, with one of two limits or none.
+EntryRow any_row() {
+    const EntryRow row = any<EntryRow>();
+    assume((row.size == 1U) || (row.size == 2U) || (row.size == 4U) || (row.size == 8U));
+    assume(!row.may(rights::constant) && ((row.offset + row.size) <= image_size));
+    assume((row.type != DataType::boolean) || (row.size == 1U));
+    assume((row.limit == no_limit) || (row.limit < 2U));
+    return row;
+}
+
+/// Returns any limit that is a number: limits in a list or in another entry are theorems of the dictionary.
+Limit any_limit() {
+    const Limit limit = any<Limit>();
+    assume((limit.kind == LimitKind::none) || (limit.kind == LimitKind::value) ||
+           (limit.kind == LimitKind::value_or_zero));
+    return limit;
+}
+
+/// Returns the bits of a row in a PDO: one for a BOOLEAN, whole bytes for all other types.
+std::uint32_t bits_of(const EntryRow& row) {
+    return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
+}
+
+/// Two receive PDOs as resolve() leaves them, in any state of reception. Their values do not lie side by side in the
+/// image, as far as the PDOs know: the short cut for those that do is not taken.
+struct Receiving {
+    std::array<std::uint8_t, image_size> image{any<std::array<std::uint8_t, image_size>>()};
+    std::array<EntryRow, entry_count> rows{};
+    std::array<LimitRow, 2U> limits{};
+    DictionaryTables tables{};
+    ObjectDictionary objects{tables, MutableBytes{image}, LimitAbort::range};
+    AnyOwner owner{};
+    TransmitQueue queue{};
+    std::array<PdoLine, entry_count> lines{};
+    std::array<ReceivePdo, pdo_count> pdos{};
+    ReceivePdos received{Slots<ReceivePdo>{pdos}, Slots<PdoLine>{lines}, objects, owner, queue, any<std::uint8_t>()};
+
+    Receiving() {
+        for (LimitRow& row : limits) {
+            row = LimitRow{any_limit(), any_limit()};
+        }
+        tables.limits = table_view(limits);
+        for (EntryRow& row : rows) {
+            row = any_row();
+        }
+        for (std::size_t number = 0U; number < pdo_count; ++number) {
+            open_pdo(number);
+        }
+        received.failed_ = any<std::uint32_t>() & 0xFFFFFFU;
+        received.next_ = earliest(pdos[0].due, pdos[1].due);
+        assume(is_consistent());
+    }
+
+    /// Gives a PDO any mapping with the number of entries that each() tries.
+    void open_pdo(const std::size_t number) {
+        ReceivePdo& pdo = pdos[number];
+        leave_open(pdo.parameters);
+        leave_open(pdo.waiting);
+        pdo.identifier = any<std::uint32_t>();
+        pdo.waits = any<bool>();
+        pdo.due = any<Instant>();
+        const std::size_t count = each((number == 0U) ? (line_count + 1U) : 2U);
+        std::uint32_t total{0U};
+        pdo.mapping.all_free_ = true;
+        for (std::size_t i = 0U; i < count; ++i) {
+            PdoLine& line = lines[(number * line_count) + i];
+            const EntryRow& row = rows[(number * line_count) + i];
+            const bool is_gap = any<bool>();
+            line = PdoLine{is_gap ? nullptr : &row, any<std::uint16_t>(), any<std::uint8_t>(), 0U, nullptr};
+            assume((line.bits >= 1U) && (line.bits <= 64U) && (is_gap || (line.bits == bits_of(row))));
+            total += line.bits;
+            pdo.mapping.all_free_ = pdo.mapping.all_free_ && line.is_free();
+        }
+        assume(total <= 64U);
+        pdo.mapping.lines_ = Slots<PdoLine>{&lines[number * line_count], count};
+        pdo.mapping.length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
+    }
+    /// Invariant between two calls: identifiers have 11 bits, or are those of nobody; a frame that waits has all bytes
+    /// of its mapping; the next deadline is the earliest of all PDOs.
+    bool is_consistent() const {
+        bool sound = (received.failed_ <= 0xFFFFFFU) && (received.next_ == earliest(pdos[0].due, pdos[1].due));
+        for (const ReceivePdo& pdo : pdos) {
+            const bool has_id = (pdo.identifier <= 0x7FFU) || (pdo.identifier == ReceivePdo::nobody);
+            sound = both(sound, has_id);
+            sound = both(sound, !pdo.waits || (pdo.waiting.length >= pdo.mapping.length()));
+        }
+        return sound;
+    }
+    /// Returns whether a byte of the image belongs to an entry that this PDO maps.
+    bool maps(const std::size_t number, const std::size_t at) const {
+        bool mapped{false};
+        for (const PdoLine& line : pdos[number].mapping.lines_) {
+            const bool lies_in = (line.row != nullptr) && (at >= line.row->offset) &&
+                                 (at < (line.row->offset + std::size_t{line.row->size}));
+            mapped = mapped || lies_in;
+        }
+        return mapped;
+    }
+};
+
+}  // namespace
+
+void an_rpdo_is_taken_whole_or_not_at_all() {
+    shows(
+        "any frame in operational leaves two RPDOs of up to two entries consistent; a frame that is too short, is "
+        "refused, waits for a SYNC or belongs to no RPDO changes no byte of the image, and no frame changes a byte "
+        "that its RPDOs do not map");
+    proves<req::CO_PDO_001, req::CO_PDO_004, req::CO_PDO_005, req::CO_PDO_059>();
+    Receiving node{};
+    const Frame frame = any_frame();
+    const std::size_t at = any<std::size_t>();
+    assume(at < image_size);
+    const std::uint8_t before = node.image[at];
+    bool may_change{false};
+    for (std::size_t number = 0U; number < pdo_count; ++number) {
+        const ReceivePdo& pdo = node.pdos[number];
+        const bool is_short = frame.length < pdo.mapping.length();
+        const bool waits = pdo.parameters.applied == PdoApplied::at_sync;
+        may_change = may_change || ((pdo.identifier == frame.id) && !is_short && !waits && node.maps(number, at));
+    }
+    node.received.receive(frame, any_time());
+    claim(node.is_consistent());
+    claim(may_change || (node.image[at] == before));
+    claim(node.queue.empty());
+}
+
+void a_refused_rpdo_changes_no_byte() {
+    shows("an RPDO with a value that its owner refuses changes no byte of the image and is noticed as refused");
+    proves<req::CO_PDO_005, req::CO_PDO_034>();
+    Receiving node{};
+    const Frame frame = any_frame();
+    ReceivePdo& pdo = node.pdos[0U];
+    assume((pdo.identifier == frame.id) && (node.pdos[1U].identifier != frame.id));
+    assume((pdo.mapping.lines_.size() == 2U) && (frame.length >= pdo.mapping.length()));
+    assume((node.lines[0U].row != nullptr) && (node.rows[0U].service != Service::none));
+    assume(!node.owner.takes_);
+    const std::size_t at = any<std::size_t>();
+    assume(at < image_size);
+    const std::uint8_t before = node.image[at];
+    node.received.receive(frame, any_time());
+    claim(node.image[at] == before);
+    claim(node.received.has_refused() && (node.owner.effects_ == 0U));
+}
+
+void a_short_rpdo_is_noticed() {
+    shows("an RPDO with fewer bytes than its mapping raises its error, and has no effect");
+    proves<req::CO_PDO_004, req::CO_PDO_020>();
+    Receiving node{};
+    const Frame frame = any_frame();
+    const ReceivePdo& pdo = node.pdos[0U];
+    assume((pdo.identifier == frame.id) && (frame.length < pdo.mapping.length()));
+    assume(node.pdos[1U].identifier != frame.id);
+    const bool waited = pdo.waits;
+    const Instant due = pdo.due;
+    node.received.receive(frame, any_time());
+    claim(node.received.has_short());
+    claim((pdo.waits == waited) && (pdo.due == due));
+    claim(node.owner.effects_ == 0U);
+}
+
+void a_sync_applies_what_waits() {
+    shows("after a SYNC no RPDO waits, and without one that waited no byte of the image changes");
+    proves<req::CO_PDO_002>();
+    Receiving node{};
+    const bool waited = node.pdos[0U].waits || node.pdos[1U].waits;
+    const std::size_t at = any<std::size_t>();
+    assume(at < image_size);
+    const std::uint8_t before = node.image[at];
+    node.received.sync(any_time());
+    claim(!node.pdos[0U].waits && !node.pdos[1U].waits);
+    claim(waited || (node.image[at] == before));
+    claim(node.is_consistent());
+}
+
+void an_overdue_rpdo_is_noticed_in_time() {
+    shows("advance() notices each RPDO that is overdue, and nothing that is due is left");
+    proves<req::CO_PDO_021>();
+    Receiving node{};
+    const Instant now = any_time();
+    const bool is_late = node.pdos[0U].due <= now;
+    const std::uint32_t before = node.received.overdue();
+    node.received.advance(now);
+    claim(now < node.received.next_deadline());
+    claim((node.received.overdue() & 1U) == ((before & 1U) | (is_late ? 1U : 0U)));
+    claim(node.is_consistent());
+}
+
+void nothing_waits_outside_operational() {
+    shows("stop() leaves no RPDO that waits or is due");
+    proves<req::CO_PDO_036>();
+    Receiving node{};
+    node.received.stop();
+    claim(!node.pdos[0U].waits && !node.pdos[1U].waits);
+    claim(node.received.next_deadline() == never);
+    claim(node.is_consistent());
+}
+
+void a_remote_frame_reads_an_rpdo_at_most_once() {
+    shows("a remote frame gets at most one answer of each RPDO, with the identifier and length of that RPDO");
+    proves<req::CO_PDO_062, req::CO_PDO_063>();
+    Receiving node{};
+    const Frame request = any_frame();
+    node.received.answer(request);
+    const bool is_alone = node.pdos[1U].identifier != request.id;
+    claim(node.queue.size() <= (is_alone ? 1U : 2U));
+    if (!node.queue.empty()) {
+        claim((waiting(node.queue, 0U).id == request.id) && !request.extended);
+        claim(!is_alone || (waiting(node.queue, 0U).length == node.pdos[0U].mapping.length()));
+    }
+}
+
+}  // namespace canproof::proofs

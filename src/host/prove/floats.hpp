@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arithmetic of IEEE 754 on bit vectors: float and double, rounded to nearest, ties to even. z3 writes each operation
+// as a circuit of bit operations once; the operands replace the inputs of the circuit.
+#pragma once
+
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/Intrinsics.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "host/prove/arithmetic.hpp"
+
+namespace canproof::host::prove {
+
+class Floats {
+  public:
+    using MakeFresh = std::function<Term(unsigned width)>;
+
+    /// `fresh` returns a new unknown. The sign and the payload of a result that is no number are unknowns.
+    Floats(z3::context& context, MakeFresh fresh) : context_{context}, fresh_{std::move(fresh)} {}
+
+    /// These functions return nothing for what is not modelled: another type, or another operation. A Computed is not
+    /// defined when the conversion to an integer has no result.
+    std::optional<Term> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
+    Term negated(const Term& number) const;
+    std::optional<Term> compared(const llvm::FCmpInst& comparison, const Term& a, const Term& b);
+    std::optional<Computed> converted(const llvm::CastInst& cast, const Term& from);
+    /// `type` is that of the first argument.
+    std::optional<Term> computed(llvm::Intrinsic::ID function, const llvm::Type& type,
+                                 const std::vector<Term>& arguments);
+
+  private:
+    /// An input of a circuit, and the same input as a number of z3's theory of floating-point numbers.
+    struct Number {
+        Term bits;
+        Term value;
+    };
+    using MakeTerm = std::function<Term(const std::vector<Number>& inputs)>;
+
+    Number input(unsigned at, unsigned width) const;
+    struct Applied {
+        Term value;
+        Term fails;  ///< the result is no number
+    };
+    /// Returns the result of an operation on these operands. `make` writes the operation with z3's theory; its result
+    /// is an integer or the bits of a number.
+    Applied applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
+    /// Does the same for an operation whose result is a number.
+    Term number_of(const std::string& name, const std::vector<Term>& operands, unsigned width, const MakeTerm& make);
+    using Join = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
+    /// Returns the sum, difference, product or quotient of two numbers.
+    Term joined(const char* name, Join join, const Term& a, const Term& b);
+    /// Converts a number to another type.
+    Term resized_number(const Term& from, unsigned width);
+    std::optional<Term> of_integer(const Term& integer, unsigned width);
+    Computed to_integer(const Term& from, unsigned bits, bool is_signed);
+    /// Returns whether a number is of one of the classes of llvm.is.fpclass, a bit each.
+    Term is_of_class(const Term& number, std::uint64_t classes);
+
+    z3::context& context_;
+    MakeFresh fresh_;
+    struct Circuit {
+        z3::expr_vector inputs;
+        Term fails;
+        Term result;
+    };
+    std::map<std::string, Circuit> circuits_{};
+};
+
+}  // namespace canproof::host::prove
