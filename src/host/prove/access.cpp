@@ -101,7 +101,7 @@ Reach reach_of(Proof& proof, const State& state, const Place& place, const Term&
     reach.first =
         fixed ? *fixed
               : least(*size, [&](std::uint64_t at) { return possible(z3::ule(place.offset, count_of(proof, at))); });
-    // the greatest end of the access, counted down from the end of the object
+    // finds the greatest end of the access by its distance from the end of the object
     reach.end = *size - least(*size, [&](std::uint64_t behind) {
         const Term end = place.offset + count;
         return possible(z3::uge(end, count_of(proof, *size - behind)) && z3::ule(place.offset, end) &&

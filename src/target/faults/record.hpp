@@ -51,7 +51,8 @@ bool state_is_recorded(std::uint32_t pass);
 void compare_pass(std::uint32_t pass);
 void clear_differences();
 const Differences& differences();
-/// Returns whether a wrong value left the device without an EMCY, boot-up or heartbeat message that differs.
+/// Returns whether the fault was silent: an output or PDO had a wrong value, but no EMCY, boot-up or heartbeat message
+/// differed from the run without the fault.
 bool is_silent(const Differences& seen);
 
 std::uint32_t ram_start();

@@ -94,7 +94,7 @@ bool scan_answered(Context& context) {
     return answer.has_value();
 }
 
-/// Performs a complete Fastscan, one bit a step. Returns the four numbers of the LSS address; nothing when no slave
+/// Performs a complete Fastscan, one bit per step. Returns the four numbers of the LSS address; nothing when no slave
 /// answers or a number is not confirmed.
 std::optional<std::array<std::uint32_t, 4>> scan(Context& context) {
     constexpr std::uint8_t begin = 0x80;
