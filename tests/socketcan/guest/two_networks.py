@@ -35,9 +35,9 @@ class OtherNetwork:
         return self
 
     def __exit__(self, *_):
+        sh("ip", "link", "del", "here")  # the other device of the pair goes with it
         os.kill(self.holder, signal.SIGKILL)
         os.waitpid(self.holder, 0)
-        sh("ip", "link", "del", "here")
 
 
 class Client:
