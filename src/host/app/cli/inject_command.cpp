@@ -8,6 +8,7 @@
 #include "host/app/cli/progress.hpp"
 #include "host/assess/inject/injection_report.hpp"
 #include "host/base/files.hpp"
+#include "host/base/fixed_addresses.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/source_hash.hpp"
 #include "host/selection/chosen_devices.hpp"
@@ -49,6 +50,9 @@ ReplayInput workload(const InjectOptions& options, const ChosenDevice& chosen) {
 
 int inject(const InjectOptions& options) {
     InjectionOptions campaign_options = options.campaign;
+    if (options.merge.empty()) {
+        fix_addresses();  // a damaged pointer then reads the same memory in every run
+    }
     if (options.is_shard) {
         campaign_options.sources = source_hash(options.root);
     }

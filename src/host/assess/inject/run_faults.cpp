@@ -7,11 +7,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <map>
+#include <exception>
 #include <sstream>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "host/base/input_error.hpp"
 #include "host/sim/devices/advance_device.hpp"
@@ -75,7 +79,9 @@ FaultEffect effect_of_status(int status) {
         "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
 }
 
-/// Plays the workload once. Before the call of each fault, starts the process that runs this fault.
+/// Plays the workload once. Before the call of each fault of the shard, starts the process that runs this fault. A
+/// damaged index or pointer may read memory outside the device. The heap therefore has the same content in each shard:
+/// this class keeps the faults of all shards, and allocates nothing for a fault.
 class Injector {
   public:
     Injector(SimulatedDevice& device, const std::vector<InjectedFault>& faults, const DeviceRun& faultless,
@@ -87,6 +93,7 @@ class Injector {
           options_{options},
           progress_{progress} {
         effects_.resize(faults.size());
+        running_.reserve(options.jobs);
     }
 
     std::vector<FaultEffect> run(ReplayInput input) {
@@ -127,6 +134,9 @@ class Injector {
             return;
         }
         for (; next_ < faults_.size() && faults_[next_].call == call_; ++next_) {
+            if (!options_.shard.holds(next_)) {
+                continue;
+            }
             while (running_.size() >= options_.jobs) {
                 wait_for_one();
             }
@@ -141,7 +151,7 @@ class Injector {
                 turn(faults_[next_]);
                 return;
             }
-            running_.emplace(process, next_);
+            running_.emplace_back(process, next_);
         }
         ++call_;
     }
@@ -160,7 +170,8 @@ class Injector {
             }
             throw InputError{fmt::format("cannot wait for the end of a run: {}", std::strerror(errno))};
         }
-        const auto found = running_.find(process);
+        const auto found =
+            std::find_if(running_.begin(), running_.end(), [process](const auto& one) { return one.first == process; });
         if (found != running_.end()) {
             effects_[found->second] = effect_of_status(status);
             running_.erase(found);
@@ -175,17 +186,15 @@ class Injector {
     const InjectionOptions& options_;
     const std::function<void(std::size_t)>& progress_;
     std::vector<FaultEffect> effects_;
-    std::map<pid_t, std::size_t> running_;  ///< place of the fault in the plan, by process
-    std::size_t next_{0};                   ///< place of the next fault in the plan
+    std::vector<std::pair<pid_t, std::size_t>> running_;  ///< processes, each with the place of its fault in the plan
+    std::size_t next_{0};                                 ///< place of the next fault in the plan
     std::size_t call_{0};
     std::size_t ended_{0};
     bool is_child_{false};
 };
 
-}  // namespace
-
-InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
-                             const std::function<void(std::size_t)>& progress) {
+InjectionCampaign run_in_this_thread(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
+                                     const std::function<void(std::size_t)>& progress) {
     InjectionCampaign campaign;
     auto device = make();
     for (const MemoryRegion& region : device->regions()) {
@@ -199,12 +208,34 @@ InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, c
     counted.before_call = [&campaign] { ++campaign.calls; };
     const Texts texts = play(*device, counted);
     const DeviceRun faultless = read_run(texts.frames, texts.outputs);
-    const auto faults =
-        share_of(plan_faults(options.seed, options.faults, campaign.calls, campaign.regions), options.shard);
+    const auto faults = plan_faults(options.seed, options.faults, campaign.calls, campaign.regions);
     device = make();
     const auto effects = Injector{*device, faults, faultless, campaign.calls, options, progress}.run(input);
     for (std::size_t i = 0; i < faults.size(); ++i) {
-        campaign.runs.push_back({faults[i], effects[i]});
+        if (options.shard.holds(i)) {
+            campaign.runs.push_back({faults[i], effects[i]});
+        }
+    }
+    return campaign;
+}
+
+}  // namespace
+
+InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, const InjectionOptions& options,
+                             const std::function<void(std::size_t)>& progress) {
+    InjectionCampaign campaign;
+    std::exception_ptr failure;
+    // glibc gives a new thread a heap of its own. What the program has allocated before does not move the device in it.
+    std::thread run{[&] {
+        try {
+            campaign = run_in_this_thread(make, input, options, progress);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    }};
+    run.join();
+    if (failure) {
+        std::rethrow_exception(failure);
     }
     return campaign;
 }
