@@ -34,8 +34,11 @@ void begin_record(const Event* events, std::uint32_t count);
 /// Sets time, inputs and bus for a pass.
 void begin_pass(std::uint32_t pass);
 void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
-/// Returns the ticks of all passes before `pass`.
+/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer when its instructions do.
 std::uint32_t ticks_before(std::uint32_t pass);
+/// Returns the ticks from the start of `pass` to a fault at `time`. While nothing is due, the main loop of a
+/// microcontroller repeats such a pass for the rest of the 0.1 ms; so does this time.
+std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 
