@@ -196,9 +196,25 @@ TEST(OutputCopy, CopyNoticesEachFlippedBitOfTheOutputsAndOfTheCopy) {
     EXPECT_TRUE(copy.matches(outputs));
 }
 
+TEST(OutputCopy, CopyOfThreeBytesNoticesEachFlippedBit) {
+    verifies<req::CO_SELF_007>();
+    std::array<std::uint8_t, 3> outputs{60, 128, 128};  // no whole words: those of the AX188001
+    OutputCopy<std::array<std::uint8_t, 3>> copy;
+    copy.keep(outputs);
+    EXPECT_TRUE(copy.matches(outputs));
+    for (std::uint8_t& output : outputs) {
+        for (std::uint32_t bit = 0; bit < 8; ++bit) {
+            output ^= static_cast<std::uint8_t>(1U << bit);
+            EXPECT_FALSE(copy.matches(outputs)) << bit;
+            output ^= static_cast<std::uint8_t>(1U << bit);
+        }
+    }
+    EXPECT_TRUE(copy.matches(outputs));
+}
+
 TEST(StateGuard, GuardNoticesEachFlippedBit) {
     verifies<req::CO_SELF_011>();
-    // 11 words are one block of eight words and three single words.
+    // core_sum() adds 11 words as eight and three single words.
     std::array<std::uint32_t, 11> words{};
     std::iota(words.begin(), words.end(), 0xFFFFFFFAU);
     StateGuard guard{object_bytes(words)};

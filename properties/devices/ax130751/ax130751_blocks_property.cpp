@@ -47,7 +47,7 @@ LookupPoints some_profile() {
         profile.x[i] =
             1e3 * *rc::gen::weightedOneOf<int>({{3, rc::gen::inRange(1, 1000)}, {1, rc::gen::inRange(1, 86'400'001)}});
     }
-    return profile;
+    return profile_of(profile);
 }
 
 bool is_between_its_limits(double y, const LookupPoints& points) {

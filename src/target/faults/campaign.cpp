@@ -28,7 +28,7 @@ struct Order {
 };
 enum class Kind : std::uint32_t { ram, core_register, program_counter, flash };
 struct Fault {
-    std::uint32_t time;  ///< in ticks since power-on, of all passes
+    std::uint32_t time;  ///< in ticks since power-on, of all passes; see ticks_before()
     Kind kind;
     std::uint32_t place;
     std::uint32_t bit;
@@ -157,8 +157,8 @@ void power_on_device() {
 void do_pass() {
     begin_pass(run.pass);
     if (run.fault != nullptr && !run.injected && (run.armed || run.pass >= pass_at(run.fault->time))) {
-        const std::uint32_t start = ticks_before(run.pass);
-        arm_timer(run.armed || run.fault->time <= start ? retry_after : run.fault->time - start);
+        const bool is_late = run.armed || run.fault->time <= ticks_before(run.pass);
+        arm_timer(is_late ? retry_after : ticks_into(run.pass, run.fault->time));
         run.armed = true;
     } else if (run.fault != nullptr) {
         arm_timer(hangs_after);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "target/faults/record.hpp"
 
+#include <algorithm>
+
+#include "target/faults/frame_kinds.hpp"
 #include "target/faults/machine.hpp"
 #include "target/faults/subject.hpp"
 
@@ -34,7 +37,8 @@ struct Memory {
     std::uint32_t bit_rate;
 };
 struct RecordedPass {
-    std::uint32_t ticks_before;
+    std::uint32_t ticks_before;  ///< of all passes before, with their waiting
+    std::uint32_t ticks;         ///< of its instructions
     std::uint32_t sum;
     std::uint32_t first_frame;
     std::uint32_t outputs;  ///< number of the recorded outputs
@@ -93,27 +97,6 @@ void copy_changed(std::uint8_t* to, const std::uint8_t* from, std::size_t count)
             target[i] = source[i];
         }
     }
-}
-
-bool same_frame(const Frame& a, const Frame& b) {
-    bool same = a.id == b.id && a.length == b.length && a.remote == b.remote;
-    for (std::size_t i = 0; i < max_frame_length; ++i) {
-        same = same && (i >= a.length || a.data[i] == b.data[i]);
-    }
-    return same;
-}
-
-std::uint32_t function_of(const Frame& frame) {
-    return frame.id & 0x780U;
-}
-bool is_emcy(const Frame& frame) {
-    return function_of(frame) == 0x080U && frame.id != 0x080U;
-}
-bool is_error_control(const Frame& frame) {
-    return function_of(frame) == 0x700U;
-}
-bool is_pdo(const Frame& frame) {
-    return function_of(frame) >= 0x180U && function_of(frame) < 0x580U && (frame.id & 0x80U) != 0U;
 }
 
 bool is_recorded_anywhere(const Frame& frame) {
@@ -267,7 +250,8 @@ void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks) {
     last_pass = pass;
     passes[pass].outputs = outputs_count - 1U;
     passes[pass].sum = ram_sum();
-    passes[pass + 1U].ticks_before = passes[pass].ticks_before + ticks;
+    passes[pass].ticks = std::max<std::uint32_t>(ticks, 1);
+    passes[pass + 1U].ticks_before = passes[pass].ticks_before + std::max<std::uint32_t>(ticks, ticks_of_pass);
     passes[pass + 1U].first_frame = frame_count + sent_count;
     for (std::uint32_t i = 0; i < sent_count; ++i) {
         frame_passes[frame_count] = pass;
@@ -282,6 +266,9 @@ void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks) {
 
 std::uint32_t ticks_before(std::uint32_t pass) {
     return passes[pass].ticks_before;
+}
+std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time) {
+    return (time - passes[pass].ticks_before) % passes[pass].ticks;
 }
 
 std::uint32_t pass_at(std::uint32_t time) {

@@ -11,6 +11,9 @@ constexpr std::uintptr_t events_address = 0x21000100U;
 constexpr std::uintptr_t faults_address = 0x21100000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
+/// 100 µs on a core of 168 MHz with 1.5 cycles per instruction, as in run_suites, and 1.25 instructions per tick.
+constexpr std::uint32_t ticks_of_pass = 8960;
+
 /// How a run ended. Numbers below 16 are those of SelfTest.
 enum class End : std::uint32_t { equal = 16, workload, exception, hangs };
 
@@ -34,8 +37,11 @@ void begin_record(const Event* events, std::uint32_t count);
 /// Sets time, inputs and bus for a pass.
 void begin_pass(std::uint32_t pass);
 void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
-/// Returns the ticks of all passes before `pass`.
+/// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer when its instructions do.
 std::uint32_t ticks_before(std::uint32_t pass);
+/// Returns the ticks from the start of `pass` to a fault at `time`. While nothing is due, the main loop of a
+/// microcontroller repeats such a pass for the rest of the 0.1 ms; so does this time.
+std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 

@@ -33,19 +33,38 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
-/// Loads eight words by one instruction, and turns and adds each by one.
+/// Loads eight words by one instruction, and turns and adds each by one: 32 words in a turn of the first loop, eight in
+/// one of the second. The third loop adds the other words.
 [[gnu::naked]] std::uint32_t core_sum(std::uint32_t, const std::uint8_t*, std::uint32_t) noexcept {
     asm volatile(R"(
-        push {r4-r11}
-        b 2f
-    1:  ldmia r1!, {r4-r11}
+        .macro add_eight
+        ldmia r1!, {r4-r11}
         .irp reg, r4, r5, r6, r7, r8, r9, r10, r11
         add.w r0, \reg, r0, ror #31
         .endr
-    2:  subs r2, r2, #8
+        .endm
+        push {r4-r11}
+        b 2f
+    1:  add_eight
+        add_eight
+        add_eight
+        add_eight
+    2:  subs r2, r2, #32
         bhs 1b
+        adds r2, r2, #32
+        b 4f
+    3:  add_eight
+    4:  subs r2, r2, #8
+        bhs 3b
+        adds r2, r2, #8
+        b 6f
+    5:  ldr r3, [r1], #4
+        add.w r0, r3, r0, ror #31
+    6:  subs r2, r2, #1
+        bhs 5b
         pop {r4-r11}
         bx lr
+        .purgem add_eight
     )");
 }
 

@@ -45,7 +45,8 @@ LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t numb
         config.points.response[at] = point_response(objects.get(fields.response[point]));
     }
     if (timed) {
-        config.points.y[0U] = 0.0;  // a profile starts at (0, 0): lookup_in_time() sets the X to 0
+        config.points.y[0U] = 0.0;  // a profile starts at (0, 0): profile_of() sets the X to 0
+        config.points = profile_of(config.points);
     }
     return config;
 }
@@ -184,8 +185,8 @@ LogicFunction SelectionBlock::read(const std::uint8_t number, const std::size_t 
 }
 
 static_assert(implements<req::AOR_MATH_009> && implements<req::AOR_MATH_010> && implements<req::AOR_K_GAIN_ONE>);
-MathInput CalculationBlock::read(const std::uint8_t number, const std::uint8_t input, const ObjectDictionary& objects,
-                                 const Sources& sources) noexcept {
+void CalculationBlock::read(const std::uint8_t number, const std::uint8_t input, const ObjectDictionary& objects,
+                            const Sources& sources, MathInput& made) noexcept {
     const MathFields& fields = math_fields[number - 1U];
     Input& kept = inputs_[input - 1U];
     const SourceRef& ref = kept.choice.follow(objects.get(fields.source[input]), objects.get(fields.number[input]));
@@ -196,13 +197,11 @@ MathInput CalculationBlock::read(const std::uint8_t number, const std::uint8_t i
     }
     const bool own_block = (ref.quantity == Quantity::math) && (std::uint32_t{ref.channel} == number);
     const std::uint8_t digits = objects.get(fields.digits[input]);
-    MathInput made{};
     made.signal = sources.reading(ref);
     made.scaling_1 = kept.scaling_1.of(objects.get(fields.scaling_1[input]), digits);
     made.scaling_2 = kept.scaling_2.of(objects.get(fields.scaling_2[input]), digits);
     made.gain = kept.gain;
     made.own_function = own_block ? objects.get(fields.function[input]) : std::uint8_t{0U};
-    return made;
 }
 
 static_assert(implements<req::AOR_MATH_008> && implements<req::AOR_MATH_011>);
@@ -211,7 +210,7 @@ bool CalculationBlock::advance(const std::uint8_t number, ObjectDictionary& obje
     if (objects.get(field::o4000_math_function_enable[number])) {
         MathConfig config{};
         for (std::uint8_t input = 1U; input <= math_inputs; ++input) {
-            config.inputs[input - 1U] = read(number, input, objects, sources);
+            read(number, input, objects, sources, config.inputs[input - 1U]);
         }
         for (std::uint8_t function = 1U; function <= math_functions; ++function) {
             config.operators[function - 1U] = objects.get(math_fields[number - 1U].operators[function]);

@@ -71,8 +71,8 @@ class CalculationBlock {
     bool advance(std::uint8_t number, ObjectDictionary& objects, const Sources& sources) noexcept;
 
   private:
-    MathInput read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects,
-                   const Sources& sources) noexcept;
+    void read(std::uint8_t number, std::uint8_t input, const ObjectDictionary& objects, const Sources& sources,
+              MathInput& made) noexcept;
 
     /// An input with the values computed from its parameters. This cache depends on source and number, each scaling and
     /// its digits, and the gain in `gain_parameter`.

@@ -99,7 +99,8 @@ BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     const Place read = place(ref);
     const double first = lower(cell_or(read.row, &table::Row::lower, Lower::nothing), ref.channel, read.digits);
     const double second = upper(cell_or(read.row, &table::Row::upper, Upper::nothing), ref.channel, read.digits);
-    return BlockSignal{value(read.ref, read.digits), lesser(first, second), greater(first, second), state(read.ref)};
+    const bool ascend = first < second;
+    return BlockSignal{value(read.ref, read.digits), ascend ? first : second, ascend ? second : first, state(read.ref)};
 }
 
 static_assert(implements<req::AOR_SRC_009>);

@@ -8,8 +8,10 @@
 #include "devices/ax130751/firmware/ax130751_fields.hpp"
 #include "devices/ax130751/firmware/block_signal.hpp"
 #include "devices/ax130751/firmware/lookup_table.hpp"
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
 #include "generated/ax130751/enumerations.hpp"
+#include "generated/ax130751/requirements.hpp"
 #include "generated/ax130751/tables.hpp"
 
 namespace canproof::ax130751 {
@@ -30,14 +32,18 @@ struct SourceRef {
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
 /// Holds the last chosen source and number, and the quantity that they select. The quantity is looked up when the
-/// choice changes: this cache depends on the source and the number.
+/// choice changes: this cache depends on the source and the number. It is also looked up when a bit of the cache has
+/// changed, because nobody may write source and number for years.
 class SourceChoice {
   public:
+    static_assert(implements<req::AOR_SRC_012>);
     const SourceRef& follow(const std::uint8_t source, const std::uint8_t number) noexcept {
-        if ((std::uint32_t{source} != source_) || (std::uint32_t{number} != number_)) {
+        if ((std::uint32_t{source} != source_) || (std::uint32_t{number} != number_) ||
+            (std::uint32_t{check_} != check_of(ref_))) {
             source_ = source;
             number_ = number;
             ref_ = resolve(source, number);
+            check_ = check_of(ref_);
         }
         return ref_;
     }
@@ -47,9 +53,15 @@ class SourceChoice {
   private:
     static constexpr std::uint8_t not_yet = 0xFFU;  // a value that no source has
 
+    /// Returns a byte that changes with each single bit of the members.
+    static constexpr std::uint8_t check_of(const SourceRef& ref) noexcept {
+        return static_cast<std::uint8_t>(static_cast<std::uint32_t>(ref.quantity) ^ ref.channel);
+    }
+
     std::uint8_t source_{not_yet};
     std::uint8_t number_{not_yet};
     SourceRef ref_{};
+    std::uint8_t check_{0U};  ///< check_of(ref_) when a bit of neither has changed
 };
 
 class Sources {

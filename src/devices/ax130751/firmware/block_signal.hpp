@@ -2,11 +2,15 @@
 // The signals between function blocks.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "firmware/base/bytes.hpp"
+#include "firmware/base/requirement.hpp"
 #include "firmware/blocks/bounds.hpp"
+#include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
@@ -44,32 +48,46 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
     return (digits == 0U) ? whole : (whole / power_of_ten(digits));
 }
 
-/// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change;
-/// this cache depends on both.
+/// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change,
+/// on both of which this cache depends, or when a bit of the cache has changed.
 class KeptPhysicalValue {
   public:
-    constexpr double of(const std::int32_t integer, const std::uint8_t digits) noexcept {
-        if ((integer != integer_) || (std::uint32_t{digits} != digits_)) {
+    static_assert(implements<req::AOR_SRC_013>);
+    double of(const std::int32_t integer, const std::uint8_t digits) noexcept {
+        if ((integer != integer_) || (std::uint32_t{digits} != digits_) ||
+            (std::uint32_t{check_} != check_of(value_))) {
             integer_ = integer;
             digits_ = digits;
             value_ = physical_value(integer, digits);
+            check_ = check_of(value_);
         }
         return value_;
     }
 
   private:
+    /// Returns a number that changes with each single bit of a value.
+    static std::uint16_t check_of(const double value) noexcept {
+        const auto bits = bit_cast<std::uint64_t>(value);
+        const auto word = static_cast<std::uint32_t>(bits ^ (bits >> 32U));
+        return static_cast<std::uint16_t>(word ^ (word >> 16U));
+    }
+
     double value_{0.0};
     std::int32_t integer_{0};
     std::uint8_t digits_{0U};
+    std::uint16_t check_{0U};  ///< check_of(value_) when a bit of neither has changed
 };
 
 /// Returns the INTEGER16 for a value with `digits` decimal digits: rounded to nearest (halves away from zero) and
 /// saturated. NaN gives -32768.
 inline std::int16_t process_value(const double value, const std::uint8_t digits) noexcept {
-    constexpr double least = -32768.0;
-    constexpr double most = 32767.0;
+    constexpr double far = 40000.0;  // beyond every INTEGER16; all numbers below it fit an INTEGER32
     const double scaled = (digits == 0U) ? value : (value * power_of_ten(digits));
-    return static_cast<std::int16_t>(std::round(lesser(greater(scaled, least), most)));
+    if (std::fabs(scaled) < far) {
+        const auto rounded = static_cast<std::int32_t>(std::lround(scaled));
+        return static_cast<std::int16_t>(std::clamp(rounded, std::int32_t{INT16_MIN}, std::int32_t{INT16_MAX}));
+    }
+    return (scaled > 0.0) ? INT16_MAX : INT16_MIN;
 }
 
 }  // namespace canproof::ax130751

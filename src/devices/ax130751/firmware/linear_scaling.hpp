@@ -26,6 +26,11 @@ constexpr ScalingPosition position_of(const double x, const LinearScaling& scali
     return (x > scaling.x2) ? ScalingPosition::above : ScalingPosition::within;
 }
 
+/// Returns y on the line through both points; x1 and x2 differ.
+constexpr double on_line(const double x, const LinearScaling& scaling) noexcept {
+    return scaling.y1 + (((x - scaling.x1) * (scaling.y2 - scaling.y1)) / (scaling.x2 - scaling.x1));
+}
+
 /// Returns y for x: y1 at and below x1, y2 at and above x2.
 constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
     if (x <= scaling.x1) {
@@ -34,7 +39,7 @@ constexpr double scale(const double x, const LinearScaling& scaling) noexcept {
     if (x >= scaling.x2) {
         return scaling.y2;
     }
-    return scaling.y1 + (((x - scaling.x1) * (scaling.y2 - scaling.y1)) / (scaling.x2 - scaling.x1));
+    return on_line(x, scaling);
 }
 
 }  // namespace canproof::ax130751

@@ -2,6 +2,7 @@
 #include "devices/ax130751/firmware/logic_block.hpp"
 
 #include "devices/ax130751/firmware/linear_scaling.hpp"
+#include "devices/ax130751/firmware/number_order.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/requirements.hpp"
@@ -17,12 +18,14 @@ static_assert(implements<req::AOR_T16> && implements<req::AOR_LOGIC_001>);
 bool holds(const LogicCondition& condition) noexcept {
     namespace table = own::condition_operator;
     table::Relation relation{table::Relation::equal};
-    if (condition.first.value < condition.second.value) {
+    if (is_same(condition.first.value, condition.second.value)) {
+        // most conditions have no source, so that both values are 0
+    } else if (condition.first.value < condition.second.value) {
         relation = table::Relation::less;
     } else if (condition.first.value > condition.second.value) {
         relation = table::Relation::greater;
     } else {
-        // the values are equal
+        // one of the values is NaN
     }
     return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/ax130751/firmware/lookup_table.hpp"
 
-#include <cmath>
+#include <limits>
 
 #include "devices/ax130751/firmware/linear_scaling.hpp"
+#include "devices/ax130751/firmware/number_order.hpp"
 #include "firmware/base/requirement.hpp"
 #include "generated/ax130751/requirements.hpp"
 
@@ -11,8 +12,10 @@ namespace canproof::ax130751 {
 
 static_assert(implements<req::AOR_LT_005> && implements<req::AOR_LT_020> && implements<req::AOR_LT_006>);
 double lookup(const double x, const LookupPoints& points) noexcept {
+    // NaN counts as a number beyond all points.
+    const std::uint64_t order = order_of(lesser(x, std::numeric_limits<double>::infinity()));
     static_assert(implements<req::AOR_LT_001>);
-    if (x <= points.x[0U]) {
+    if (order <= order_of(points.x[0U])) {
         return points.y[0U];
     }
     for (std::size_t point = 1U; point < lookup_points; ++point) {
@@ -21,48 +24,52 @@ double lookup(const double x, const LookupPoints& points) noexcept {
         if (points.response[point] == PointResponse::ignore) {
             return points.y[before];
         }
-        if (x <= points.x[point]) {
+        const std::uint64_t here = order_of(points.x[point]);
+        if (order <= here) {
             static_assert(implements<req::AOR_LT_002> && implements<req::AOR_LT_003> && implements<req::AOR_LT_019>);
-            const bool jumps = points.response[point] == PointResponse::jump;
+            const bool jumps = (order == here) || (points.response[point] == PointResponse::jump);
             const LinearScaling stretch{points.x[before], points.x[point], points.y[before], points.y[point]};
-            return jumps ? points.y[point] : scale(x, stretch);
+            return jumps ? points.y[point] : on_line(x, stretch);
         }
     }
     return points.y[lookup_points - 1U];
 }
 
-Duration profile_length(const LookupPoints& profile) noexcept {
-    std::uint64_t length{0U};
-    for (std::size_t point = 1U; point < lookup_points; ++point) {
-        if (profile.response[point] == PointResponse::ignore) {
-            return Duration{length};
-        }
-        length += static_cast<std::uint64_t>(profile.x[point]);
-    }
-    return Duration{length};
-}
-
-static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012> && implements<req::AOR_LT_013>);
-double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
+static_assert(implements<req::AOR_LT_011> && implements<req::AOR_LT_012>);
+LookupPoints profile_of(const LookupPoints& intervals) noexcept {
     // A profile lasts at most ten times 24 hours, which is 8.64e11 µs. A double holds every sum of whole microseconds
     // below 9e15 exactly.
     static_assert(implements<req::AOR_LT_022>);
-    LookupPoints since_start{profile};
-    since_start.x[0U] = 0.0;
+    LookupPoints profile{intervals};
+    profile.x[0U] = 0.0;
     for (std::size_t point = 1U; point < lookup_points; ++point) {
-        since_start.x[point] += since_start.x[point - 1U];
+        profile.x[point] += profile.x[point - 1U];
     }
+    return profile;
+}
+
+Duration profile_length(const LookupPoints& profile) noexcept {
+    for (std::size_t point = 1U; point < lookup_points; ++point) {
+        if (profile.response[point] == PointResponse::ignore) {
+            return Duration{static_cast<std::uint64_t>(profile.x[point - 1U])};
+        }
+    }
+    return Duration{static_cast<std::uint64_t>(profile.x[lookup_points - 1U])};
+}
+
+static_assert(implements<req::AOR_LT_013>);
+double lookup_in_time(const Duration running, const LookupPoints& profile, const bool repeat) noexcept {
     const std::uint64_t length = profile_length(profile).us;
     const bool wraps = repeat && (length != 0U) && (running.us > length);
     const std::uint64_t position = wraps ? (((running.us - 1U) % length) + 1U) : running.us;
-    return lookup(static_cast<double>(position), since_start);
+    return lookup(static_cast<double>(position), profile);
 }
 
 LookupLimits lookup_limits(const LookupPoints& points) noexcept {
     LookupLimits limits{points.y[0U], points.y[0U]};
     for (const double y : points.y) {
-        limits.least = std::fmin(limits.least, y);
-        limits.greatest = std::fmax(limits.greatest, y);
+        limits.least = (order_of(y) < order_of(limits.least)) ? y : limits.least;
+        limits.greatest = (order_of(y) > order_of(limits.greatest)) ? y : limits.greatest;
     }
     return limits;
 }

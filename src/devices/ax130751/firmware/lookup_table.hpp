@@ -16,8 +16,8 @@ constexpr std::size_t lookup_points = 11U;
 /// it. The other words belong to point 1.
 using PointResponse = generated::ax130751::point_response::Meaning;
 
-/// The points of a table. `x` is in the unit of the source, or in microseconds since the point before; `response` of
-/// the first point has no meaning.
+/// The points of a table. `x` is in the unit of the source, or in microseconds since the start of the profile;
+/// `response` of the first point has no meaning.
 struct LookupPoints {
     std::array<double, lookup_points> x{};
     std::array<double, lookup_points> y{};
@@ -29,11 +29,15 @@ struct LookupPoints {
 /// interval between two points excludes its lower end.
 double lookup(double x, const LookupPoints& points) noexcept;
 
-/// Returns y of a profile after `running`; the x of the profile are intervals. With `repeat` the profile starts again
-/// after its end; a round excludes its start and includes its end.
+/// Returns a profile for points whose x are intervals: whole microseconds since the point before. The first point
+/// starts the profile, whatever its x.
+LookupPoints profile_of(const LookupPoints& intervals) noexcept;
+
+/// Returns y of a profile after `running`. With `repeat` the profile starts again after its end; a round excludes its
+/// start and includes its end.
 double lookup_in_time(Duration running, const LookupPoints& profile, bool repeat) noexcept;
 
-/// Returns the length of a profile: the sum of its intervals up to the first ignored point.
+/// Returns the length of a profile: the x of the last point before the first ignored one.
 Duration profile_length(const LookupPoints& profile) noexcept;
 
 /// The range of y over all points, ignored ones included.

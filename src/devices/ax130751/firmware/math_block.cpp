@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "devices/ax130751/firmware/number_order.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
 #include "generated/ax130751/constants.hpp"
@@ -19,12 +20,17 @@ constexpr double truth(const bool value) noexcept {
     return value ? 1.0 : 0.0;
 }
 
-constexpr bool is_same(const double a, const double b) noexcept {
-    return (a <= b) && (a >= b);
+/// Clamps a number that is not NaN.
+double held_within(const double value, const double least, const double most) noexcept {
+    const std::uint64_t order = order_of(value);
+    if (order < order_of(least)) {
+        return least;
+    }
+    return (order > order_of(most)) ? most : value;
 }
 
-constexpr bool is_same(const MathFunction& a, const MathFunction& b) noexcept {
-    return is_same(a.value, b.value) && is_same(a.with_sign, b.with_sign);
+bool is_unchanged(const MathFunction& before, const MathFunction& now) noexcept {
+    return is_same(before.value, now.value) && is_same(before.with_sign, now.with_sign);
 }
 
 Operation operation_of(const std::uint8_t number) noexcept {
@@ -90,21 +96,21 @@ double calculate(const Operation operation, const double a, const double b) noex
 /// Clamps a result, so that a feedback loop of quotients and products never becomes infinite or NaN.
 double held_finite(const double value) noexcept {
     constexpr double bound = 1.0e9;
-    return lesser(greater(value, -bound), bound);
+    return held_within(value, -bound, bound);
 }
 
 }  // namespace
 
 static_assert(implements<req::AOR_MATH_001> && implements<req::AOR_MATH_006>);
 double math_fraction(const MathInput& input) noexcept {
-    const double span = input.scaling_2 - input.scaling_1;
-    if ((!input.signal.is_valid()) || is_same(span, 0.0)) {
+    if ((!input.signal.is_valid()) || is_same(input.scaling_1, input.scaling_2)) {
         return 0.0;
     }
-    const double fraction = (input.signal.value - input.scaling_1) / span;
+    const double fraction = (input.signal.value - input.scaling_1) / (input.scaling_2 - input.scaling_1);
     // Rounds to millionths, so that equal inputs stay equal after different scalings.
     constexpr double steps = 1000000.0;
-    return std::round(lesser(greater(fraction, 0.0), 1.0) * steps) / steps;
+    const double held = greater(fraction, 0.0);  // 0 also for NaN
+    return std::round(held_within(held, 0.0, 1.0) * steps) / steps;
 }
 
 static_assert(implements<req::AOR_T21> && implements<req::AOR_MATH_003> && implements<req::AOR_MATH_012>);
@@ -165,7 +171,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
             const double raw = held_finite(apply_operator(number, chain, input_value(second)));
             const bool signed_result = negative_gain || (second.gain < 0.0);
             static_assert(implements<req::AOR_MATH_005>);
-            const bool held_at_0 = (operation_of(number) == Operation::minus) && (raw < 0.0) && (!signed_result);
+            const bool held_at_0 = (!signed_result) && (raw < 0.0) && (operation_of(number) == Operation::minus);
             chain = held_at_0 ? 0.0 : raw;
             results_[function] = MathFunction{chain, raw};
             negative_gain = false;
@@ -176,15 +182,14 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
         // Without input 2, function 1 has no result, and the other functions have no first operand.
         chained = chained && (done || (function != 0U));
     }
-    settled_ =
-        is_same(before[0U], results_[0U]) && is_same(before[1U], results_[1U]) && is_same(before[2U], results_[2U]);
+    settled_ = is_unchanged(before[0U], results_[0U]) && is_unchanged(before[1U], results_[1U]) &&
+               is_unchanged(before[2U], results_[2U]);
     return result;
 }
 
 static_assert(implements<req::AOR_MATH_008>);
 double math_output(const double fraction, const double scaling_1, const double scaling_2) noexcept {
-    const double held = lesser(greater(fraction, 0.0), 1.0);
-    return scaling_1 + (held * (scaling_2 - scaling_1));
+    return scaling_1 + (held_within(fraction, 0.0, 1.0) * (scaling_2 - scaling_1));
 }
 
 }  // namespace canproof::ax130751

@@ -113,7 +113,7 @@ std::string write_fault_campaign_html(const std::filesystem::path& build) {
         }
     }
     text +=
-        "<p>Each fault inverts one bit at a random instruction of the main loop, on QEMU's Cortex-M4. The drivers of "
+        "<p>Each fault inverts one bit at a random time of the main loop, on QEMU's Cortex-M4. The drivers of "
         "the chip are not part of this image. Detected: a self-test, an exception or the watchdog stops the device, or "
         "the device reports the fault by EMCY, boot-up or heartbeat. Late: a wrong output or PDO came before that. "
         "Silent: a wrong output or PDO came, and nothing noticed the fault until the end.</p>\n";

@@ -18,30 +18,28 @@ class OutputCopy {
     static_assert(std::is_trivially_copyable_v<Outputs>, "outputs are plain data");
 
     void keep(const Outputs& outputs) noexcept {
-        const Bytes bytes = bit_cast<Bytes>(outputs);
+        const Parts parts = bit_cast<Parts>(outputs);
         for (std::size_t i = 0U; i < complement_.size(); ++i) {
-            complement_[i] = ~read_u32(ByteView{bytes}, i * sizeof(std::uint32_t));
+            complement_[i] = ~std::uint32_t{parts[i]};
         }
     }
     /// Returns whether the outputs are those that were kept.
     bool matches(const Outputs& outputs) const noexcept {
         static_assert(implements<req::CO_SELF_007>);
-        const Bytes bytes = bit_cast<Bytes>(outputs);
+        const Parts parts = bit_cast<Parts>(outputs);
         bool same{true};
         for (std::size_t i = 0U; i < complement_.size(); ++i) {
-            same = (complement_[i] == ~read_u32(ByteView{bytes}, i * sizeof(std::uint32_t))) && same;
+            same = (complement_[i] == ~std::uint32_t{parts[i]}) && same;
         }
         return same;
     }
 
   private:
-    using Bytes = std::array<std::uint8_t, sizeof(Outputs)>;
+    /// Words, or bytes when the outputs are not whole words.
+    using Part = std::conditional_t<(sizeof(Outputs) % sizeof(std::uint32_t)) == 0U, std::uint32_t, std::uint8_t>;
+    using Parts = std::array<Part, sizeof(Outputs) / sizeof(Part)>;
 
-    static constexpr std::size_t words_of(const std::size_t bytes) noexcept {
-        return (bytes + 3U) / sizeof(std::uint32_t);
-    }
-
-    std::array<std::uint32_t, words_of(sizeof(Outputs))> complement_{};
+    std::array<std::uint32_t, std::tuple_size_v<Parts>> complement_{};
 };
 
 }  // namespace canproof::stm32f405

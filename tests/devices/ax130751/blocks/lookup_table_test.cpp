@@ -38,7 +38,7 @@ LookupPoints short_profile() {
 }
 
 double after(std::uint64_t ms, const LookupPoints& profile, bool repeat = false) {
-    return lookup_in_time(milliseconds(ms), profile, repeat);
+    return lookup_in_time(milliseconds(ms), profile_of(profile), repeat);
 }
 
 const BlockSignal input_on{1.0, 0.0, 1.0, SignalState::valid};
@@ -125,7 +125,7 @@ TEST(LookupTable, TimeIntervalsFollowEachOther) {
     EXPECT_DOUBLE_EQ(after(51, profile), 40.0);
     EXPECT_DOUBLE_EQ(after(100, profile), 40.0);
     EXPECT_DOUBLE_EQ(after(100'000, profile), 40.0) << "stays at the end";
-    EXPECT_EQ(profile_length(profile).us, 100'000U);
+    EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
 TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
@@ -134,7 +134,7 @@ TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
     profile.x[0] = 7e3;
     EXPECT_DOUBLE_EQ(after(5, profile), 25.0);
     EXPECT_DOUBLE_EQ(after(20, profile), 100.0);
-    EXPECT_EQ(profile_length(profile).us, 100'000U);
+    EXPECT_EQ(profile_length(profile_of(profile)).us, 100'000U);
 }
 
 TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
@@ -154,19 +154,19 @@ TEST(LookupTable, ProfileOfTenDaysIsExact) {
     profile.x.fill(86'400'000e3);
     profile.x[0] = 0.0;
     const std::uint64_t day = 86'400'000;
-    EXPECT_EQ(profile_length(profile).us, 864'000'000'000U);
+    EXPECT_EQ(profile_length(profile_of(profile)).us, 864'000'000'000U);
     EXPECT_DOUBLE_EQ(after(day / 2, profile), 5.0);
     EXPECT_DOUBLE_EQ(after((9 * day) + (day / 4), profile), 92.5);
     EXPECT_DOUBLE_EQ(after(10 * day, profile), 100.0);
     EXPECT_DOUBLE_EQ(after((1000 * day) + (day / 10), profile, true), 1.0);
     // A microsecond before the end of the last interval: 100 - 10 / 8.64e10
-    EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile, false), 100.0);
+    EXPECT_LT(lookup_in_time(microseconds(863'999'999'999U), profile_of(profile), false), 100.0);
 }
 
 TEST(LookupTable, Point1AppliesWhenAllOtherPointsAreIgnored) {
     verifies<req::AOR_LT_013>();
     EXPECT_DOUBLE_EQ(after(77, defaults(ignore), true), 0.0);
-    EXPECT_EQ(profile_length(defaults(ignore)).us, 0U);
+    EXPECT_EQ(profile_length(profile_of(defaults(ignore))).us, 0U);
 }
 
 TEST(LookupTable, TableWithoutSourceIsZeroAndNotAvailable) {
@@ -192,7 +192,7 @@ TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
 TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
     verifies<req::AOR_LT_010, req::AOR_LT_012>();
     LookupTable table;
-    const LookupConfig config{LookupAxis::time, false, short_profile()};
+    const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
     EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(0)).value, 0.0);
     EXPECT_FALSE(table.is_running());
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(1000)).value, 0.0);
@@ -212,7 +212,7 @@ TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
 TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
     verifies<req::AOR_LT_013>();
     LookupTable table;
-    const LookupConfig config{LookupAxis::time, true, short_profile()};
+    const LookupConfig config{LookupAxis::time, true, profile_of(short_profile())};
     table.advance(input_on, config, at(0));
     EXPECT_DOUBLE_EQ(table.advance(input_on, config, at(510)).value, 50.0);
     EXPECT_TRUE(table.is_running());
@@ -223,7 +223,7 @@ TEST(LookupTable, RepeatedProfileRunsUntilTheInputIsOff) {
 TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
     verifies<req::AOR_LT_010>();
     LookupTable table;
-    const LookupConfig timed{LookupAxis::time, false, short_profile()};
+    const LookupConfig timed{LookupAxis::time, false, profile_of(short_profile())};
     table.advance(input_on, timed, at(0));
     EXPECT_DOUBLE_EQ(table.advance(input_on, timed, at(10)).value, 50.0);
     table.advance(input_on, {LookupAxis::data, false, defaults(ramp)}, at(11));
@@ -235,7 +235,7 @@ TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
 TEST(LookupTable, InputErrorEndsAProfile) {
     verifies<req::AOR_LT_016, req::AOR_LT_026>();
     LookupTable table;
-    const LookupConfig config{LookupAxis::time, false, short_profile()};
+    const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
     table.advance(input_on, config, at(0));
     BlockSignal failed = input_on;
     failed.state = SignalState::error;

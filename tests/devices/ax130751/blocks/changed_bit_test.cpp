@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values that the AX130751 stores to save time, with a changed bit in RAM.
+#include <gtest/gtest.h>
+
+#include "devices/ax130751/firmware/ax130751_sources.hpp"
+#include "generated/ax130751/requirements.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+using namespace ax130751;
+
+/// Calls `check` after a change of each bit of an object, and `before` before the change.
+template <typename Object, typename Before, typename Check>
+void with_each_changed_bit(Object& object, const Before& before, const Check& check) {
+    for (std::size_t at = 0; at < sizeof object; ++at) {
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            before();
+            reinterpret_cast<unsigned char*>(&object)[at] ^= static_cast<unsigned char>(1U << bit);
+            SCOPED_TRACE(::testing::Message() << "byte " << at << ", bit " << bit);
+            check();
+        }
+    }
+}
+
+}  // namespace
+
+TEST(ChangedBit, ChoiceStillGivesTheQuantityOfItsSource) {
+    verifies<req::AOR_SRC_012>();
+    SourceChoice choice;
+    with_each_changed_bit(
+        choice, [&] { static_cast<void>(choice.follow(3, 5)); },
+        [&] {
+            EXPECT_EQ(choice.follow(3, 5).quantity, Quantity::lookup_table);  // Table 4A: 3 is a lookup table
+            EXPECT_EQ(choice.follow(3, 5).channel, 5);
+        });
+}
+
+TEST(ChangedBit, PhysicalValueStaysThatOfItsInteger) {
+    verifies<req::AOR_SRC_013>();
+    KeptPhysicalValue value;
+    with_each_changed_bit(
+        value, [&] { static_cast<void>(value.of(1234, 2)); }, [&] { EXPECT_EQ(value.of(1234, 2), 12.34); });
+}
+
+}  // namespace canproof::test
