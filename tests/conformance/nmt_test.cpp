@@ -98,10 +98,11 @@ TEST_F(Nmt, TwentyNineBitFramesAreIgnored) {
 
 // Fields of table CO-T-SERVICES, shown by the behaviour of the node (CiA 301, 7.3.2.3)
 TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
-    verifies<req::CO_T_SERVICES, req::CO_SDO_017, req::CO_SDO_045>();
+    verifies<req::CO_T_SERVICES, req::CO_E_NMT_STATE, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC
     write("603#2306100010270000");  // 1006h communication cycle period: 10 ms
-    // pre-operational: SDO, SYNC, EMCY; no PDO
+    // pre-operational: SDO, SYNC, EMCY, error control; no PDO. Bit 7 of each second state is the toggle bit.
+    EXPECT_EQ(send("703#R"), (Frames{"703#7F"}));
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));
     send("303#0100000000000000");
@@ -110,13 +111,15 @@ TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     EXPECT_EQ(set_inputs(), (Frames{"083#1081110100000000"}));
     // operational: all
     send("000#0103");
+    EXPECT_EQ(send("703#R"), (Frames{"703#85"}));
     send("303#0100000000000000");
     EXPECT_EQ(send("603#4011640100000000"), (Frames{"583#4B11640101000000"}));
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     inputs.can_overrun = false;
     EXPECT_EQ(set_inputs(), (Frames{"083#0000000100000000"}));
-    // stopped: none
+    // stopped: error control only
     send("000#0203");
+    EXPECT_EQ(send("703#R"), (Frames{"703#04"}));
     EXPECT_TRUE(pass(100).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
     send("303#0200000000000000");

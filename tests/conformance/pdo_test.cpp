@@ -191,10 +191,9 @@ TEST_F(Pdo, Rpdo3SetsNoOutputByDefault) {
     for (const std::string sub : {"01", "02", "03", "04"}) {
         EXPECT_EQ(send("603#400216" + sub + "00000000"), (Frames{"583#430216" + sub + "10000300"}));  // 0003h, 16 bits
     }
-    send("403#1111222233334444");
-    for (int number = 1; number <= 4; ++number) {
-        EXPECT_EQ(output(number), "0000");
-    }
+    send("303#1111222233334444");
+    EXPECT_EQ(send("403#5555666677778888"), Frames{});
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"1111", "2222", "3333", "4444"}));
 }
 
 TEST_F(Pdo, ThereIsNoRpdo1) {

@@ -47,6 +47,8 @@ TEST_F(Network, Tpdo4IsInvalidAndEmpty) {
     verifies<req::INC_PDO_004, req::INC_OD_1803, req::INC_OD_1A03>();
     EXPECT_EQ(read(0x1803, 1), 0xC00004FFU);
     EXPECT_EQ(read(0x1A03, 0), 0U);
+    write(0x1803, 1, 0x400001FE, 4);  // accepted: another identifier is refused only while a PDO is valid
+    write(0x1803, 1, 0xC00004FF, 4);
     write(0x1803, 5, 50, 2);
     write(0x1800, 5, 0, 2);
     send("000#0100");

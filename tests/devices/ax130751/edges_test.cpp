@@ -206,7 +206,7 @@ TEST_F(Ax130751Edges, CurrentIsLimitedByALoopVoltageOf14Volts) {
 }
 
 TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
-    verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03>();
+    verifies<req::AOR_OUT_016, req::AOR_OUT_034, req::AOR_T03, req::AOR_E_OUTPUT_TYPE>();
     struct Case {
         int type;
         int integer;    ///< 2300h (AO Override Field Value), written while it is within the range

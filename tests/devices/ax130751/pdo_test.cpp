@@ -122,8 +122,8 @@ TEST_F(Ax130751Pdo, ChangeOfValueSendsNoTpdoWithoutATimer) {
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1801, 1, no_rtr + 0x2FF, 4), "");  // valid, but its event timer is 0
     EXPECT_EQ(write(0x2330, 1, 0, 2), "");
-    start();
-    send("27F#E803D00700");
+    EXPECT_EQ(start(), Frames{});
+    EXPECT_EQ(send("27F#E803D00700"), Frames{});
     EXPECT_EQ(pass(500), Frames{});
     EXPECT_EQ(read(0x7330, 1), 1000U);  // the mapped value has changed
 }

@@ -162,7 +162,7 @@ TEST_F(Ax130751Sources, DigitalOutputAsASourceGivesItsStates) {
 }
 
 TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
-    verifies<req::AOR_SRC_007, req::AOR_T05, req::AOR_SRC_008>();
+    verifies<req::AOR_SRC_007, req::AOR_T05, req::AOR_SRC_008, req::AOR_E_QUANTITY>();
     for (int point = 11; point >= 3; --point) {
         set32(0x3026, point, 32000);
     }

@@ -30,7 +30,7 @@ class Ax188001Errors : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Errors, EachErrorHasItsCodeDescriptionAndChannel) {
+TEST_F(Ax188001Errors, EachErrorOfChannelsTemperatureAndSupplyHasItsCodeDescriptionAndChannel) {
     verifies<req::TCS_ERR_001, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION, req::CO_EMCY_009,
              req::CO_K_EMCY_ID>();
     heat(1, 130.0);
@@ -140,7 +140,7 @@ TEST_F(Ax188001Errors, WritingZeroClearsTheErrorListOnly) {
 }
 
 TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
-    verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5>();
+    verifies<req::TCS_ERR_007, req::TCS_OD_1016, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_E_DESCRIPTION>();
     EXPECT_EQ(write(0x1016, 1, 4, 0x00310064), 0U);  // 1016h:1 consumer heartbeat time: node 49, 100 ms
     EXPECT_EQ(write(0x1016, 4, 4, 0x003200C8), 0U);  // 1016h:4 consumer heartbeat time: node 50, 200 ms
     send("731#05");
@@ -152,7 +152,8 @@ TEST_F(Ax188001Errors, LostHeartbeatIsReportedWithItsProducer) {
 }
 
 TEST_F(Ax188001Errors, LifeGuardingErrorIsListedAs10008130h) {
-    verifies<req::TCS_ERR_020, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5>();
+    verifies<req::TCS_ERR_020, req::TCS_OD_100C, req::TCS_OD_100D, req::TCS_T5, req::TCS_E_EMCY_CODE,
+             req::TCS_E_DESCRIPTION>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
     EXPECT_EQ(write(0x100D, 0, 1, 3), 0U);
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
@@ -186,7 +187,8 @@ TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
 }
 
 TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
-    verifies<req::TCS_ERR_008, req::TCS_OD_1400, req::TCS_OD_1029, req::TCS_ERR_010>();
+    verifies<req::TCS_ERR_008, req::TCS_OD_1400, req::TCS_OD_1029, req::TCS_ERR_010, req::TCS_T5,
+             req::TCS_E_EMCY_CODE>();
     EXPECT_EQ(write(0x1400, 5, 2, 500), 0U);
     EXPECT_EQ(write(0x1400, 1, 4, 0x4000027F), 0U);
     send("000#017F");
@@ -203,7 +205,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
 
 TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) {
     verifies<req::TCS_ERR_009, req::TCS_ERR_021, req::CO_EMCY_010, req::TCS_S_CAN_STATE, req::TCS_S_CAN_OVERRUN,
-             req::TCS_T5>();
+             req::TCS_T5, req::TCS_E_EMCY_CODE>();
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#1081010000000000"}));
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008110}));
@@ -330,7 +332,7 @@ TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtALimitFault) {
 }
 
 TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
-    verifies<req::TCS_ERR_011, req::TCS_T5>();
+    verifies<req::TCS_ERR_011, req::TCS_T5, req::TCS_E_EMCY_CODE>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
     memory.bytes()[40] ^= 0xFF;

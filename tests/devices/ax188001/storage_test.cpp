@@ -110,7 +110,15 @@ TEST_F(Storage, UnsavedParametersAreLost) {
     verifies<req::TCS_STORE_004>();
     write(0x4030, 1, 2, 1);
     power_on();
-    EXPECT_EQ(read(0x4030, 1).value, 5000U);
+    EXPECT_EQ(read(0x4030, 1).value, 5000U);  // the default
+
+    write(0x4030, 1, 2, 2);
+    EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
+    write(0x4030, 1, 2, 3);
+    write(0x4030, 2, 2, 4);
+    power_on();
+    EXPECT_EQ(read(0x4030, 1).value, 2U);  // the stored value
+    EXPECT_EQ(read(0x4030, 2).value, 5000U);
 }
 
 TEST_F(Storage, ParametersAreSavedAndRestoredByGroup) {

@@ -187,13 +187,22 @@ TEST(AngleFilter, RemaindersOfTheRunsOfALongWindowAreNotLost) {
 
 TEST(AngleFilter, LongWindowsKeepAConstantAngle) {
     verifies<req::INC_AVG_009>();
-    for (const int samples : {65, 128, 1000, 60000}) {
+    for (const int samples : {65, 128, 1000}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
         for (int sample = 0; sample < 2 * samples; ++sample) {
             filter.add(123.456F);
+            EXPECT_NEAR(filter.output(), 123.456F, 1e-5F) << samples << ", " << sample;
         }
-        EXPECT_NEAR(filter.output(), 123.456F, 1e-5F) << samples;
     }
+}
+
+TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
+    verifies<req::INC_AVG_009>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
+    for (int sample = 0; sample < 120000; ++sample) {
+        filter.add(123.456F);
+    }
+    EXPECT_NEAR(filter.output(), 123.456F, 1e-5F);
 }
 
 TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {

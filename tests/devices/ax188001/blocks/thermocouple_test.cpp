@@ -255,6 +255,12 @@ TEST(Thermocouple, RangesOfTheAppendixAreTheEndsOfTheFunctions) {
         EXPECT_NEAR(static_cast<double>(type.mv(type.lowest())) * 1000.0, appendix[i].lowest_uv, 0.5) << type.letter;
         EXPECT_NEAR(static_cast<double>(type.mv(appendix[i].highest_c)) * 1000.0, appendix[i].highest_uv, 0.5)
             << type.letter;
+        EXPECT_NEAR(reference_mv(curve_of(type), static_cast<double>(type.lowest())) * 1000.0, appendix[i].lowest_uv,
+                    0.5)
+            << type.letter;
+        EXPECT_NEAR(reference_mv(curve_of(type), static_cast<double>(appendix[i].highest_c)) * 1000.0,
+                    appendix[i].highest_uv, 0.5)
+            << type.letter;
         const auto* const row = ranges::find(static_cast<generated::ax188001::SensorType>(type.number));
         ASSERT_NE(row, nullptr);
         EXPECT_EQ(row->lowest_uv, appendix[i].lowest_uv);
