@@ -62,7 +62,8 @@ struct Device {
 /// Cuts the power after the number of bytes that each() tries, in a save that follows `saves` others.
 void cut_a_save_behind(const std::size_t saves) {
     const std::size_t cut = each(bytes_of_a_save + 1U);
-    Memory memory{};
+    Memory::Bytes bytes{};
+    Memory memory{bytes};
     std::uint32_t last{shipped};
     for (std::size_t i = 0U; i < saves; ++i) {
         last = any<std::uint32_t>();
