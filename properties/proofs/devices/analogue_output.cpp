@@ -45,7 +45,8 @@ struct AnyOutput {
 
 void an_analogue_output_turns_to_its_fault_value_at_once() {
     shows(
-        "an output of the AX130751 has its fault value, nearest in its range, as its target, and no ramp is left, while "
+        "an output of the AX130751 has its fault value, nearest in its range, as its target, and no ramp is left, "
+        "while "
         "an input in error drives it; the same holds for the override value while overridden");
     proves<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014>();
     AnyOutput any_output{};

@@ -64,7 +64,8 @@ void a_later_lss_save_is_whole_or_not_at_all() {
 
 void a_lss_save_is_whole_over_any_memory() {
     shows(
-        "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as saved "
+        "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as "
+        "saved "
         "now, and as saved now when it is complete");
     proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     const std::size_t cut = each(bytes_of_a_save + 1U);

@@ -85,7 +85,8 @@ void cut_a_save_behind(const std::size_t saves) {
 }  // namespace
 
 void the_first_parameter_save_is_whole_or_not_at_all() {
-    shows("the first save of a parameter of four bytes, cut after any byte, loads as shipped or as saved, for any value");
+    shows(
+        "the first save of a parameter of four bytes, cut after any byte, loads as shipped or as saved, for any value");
     proves<req::CO_STORE_004>();
     cut_a_save_behind(0U);
 }

@@ -7,8 +7,8 @@
 
 namespace canproof::proofs {
 
-/// A view of `count` bytes as non-volatile memory. Writes beyond the first `left_` bytes have no effect, as after a power
-/// cut.
+/// A view of `count` bytes as non-volatile memory. Writes beyond the first `left_` bytes have no effect, as after a
+/// power cut.
 template <std::size_t count>
 class CutMemory final : public NonVolatileMemory {
   public:
