@@ -43,10 +43,11 @@ struct AnyOutput {
 
 }  // namespace
 
-void an_analogue_output_has_its_fault_value_at_once() {
+void an_analogue_output_turns_to_its_fault_value_at_once() {
     shows(
-        "an output of the AX130751 has its fault value, nearest in its range, at once while an input in error drives "
-        "it, and the override value while overridden, whatever ramp was in progress");
+        "an output of the AX130751 has its fault value, nearest in its range, as its target, and no ramp is left, "
+        "while "
+        "an input in error drives it; the same holds for the override value while overridden");
     proves<req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014>();
     AnyOutput any_output{};
     const bool fails = each(2U) == 0U;
@@ -54,19 +55,28 @@ void an_analogue_output_has_its_fault_value_at_once() {
         any_output.advance(fails ? OutputDrive::fault_value : OutputDrive::override_value);
     const double wanted = fails ? any_output.demand.fault_value : any_output.demand.override_value;
     claim(state.target == any_output.range.nearest(wanted));
-    claim(any_output.output.ramp_.start_ == state.target);
-    claim(state.value == state.target);
+    claim((any_output.output.ramp_.start_ == state.target) && (any_output.output.ramp_.target_ == state.target));
 }
 
-void an_analogue_output_is_off_in_a_shutdown() {
-    shows("an output of the AX130751 whose range contains 0 or begins above it is 0 at once in a shutdown or shut-off");
+void an_analogue_output_turns_off_in_a_shutdown() {
+    shows("an output of the AX130751 has the target 0, and no ramp is left, in a shutdown or shut-off");
     proves<req::AOR_OUT_014, req::AOR_OUT_015, req::AOR_DIAG_009>();
     AnyOutput any_output{};
-    assume(any_output.range.maximum >= 0.0);
     const AnalogueOutputState state =
         any_output.advance((each(2U) == 0U) ? OutputDrive::shutdown : OutputDrive::shut_off);
     claim(state.target == 0.0);
-    claim(state.value == 0.0);
+    claim((any_output.output.ramp_.start_ == 0.0) && (any_output.output.ramp_.target_ == 0.0));
+}
+
+void a_ramp_without_a_way_stays_at_its_target() {
+    shows("a ramp of the AX130751 that was set to a number has this number as its value at any time");
+    proves<req::AOR_OUT_014>();
+    ax130751::Ramp ramp{};
+    ramp.since_ = any<Instant>();
+    ramp.times_ = RampTimes{any_number(), any<Duration>(), any<Duration>()};
+    const double value = any_number();
+    ramp.set(value);
+    claim(ramp.value_at(any<Instant>()) == value);
 }
 
 void an_analogue_output_stays_in_its_range() {

@@ -9,15 +9,29 @@ namespace canproof::proofs {
 
 namespace {
 
-/// Returns any consistent queue. The theorem is decided for each length, and for each place of the ring where it
-/// begins.
-TransmitQueue any_queue() {
+/// A place of the ring from which a queue of more than 12 frames goes on at its beginning.
+constexpr std::uint32_t place_20 = 20U;
+
+/// Returns any consistent queue that begins at this place of the ring. The theorem is decided for each length.
+TransmitQueue queue_from(const std::uint32_t place) {
     TransmitQueue queue{};
     leave_open(queue);
-    queue.first_ = (any<std::uint32_t>() * std::uint32_t{TransmitQueue::capacity}) + each(TransmitQueue::capacity);
+    queue.first_ = (any<std::uint32_t>() * std::uint32_t{TransmitQueue::capacity}) + place;
     queue.end_ = queue.first_ + each(TransmitQueue::capacity + 1U);
     assume(is_consistent(queue));
     return queue;
+}
+
+/// Returns any consistent queue. The theorem is decided for each place of the ring where it may begin.
+TransmitQueue any_queue() {
+    return queue_from(each(TransmitQueue::capacity));
+}
+
+/// Returns any frame with an identifier that a frame can have: 29 bits at most.
+Frame any_identified_frame() {
+    const Frame frame = any<Frame>();
+    assume(frame.id <= 0x1FFFFFFFU);
+    return frame;
 }
 
 bool is_same(const Frame& a, const Frame& b) {
@@ -37,6 +51,40 @@ bool goes_before(const TransmitQueue& queue, const std::size_t at, const std::ui
     return ((at == 0U) && queue.boot_up_waits_) || (waiting(queue, at).id <= id);
 }
 
+void push_keeps_order(TransmitQueue queue) {
+    const Frame frame = any_identified_frame();
+    const std::size_t before = queue.size();
+    const bool taken = push_either_way(queue, frame);
+    claim(taken == (queue.open_ && (before < TransmitQueue::capacity)));
+    claim(queue.size() == (before + (taken ? 1U : 0U)));
+    claim(is_consistent(queue));
+}
+
+void push_finds_the_place(TransmitQueue queue) {
+    const TransmitQueue before = queue;
+    const Frame frame = any_identified_frame();
+    assume(push_either_way(queue, frame));
+    claim(queue.size() == (before.size() + 1U));
+    for (std::size_t i = 0U; i <= before.size(); ++i) {
+        const Frame& found = waiting(queue, i);
+        const bool stays = (i < before.size()) && goes_before(before, i, frame.id);
+        const bool moves = (i > 0U) && !goes_before(before, i - 1U, frame.id);
+        claim(!stays || is_same(found, waiting(before, i)));
+        claim(!moves || is_same(found, waiting(before, i - 1U)));
+        claim(stays || moves || is_same(found, frame));
+    }
+}
+
+void put_back_keeps_order(TransmitQueue queue) {
+    const Frame frame = any<Frame>();
+    const std::size_t before = queue.size();
+    const bool is_full = queue.open_ && (before == TransmitQueue::capacity);
+    const bool is_open = queue.open_;
+    claim(queue.put_back(frame) == !is_full);
+    claim(queue.size() == (before + ((is_open && !is_full) ? 1U : 0U)));
+    claim(is_consistent(queue));
+}
+
 }  // namespace
 
 void a_new_queue_is_consistent() {
@@ -53,13 +101,15 @@ void push_keeps_bound_and_order() {
         "push() takes a frame exactly when the queue is open and not full, and leaves it within its bound and in "
         "order");
     proves<req::CO_FRAME_002>();
-    TransmitQueue queue = any_queue();
-    const Frame frame = any<Frame>();
-    const std::size_t before = queue.size();
-    const bool taken = push_either_way(queue, frame);
-    claim(taken == (queue.open_ && (before < TransmitQueue::capacity)));
-    claim(queue.size() == (before + (taken ? 1U : 0U)));
-    claim(is_consistent(queue));
+    push_keeps_order(any_queue());
+}
+
+void push_keeps_bound_and_order_from_place_20() {
+    shows(
+        "in a queue that begins at place 20 of its ring, push() takes a frame exactly when the queue is open and not "
+        "full, and leaves it within its bound and in order");
+    proves<req::CO_FRAME_002>();
+    push_keeps_order(queue_from(place_20));
 }
 
 void push_puts_a_frame_behind_those_of_its_identifier() {
@@ -67,19 +117,15 @@ void push_puts_a_frame_behind_those_of_its_identifier() {
         "push() puts the frame behind all that are not of a higher identifier, and each other frame stays in its "
         "order");
     proves<req::CO_FRAME_002>();
-    TransmitQueue queue = any_queue();
-    const TransmitQueue before = queue;
-    const Frame frame = any<Frame>();
-    assume(push_either_way(queue, frame));
-    claim(queue.size() == (before.size() + 1U));
-    for (std::size_t i = 0U; i <= before.size(); ++i) {
-        const Frame& found = waiting(queue, i);
-        const bool stays = (i < before.size()) && goes_before(before, i, frame.id);
-        const bool moves = (i > 0U) && !goes_before(before, i - 1U, frame.id);
-        claim(!stays || is_same(found, waiting(before, i)));
-        claim(!moves || is_same(found, waiting(before, i - 1U)));
-        claim(stays || moves || is_same(found, frame));
-    }
+    push_finds_the_place(any_queue());
+}
+
+void push_finds_the_place_from_place_20() {
+    shows(
+        "in a queue that begins at place 20 of its ring, push() puts the frame behind all that are not of a higher "
+        "identifier, and each other frame stays in its order");
+    proves<req::CO_FRAME_002>();
+    push_finds_the_place(queue_from(place_20));
 }
 
 void pop_takes_the_first_frame() {
@@ -97,14 +143,14 @@ void pop_takes_the_first_frame() {
 
 void put_back_goes_in_front_of_its_identifier() {
     shows("put_back() refuses a frame exactly when the queue is open and full, and leaves the queue consistent");
-    TransmitQueue queue = any_queue();
-    const Frame frame = any<Frame>();
-    const std::size_t before = queue.size();
-    const bool is_full = queue.open_ && (before == TransmitQueue::capacity);
-    const bool is_open = queue.open_;
-    claim(queue.put_back(frame) == !is_full);
-    claim(queue.size() == (before + ((is_open && !is_full) ? 1U : 0U)));
-    claim(is_consistent(queue));
+    put_back_keeps_order(any_queue());
+}
+
+void put_back_keeps_order_from_place_20() {
+    shows(
+        "in a queue that begins at place 20 of its ring, put_back() refuses a frame exactly when the queue is open and "
+        "full, and leaves the queue consistent");
+    put_back_keeps_order(queue_from(place_20));
 }
 
 void boot_up_empties_the_queue() {
@@ -125,7 +171,7 @@ void closing_empties_the_queue() {
     TransmitQueue queue = any_queue();
     queue.close();
     claim(queue.empty());
-    claim(!queue.push(any<Frame>()));
+    claim(!queue.push(any_identified_frame()));
     claim(is_consistent(queue));
     queue.open();
     claim(queue.empty());

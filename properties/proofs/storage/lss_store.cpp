@@ -29,15 +29,16 @@ void cut_a_save_behind(const std::size_t saves) {
     const LssConfiguration shipped = any_configuration();
     const LssConfiguration next = any_configuration();
     LssConfiguration last = shipped;
-    Memory before{};
+    Memory::Bytes stored{};
+    Memory before{stored};
     for (std::size_t i = 0U; i < saves; ++i) {
         last = any_configuration();
         claim(LssStore{before}.store(last) == LssError::none);
     }
     claim(same(LssStore{before}.load(shipped), last));
     for (std::size_t cut = 0U; cut <= bytes_of_a_save; ++cut) {
-        Memory memory{};
-        memory.bytes_ = before.bytes_;
+        Memory::Bytes bytes = stored;
+        Memory memory{bytes};
         memory.left_ = cut;
         static_cast<void>(LssStore{memory}.store(next));
         memory.left_ = Memory::no_cut;
@@ -63,14 +64,15 @@ void a_later_lss_save_is_whole_or_not_at_all() {
 
 void a_lss_save_is_whole_over_any_memory() {
     shows(
-        "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as saved "
+        "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as "
+        "saved "
         "now, and as saved now when it is complete");
     proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     const std::size_t cut = each(bytes_of_a_save + 1U);
     const LssConfiguration shipped = any_configuration();
     const LssConfiguration next = any_configuration();
-    Memory memory{};
-    memory.bytes_ = any<std::array<std::uint8_t, LssStore::size>>();
+    auto bytes = any<Memory::Bytes>();
+    Memory memory{bytes};
     const LssConfiguration last = LssStore{memory}.load(shipped);
     assume(!last.damaged);
     memory.left_ = cut;

@@ -62,7 +62,8 @@ struct Device {
 /// Cuts the power after the number of bytes that each() tries, in a save that follows `saves` others.
 void cut_a_save_behind(const std::size_t saves) {
     const std::size_t cut = each(bytes_of_a_save + 1U);
-    Memory memory{};
+    Memory::Bytes bytes{};
+    Memory memory{bytes};
     std::uint32_t last{shipped};
     for (std::size_t i = 0U; i < saves; ++i) {
         last = any<std::uint32_t>();
@@ -84,7 +85,8 @@ void cut_a_save_behind(const std::size_t saves) {
 }  // namespace
 
 void the_first_parameter_save_is_whole_or_not_at_all() {
-    shows("the first save of a parameter of four bytes, cut after any byte, loads as shipped or as saved, for any value");
+    shows(
+        "the first save of a parameter of four bytes, cut after any byte, loads as shipped or as saved, for any value");
     proves<req::CO_STORE_004>();
     cut_a_save_behind(0U);
 }

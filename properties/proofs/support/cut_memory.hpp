@@ -7,12 +7,15 @@
 
 namespace canproof::proofs {
 
-/// Memory of `count` bytes. Writes beyond the first `left_` bytes have no effect, as after a power cut.
+/// A view of `count` bytes as non-volatile memory. Writes beyond the first `left_` bytes have no effect, as after a
+/// power cut.
 template <std::size_t count>
 class CutMemory final : public NonVolatileMemory {
   public:
+    using Bytes = std::array<std::uint8_t, count>;
     static constexpr std::size_t no_cut = 1000U;
 
+    explicit CutMemory(Bytes& bytes) : bytes_{bytes} {}
     std::size_t size() const override { return bytes_.size(); }
     bool read(const std::size_t at, MutableBytes to) const override {
         to.copy(0U, ByteView{bytes_}.part(at, to.size()));
@@ -29,7 +32,7 @@ class CutMemory final : public NonVolatileMemory {
     }
     bool commit() override { return true; }
 
-    std::array<std::uint8_t, count> bytes_{};
+    Bytes& bytes_;
     std::size_t left_{no_cut};
 };
 

@@ -20,7 +20,7 @@ struct ProveOptions {
     std::string area{};               ///< folder of the proofs to decide; empty: all folders
     std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
     std::optional<Shard> shard{};     ///< decides only this part of the selected theorems
-    unsigned seconds{60};             ///< processor time in seconds for one theorem; a longer theorem is unknown
+    unsigned seconds{50};             ///< processor time in seconds for one theorem; a longer theorem is unknown
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< whether each counterexample also runs as a native program
     SeedPlace seeds{};                ///< where that program writes the counterexample as an input of a fuzz target
