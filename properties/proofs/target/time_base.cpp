@@ -9,7 +9,7 @@ namespace canproof::proofs {
 namespace {
 
 stm32f405::TimerRegisters registers{};
-std::uint32_t shown_count{0U};  ///< what each register shows when it is read
+std::uint32_t shown_count{0U};  ///< value that each register shows when it is read
 
 }  // namespace
 

@@ -125,7 +125,8 @@ std::optional<Bits> Assignment::by_z3(NodeId wanted, const Term& term) {
         const auto found = unknowns_.find(id);
         const auto value = static_cast<std::uint64_t>(found == unknowns_.end() ? 0 : found->second);
         unknowns.push_back(unknown);
-        values.push_back(unknown.is_bool() ? context.bool_val(value != 0) : resized(constant(context, value, 64), width_of(unknown)));
+        values.push_back(unknown.is_bool() ? context.bool_val(value != 0)
+                                           : resized(constant(context, value, 64), width_of(unknown)));
     }
     Term open = term;
     const Term closed = open.substitute(unknowns, values).simplify();

@@ -13,8 +13,8 @@ class Assignment {
     /// Takes the values of a model of z3 for some unknowns, and those of `others` for the rest.
     Assignment(const Assignment& others, const z3::model& model, const std::vector<NodeId>& unknowns);
 
-    /// Returns the value of a term. A term with more than 128 bits, or with an operation that only z3 evaluates, is left
-    /// to z3. Returns nothing when z3 finds no number for it.
+    /// Returns the value of a term. A term with more than 128 bits, or with an operation that only z3 evaluates, is
+    /// left to z3. Returns nothing when z3 finds no value for it.
     std::optional<Bits> of(const Term& term);
     bool makes_true(const Term& truth) { return of(truth) == Bits{1}; }
     /// Gives another value to an unknown. No term that depends on it may have been evaluated yet.

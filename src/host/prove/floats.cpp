@@ -146,11 +146,12 @@ Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>
 Term Floats::number_of(const std::string& name, const std::vector<Term>& operands, unsigned width,
                        const MakeTerm& make) {
     const std::string type = std::to_string(width) + "of" + std::to_string(width_of(operands.front()));
-    const Applied done = applied(name + type, operands, [&make](const std::vector<Number>& inputs) {
-        return make(inputs).mk_to_ieee_bv();
-    });
+    const Applied done = applied(name + type, operands,
+                                 [&make](const std::vector<Number>& inputs) { return make(inputs).mk_to_ieee_bv(); });
     const Term quiet = constant(context_, quiet_nan_of(width), width);
-    return is_false(done.fails) ? done.value : choose(done.fails, fresh_(width) | quiet, done.value);  // a quiet NaN of any sign and payload
+    return is_false(done.fails)
+               ? done.value
+               : choose(done.fails, fresh_(width) | quiet, done.value);  // a quiet NaN of any sign and payload
 }
 
 Term Floats::is_of_class(const Term& number, std::uint64_t classes) {
@@ -280,8 +281,7 @@ Computed Floats::to_integer(const Term& from, unsigned bits, bool is_signed) {
     // one bit more than the result has, so that each value that fits is one of a signed integer
     const std::string name = "to_integer" + std::to_string(bits) + "of" + std::to_string(width);
     const Applied integer = applied(name, {from}, [this, bits](const auto& inputs) {
-        return Term{context_,
-                    Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};
+        return Term{context_, Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};
     });
     return {integer.value.extract(bits - 1, 0).simplify(), fits};
 }

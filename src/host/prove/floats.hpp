@@ -18,7 +18,7 @@ class Floats {
   public:
     using MakeFresh = std::function<Term(unsigned width)>;
 
-    /// `fresh` returns a new unknown. The sign and the payload of a result that is no number are unknowns.
+    /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns.
     Floats(z3::context& context, MakeFresh fresh) : context_{context}, fresh_{std::move(fresh)} {}
 
     /// These functions return nothing for what is not modelled: another type, or another operation. A Computed is not
@@ -42,7 +42,7 @@ class Floats {
     Number input(unsigned at, unsigned width) const;
     struct Applied {
         Term value;
-        Term fails;  ///< the result is no number
+        Term fails;  ///< the result is NaN
     };
     /// Returns the result of an operation on these operands. `make` writes the operation with z3's theory; its result
     /// is an integer or the bits of a number.
