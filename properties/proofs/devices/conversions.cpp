@@ -123,7 +123,9 @@ void a_process_value_is_monotone() {
 }
 
 void a_measurement_is_no_reserved_value() {
-    shows("a measured process value of the AX188001 is never FFFFh (disabled) or FE00h (open), for any value and scaling");
+    shows(
+        "a measured process value of the AX188001 is never FFFFh (disabled) or FE00h (open), for any value and "
+        "scaling");
     proves<req::TCS_VAL_007>();
     const ax188001::Scaling scaling{any<double>(), any<double>()};
     const std::int16_t shown = ax188001::measured_process_value(any<double>(), scaling, {-1, -512});

@@ -4,7 +4,6 @@
 #include "devices/ax130751/firmware/digital_reading.hpp"
 #include "devices/ax130751/firmware/limit_fault.hpp"
 #include "devices/ax188001/firmware/limit_condition.hpp"
-
 #include "generated/ax130751/requirements.hpp"
 #include "generated/ax188001/requirements.hpp"
 #include "properties/proofs/support/proof.hpp"
@@ -21,7 +20,8 @@ using ax188001::FaultCondition;
 }  // namespace
 
 void a_limit_fault_lasts_until_it_recovers() {
-    shows("a fault with hysteresis is present exactly when its value is beyond the limit, or was and has not recovered");
+    shows(
+        "a fault with hysteresis is present exactly when its value is beyond the limit, or was and has not recovered");
     proves<req::AOR_DIAG_005>();
     ax130751::LimitFault fault{};
     leave_open(fault);

@@ -3,7 +3,6 @@
 // drives them.
 #include "devices/ax130751/firmware/digital_output.hpp"
 #include "devices/ax130751/firmware/output_priority.hpp"
-
 #include "generated/ax130751/requirements.hpp"
 #include "properties/proofs/support/proof.hpp"
 
@@ -47,7 +46,8 @@ void the_first_condition_drives_an_output() {
     const bool keeps = conditions.on_error == FaultAction::keep;
     const bool fails = is_free && runs && conditions.input_in_error;
     claim((drive == OutputDrive::fault_value) == (fails && !keeps));
-    claim((drive == OutputDrive::keep) == (is_free && (runs ? (fails && keeps) : (conditions.enable == EnableAction::keep))));
+    claim((drive == OutputDrive::keep) ==
+          (is_free && (runs ? (fails && keeps) : (conditions.enable == EnableAction::keep))));
 }
 
 void a_digital_output_is_off_in_a_shutdown() {
@@ -61,7 +61,9 @@ void a_digital_output_is_off_in_a_shutdown() {
 }
 
 void a_digital_output_has_its_fault_state() {
-    shows("a digital output has its fault state while an input in error drives it, and its override state while overridden");
+    shows(
+        "a digital output has its fault state while an input in error drives it, and its override state while "
+        "overridden");
     proves<req::AOR_DO_006>();
     AnyOutput any_output{};
     const bool fails = each(2U) == 0U;

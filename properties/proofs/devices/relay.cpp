@@ -118,7 +118,8 @@ void an_override_decides_a_relay_at_once() {
 }
 
 void a_disabled_relay_opens_within_its_delay() {
-    shows("a relay that is shut off is OFF as soon as the OFF delay is over since the request, at once without a delay");
+    shows(
+        "a relay that is shut off is OFF as soon as the OFF delay is over since the request, at once without a delay");
     proves<req::AOR_RELAY_009, req::AOR_RELAY_012>();
     AnyRelay any_relay{};
     any_relay.drive = OutputDrive::shut_off;

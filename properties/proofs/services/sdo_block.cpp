@@ -34,8 +34,8 @@ void split(const Served& node, const std::size_t left, const std::size_t from) {
 Frame block_upload_request(const sdo::BlockUploadCommand command) {
     Frame frame = any_frame();
     frame.length = max_frame_length;
-    frame.data[0] = static_cast<std::uint8_t>((std::uint32_t{frame.data[0]} & 0x1CU) | 0xA0U |
-                                              static_cast<std::uint32_t>(command));
+    frame.data[0] =
+        static_cast<std::uint8_t>((std::uint32_t{frame.data[0]} & 0x1CU) | 0xA0U | static_cast<std::uint32_t>(command));
     return frame;
 }
 
