@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which mutants make a test count for an item. Shell scripts stand for the programs of tests.
+// The mutants that make a test count for an item. Shell scripts stand for the programs of tests.
 #include "host/assess/mutation/kill_judge.hpp"
 
 #include <gmock/gmock.h>
