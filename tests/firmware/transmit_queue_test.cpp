@@ -135,6 +135,23 @@ TEST(TransmitQueueOrder, QueueIsBoundedAndRefusesFramesWhileClosed) {
     EXPECT_TRUE(queue.push(numbered(0x100, 0)));
 }
 
+TEST(TransmitQueueOrder, SegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
+    shows_rule("push_segment() queues eight bytes as push() does, and returns whether it did");
+    TransmitQueue queue;
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {
+        EXPECT_TRUE(queue.push_segment(0x583, 0x8877665544332201U));
+    }
+    EXPECT_FALSE(queue.push_segment(0x583, 0));
+    const Frame sent = queue.pop();
+    EXPECT_EQ(sent.id, 0x583U);
+    EXPECT_EQ(sent.length, 8U);
+    EXPECT_EQ(read_u32(sent.payload(), 0), 0x44332201U);  // the lowest byte first
+    EXPECT_EQ(read_u32(sent.payload(), 4), 0x88776655U);
+    queue.close();
+    EXPECT_FALSE(queue.push_segment(0x583, 0));
+    EXPECT_TRUE(queue.empty());
+}
+
 TEST(TransmitQueueOrder, FramePutBackPrecedesFramesOfItsIdentifier) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
