@@ -186,14 +186,19 @@ TEST_F(Pdo, DummyEntriesSkipTheirBits) {
 
 TEST_F(Pdo, Rpdo3SetsNoOutputByDefault) {
     verifies<req::AO4_PDO_002>();
-    EXPECT_EQ(send("603#4002140100000000"), (Frames{"583#4302140103040000"}));  // 1402h:1 COB-ID: 400h + 3, valid
-    EXPECT_EQ(send("603#4002160000000000"), (Frames{"583#4F02160004000000"}));  // 1602h: four entries
-    for (const std::string sub : {"01", "02", "03", "04"}) {
-        EXPECT_EQ(send("603#400216" + sub + "00000000"), (Frames{"583#430216" + sub + "10000300"}));  // 0003h, 16 bits
+    EXPECT_EQ(send("603#4002160000000000"), (Frames{"583#4F02160004000000"}));
+    for (const char* sub : {"01", "02", "03", "04"}) {  // 00030010h: 16 bits of the dummy 0003h
+        EXPECT_EQ(send(std::string{"603#400216"} + sub + "00000000"),
+                  (Frames{std::string{"583#430216"} + sub + "10000300"}));
     }
     send("303#1111222233334444");
     EXPECT_EQ(send("403#5555666677778888"), Frames{});
     EXPECT_EQ(outputs(), (std::vector<std::string>{"1111", "2222", "3333", "4444"}));
+}
+
+TEST_F(Pdo, Rpdo3IsValidByDefault) {
+    verifies<req::AO4_PDO_002>();
+    EXPECT_EQ(send("603#4002140100000000"), (Frames{"583#4302140103040000"}));  // 1402h:1 COB-ID: 400h + 3, valid
 }
 
 TEST_F(Pdo, ThereIsNoRpdo1) {
