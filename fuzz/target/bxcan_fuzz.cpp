@@ -55,7 +55,7 @@ class World {
     std::map<std::uint32_t, Frame> waiting_;  ///< accepted and not sent, by serial number
     std::uint32_t on_bus_{0};                 ///< serial number of the frame on the bus; 0: none
     std::uint32_t forgotten_below_{0};        ///< serial number of the last boot-up message: earlier frames are dropped
-    std::uint32_t vanished_below_{0};         ///< some frames below this number were in mailboxes that were dropped
+    std::uint32_t vanished_below_{0};         ///< frames below this number may be lost: their mailboxes were cleared
     std::deque<Frame> in_fifos_;
     std::deque<Frame> in_ring_;
     bool lost_{false};  ///< a frame was lost for lack of room since the last report

@@ -137,7 +137,7 @@ def unserved(graph, files):
 
 
 def prove(generated, faults):
-    """Tests the check on misra/callgraph/served.cpp, whose comments contain the expected functions."""
+    """Tests the check on misra/callgraph/served.cpp, whose comments name the functions that must be found to serve no item."""
     path = HOME / "misra" / "callgraph" / "served.cpp"
     with tempfile.TemporaryDirectory() as scratch:
         compile_each(["misra/callgraph/served.cpp"], generated, scratch, faults, UNOPTIMISED)

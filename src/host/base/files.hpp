@@ -16,7 +16,7 @@ void write_file(const std::filesystem::path& path, const std::string& bytes);
 std::filesystem::directory_iterator open_folder(const std::filesystem::path& folder);
 /// Creates the folder and the folders above it, as far as they are missing.
 void make_folder(const std::filesystem::path& folder);
-/// Checks that `folder` is a folder, or that no file is in the place of it or of a folder above it.
+/// Throws InputError when `folder`, or a folder above it, is a file.
 void check_folder_place(const std::filesystem::path& folder);
 
 }  // namespace canproof::host

@@ -67,7 +67,7 @@ inline void make_lower_case(char* begin, std::size_t count) {
     for (std::size_t at = 0; at + size < count; at += size) {
         lower_eight(begin + at);
     }
-    lower_eight(begin + count - size);  // overlaps the characters before it
+    lower_eight(begin + count - size);  // overlaps the characters before it, unless `count` is a multiple of `size`
 }
 
 }  // namespace canproof::host

@@ -241,8 +241,8 @@ struct Hazard : Item {
 /// The review of an item with its code and tests, or of the disposition of a section.
 struct Review {
     std::string fingerprint;  ///< fingerprint of the item when it was reviewed
-    std::string code;         ///< mark of the functions that implemented the item; empty: there were none
-    std::string tests;        ///< mark of the tests that claimed the item; empty: there were none
+    std::string code;         ///< hash of the functions that implemented the item; empty: there were none
+    std::string tests;        ///< hash of the tests that claimed the item; empty: there were none
     std::string date;         ///< YYYY-MM-DD
     std::string by;
     std::string role;    ///< author or independent; empty: not recorded

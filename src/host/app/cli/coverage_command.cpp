@@ -103,7 +103,7 @@ int check_coverage(const CoverageOptions& options) {
         }
     }
     for (const auto& record : verdict.unused) {
-        fmt::print("{}:{}: the record of `{}` matches no place that tests do not reach; remove the record\n",
+        fmt::print("{}:{}: the record of `{}` is not needed: tests reach its place, or its code is gone; remove the record\n",
                    place.string(), record.line, record.code);
     }
     print_verdict(verdict);

@@ -207,7 +207,7 @@ class ListCheck {
     EdsFindings& findings_;
     std::array<List, 3> lists_;
     std::map<unsigned, Listed> listed_;
-    EdsEdits fix_;  ///< the common fix; nullptr: there is none
+    EdsEdits fix_;  ///< fixes the findings of all three lists together; nullptr: there is no fix
 };
 
 }  // namespace
