@@ -103,8 +103,9 @@ int check_coverage(const CoverageOptions& options) {
         }
     }
     for (const auto& record : verdict.unused) {
-        fmt::print("{}:{}: the record of `{}` is not needed: tests reach its place, or its code is gone; remove the record\n",
-                   place.string(), record.line, record.code);
+        fmt::print(
+            "{}:{}: the record of `{}` is not needed: tests reach its place, or its code is gone; remove the record\n",
+            place.string(), record.line, record.code);
     }
     print_verdict(verdict);
     return verdict.holds() ? 0 : 1;

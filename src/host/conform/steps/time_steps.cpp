@@ -244,7 +244,8 @@ Action parse_period(Scanner& line, StepSource&) {
         }
     }
     if (!spec.gaps || (!spec.mean && !spec.shortest && !spec.longest)) {
-        line.fail("the period, or the number of periods after `over`, is missing", "write period 700+N = 100 ms +- 5 % over 20");
+        line.fail("the period, or the number of periods after `over`, is missing",
+                  "write period 700+N = 100 ms +- 5 % over 20");
     }
     return [spec](Context& context) { run_period(spec, context); };
 }

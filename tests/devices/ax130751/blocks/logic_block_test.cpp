@@ -62,6 +62,13 @@ TEST(LogicBlock, ComparisonsFollowTable16) {
     }
 }
 
+TEST(LogicBlock, ZerosOfBothSignsAreEqual) {
+    verifies<req::AOR_T16, req::AOR_LOGIC_001>();
+    EXPECT_EQ(compare(0.0, 0, -0.0), yes);  // operator 0: =
+    EXPECT_EQ(compare(-0.0, 4, 0.0), no);   // operator 4: <
+    EXPECT_EQ(compare(0.0, 2, -0.0), no);   // operator 2: >
+}
+
 TEST(LogicBlock, ConditionResultsFollowTable17) {
     verifies<req::AOR_T17, req::AOR_E_CONDITION, req::AOR_LOGIC_002>();
     EXPECT_EQ(evaluate({value(1), value(2), 0}), no);
