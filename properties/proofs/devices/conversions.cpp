@@ -52,7 +52,7 @@ void an_output_step_is_rounded_to_nearest() {
 void a_count_saturates() {
     shows(
         "with one count a unit and without offset a field value of the AX060805 is the nearer end of INTEGER16 when "
-        "its value is outside of it, and 0 when it is no number");
+        "its value is outside of it, and 0 when it is NaN");
     proves<req::INC_FV_002>();
     const auto value = any<float>();
     const std::int16_t count = ax060805::count_value(value, {});

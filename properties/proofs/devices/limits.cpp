@@ -34,7 +34,7 @@ void a_limit_fault_lasts_until_it_recovers() {
 }
 
 void a_limit_never_begins_and_ends_a_fault() {
-    shows("a value never begins and ends the same limit fault, and one that is no number does neither");
+    shows("a value never begins and ends the same limit fault, and NaN does neither");
     proves<req::TCS_FD_002, req::TCS_FD_003>();
     const auto value = any<double>();
     const auto set = any<double>();

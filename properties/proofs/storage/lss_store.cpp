@@ -24,6 +24,19 @@ bool same(const LssConfiguration& a, const LssConfiguration& b) {
     return (a.node_id == b.node_id) && (a.bit_rate == b.bit_rate) && !a.damaged && !b.damaged;
 }
 
+/// Cuts the power after `cut` bytes of a save of `next`. Claims that the store then loads `last`, or `next`, and that
+/// it loads `next` when the save was complete.
+void cut_a_save(Memory::Bytes bytes, const std::size_t cut, const LssConfiguration& shipped,
+                const LssConfiguration& last, const LssConfiguration& next) {
+    Memory memory{bytes};
+    memory.left_ = cut;
+    static_cast<void>(LssStore{memory}.store(next));
+    memory.left_ = Memory::no_cut;
+    const LssConfiguration loaded = LssStore{memory}.load(shipped);
+    claim(same(loaded, last) || same(loaded, next));
+    claim((cut != bytes_of_a_save) || same(loaded, next));
+}
+
 /// Cuts the power after each number of bytes of a save that follows `saves` others.
 void cut_a_save_behind(const std::size_t saves) {
     const LssConfiguration shipped = any_configuration();
@@ -37,14 +50,7 @@ void cut_a_save_behind(const std::size_t saves) {
     }
     claim(same(LssStore{before}.load(shipped), last));
     for (std::size_t cut = 0U; cut <= bytes_of_a_save; ++cut) {
-        Memory::Bytes bytes = stored;
-        Memory memory{bytes};
-        memory.left_ = cut;
-        static_cast<void>(LssStore{memory}.store(next));
-        memory.left_ = Memory::no_cut;
-        const LssConfiguration loaded = LssStore{memory}.load(shipped);
-        claim(same(loaded, last) || same(loaded, next));
-        claim((cut != bytes_of_a_save) || same(loaded, next));
+        cut_a_save(stored, cut, shipped, last, next);
     }
 }
 
@@ -65,8 +71,7 @@ void a_later_lss_save_is_whole_or_not_at_all() {
 void a_lss_save_is_whole_over_any_memory() {
     shows(
         "over memory of any contents that loads as not damaged, a save, cut after any byte, loads as before or as "
-        "saved "
-        "now, and as saved now when it is complete");
+        "saved now, and as saved now when it is complete");
     proves<req::CO_LSS_016, req::CO_LSS_017, req::CO_LSS_020, req::CO_LSS_076>();
     const std::size_t cut = each(bytes_of_a_save + 1U);
     const LssConfiguration shipped = any_configuration();
@@ -75,12 +80,7 @@ void a_lss_save_is_whole_over_any_memory() {
     Memory memory{bytes};
     const LssConfiguration last = LssStore{memory}.load(shipped);
     assume(!last.damaged);
-    memory.left_ = cut;
-    static_cast<void>(LssStore{memory}.store(next));
-    memory.left_ = Memory::no_cut;
-    const LssConfiguration loaded = LssStore{memory}.load(shipped);
-    claim(same(loaded, last) || same(loaded, next));
-    claim((cut != bytes_of_a_save) || same(loaded, next));
+    cut_a_save(bytes, cut, shipped, last, next);
 }
 
 }  // namespace canproof::proofs

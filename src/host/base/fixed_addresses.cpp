@@ -5,13 +5,12 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 namespace canproof::host {
 
-void fix_addresses() noexcept {
+void fix_addresses() {
     const int now = personality(0xFFFF'FFFFU);  // asks and changes nothing
     if (now < 0 || (now & ADDR_NO_RANDOMIZE) != 0) {
         return;
@@ -20,14 +19,17 @@ void fix_addresses() noexcept {
         return;
     }
     std::ifstream file{"/proc/self/cmdline", std::ios::binary};
-    std::string text{std::istreambuf_iterator<char>{file}, {}};
-    std::vector<char*> words;
-    for (std::size_t begin = 0; begin < text.size(); begin = text.find('\0', begin) + 1) {
-        words.push_back(&text[begin]);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');) {
+        words.push_back(word);
     }
-    words.push_back(nullptr);
-    if (words.size() > 1) {
-        execv("/proc/self/exe", words.data());  // returns only when it fails
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    if (!words.empty() && !file.bad()) {
+        execv("/proc/self/exe", pointers.data());  // returns only when it fails
     }
     personality(static_cast<unsigned>(now));
 }

@@ -6,6 +6,6 @@ namespace canproof::host {
 
 /// Starts this program again, with the same arguments, so that the kernel does not randomise its addresses. Returns
 /// when the addresses are already fixed, or when the kernel refuses (the default profile of some containers does).
-void fix_addresses() noexcept;
+void fix_addresses();
 
 }  // namespace canproof::host
