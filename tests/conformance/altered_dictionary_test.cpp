@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// An end of a range at which there is no limit.
+/// A range end without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -30,8 +30,8 @@ TEST_F(AlteredDictionary, HeartbeatErrorEndsOperationalWhenObject1029hIsAbsent) 
     send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
     send("000#0105");
     send("710#05");
-    // 8130h and, in 1001h, generic and communication error; one error is listed. CiA 301, 7.5.2.32: without 1029h the
-    // node enters pre-operational.
+    // Error code 8130h; 1001h shows the generic and the communication error; 1003h lists one error. By CiA 301,
+    // 7.5.2.32, a node without 1029h enters pre-operational.
     EXPECT_EQ(pass(100), Frames{"100:085#3081110100000000"});
     EXPECT_EQ(device->node().state(), NmtState::pre_operational);
 }
@@ -359,7 +359,7 @@ TEST_F(AlteredDictionary, EntryThatFitsTheServerBufferNeedsNoMemoryOfTheDevice) 
 
 TEST_F(AlteredDictionary, ResetCommunicationKeepsTheFirstManufacturerEntry) {
     verifies<req::CO_NMT_006>();
-    EntryRow& first = entry(0x2000, 0);  // made an ordinary value with default 0
+    EntryRow& first = entry(0x2000, 0);  // becomes an ordinary value with default 0
     first.rights = rights::read | rights::write;
     first.offset = static_cast<std::uint16_t>(description.rows.layout.image.size());
     description.rows.layout.image.push_back(0);
@@ -385,7 +385,7 @@ TEST_F(AlteredDictionary, StoreSignatureInAPdoStoresNothing) {
 TEST_F(AlteredDictionary, SubIndex5Of1010hStoresTheManufacturerParameters) {
     verifies<req::CO_STORE_001>();
     entry(0x1010, 4).subindex = 5;
-    entry(0x1010, 3).subindex = 4;  // then sub-index 3 is not the last
+    entry(0x1010, 3).subindex = 4;  // sub-index 3 is then not the highest one
     power_on();
     send("605#2F00200111000000");
     EXPECT_EQ(send("605#2310100573617665"), Frames{"585#6010100500000000"});

@@ -16,7 +16,8 @@ class ActiveList : public testing::Test {
     static constexpr ErrorId channel_2 = error_after(ErrorId::first_of_device, 1);
 
     ActiveList() {
-        // AX188001 Tables 5 and 6: open circuit F001h without description, limit F011h with 10h, on channels 1 and 2
+        // AX188001 Tables 5 and 6: F001h (open circuit) has description 0 on channel 1, F011h (limit) has description
+        // 10h on channel 2.
         errors[static_cast<std::size_t>(channel_1)] = ErrorRow{0xF001, 0x81, true, true, 0x0001};
         errors[static_cast<std::size_t>(channel_2)] = ErrorRow{0xF011, 0x81, true, true, 0x1002};
         errors[static_cast<std::size_t>(ErrorId::heartbeat_1)] = ErrorRow{0x8130, 0x11, true, true, 0x8000};
@@ -94,7 +95,8 @@ TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
     emcy.set(channel_1, true, Instant{});  // withdraws the waiting message about the end of this error
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));  // both are active: 81h
+    // both errors are active, so 1001h is 81h
+    EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));
 }
 
 TEST_F(ActiveList, SentMessageIsNotSentAgain) {
@@ -121,7 +123,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
     verifies<req::CO_EMCY_011, req::CO_NMT_006>();
     emcy.set(channel_2, true, Instant{});
-    emcy.set(channel_1, true, Instant{});  // the later error, with the lower ErrorId
+    emcy.set(channel_1, true, Instant{});  // this error begins later, but has the lower ErrorId
     const std::vector<std::uint32_t> order{0x0001F001, 0x1002F011};
     EXPECT_EQ(listed(), order);
     objects.load_defaults(ParameterGroup::communication, 5);
@@ -171,7 +173,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     emcy.enable(false, Instant{});
     emcy.set(ErrorId::heartbeat_1, true, Instant{});  // 1001h becomes 91h
     emcy.set(channel_1, true, Instant{});
-    EXPECT_TRUE(emcy.take_register_change());  // the register has changed, whether messages are sent or not
+    EXPECT_TRUE(emcy.take_register_change());  // 1001h has changed, although no message was sent
 }
 
 TEST_F(ActiveList, ResetNodeClearsAnActiveError) {

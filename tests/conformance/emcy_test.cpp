@@ -115,9 +115,9 @@ TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
     EXPECT_EQ(listed(0), "00000000");
     EXPECT_EQ(listed(1), "00000000");
     EXPECT_EQ(send("603#2303100100000000"), (Frames{"583#8003100102000106"}));
-    EXPECT_EQ(error_register(), "11");  // the error is still active
+    EXPECT_EQ(error_register(), "11");  // 1001h (error register) still shows the active error
     EXPECT_TRUE(overrun(true).empty());
-    EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // its end is reported
+    EXPECT_EQ(overrun(false), (Frames{"083#0000000000000000"}));  // the end of the error is reported
 }
 
 TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
@@ -187,7 +187,7 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // Sent: 8120h, then the ends of 8110h and 8120h. 1001h is 00h by then, and 1003h has two entries.
+    // The messages are 8120h, the end of 8110h and the end of 8120h. 1001h is 00h by then, and 1003h has two entries.
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 

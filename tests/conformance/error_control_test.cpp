@@ -37,7 +37,7 @@ TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
 
 TEST_F(ErrorControlService, SeveralOverdueHeartbeatsAreSentAsOneAndThePeriodRestarts) {
     verifies<req::CO_HB_001>();
-    write("603#2B17100064000000");  // 100 ms; heartbeats are due at 100, 200 and 300 ms at the next call
+    write("603#2B17100064000000");  // heartbeat every 100 ms; those of 100, 200 and 300 ms are due at the next call
     now = now + milliseconds(350);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"703#7F"}));
@@ -94,7 +94,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
     send("703#R1");
     EXPECT_TRUE(pass(200).empty());
-    write("603#230E100003070000");  // 703h is written again
+    write("603#230E100003070000");  // 100Eh node guarding identifier: 703h again, the value that it has
     write("603#2B17100000000000");  // 1017h producer heartbeat time: still off
     EXPECT_TRUE(pass(99).empty());
     EXPECT_EQ(pass(1), (Frames{"1:083#3081110100000000"}));
@@ -198,7 +198,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
     EXPECT_EQ(send("703#R1"), (Frames{"703#05"}));
     EXPECT_EQ(send("703#R1"), (Frames{"703#85"}));
     send("000#8203");
-    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // the toggle bit restarts at 0
+    EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));  // after the reset the toggle bit begins at 0 again
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {

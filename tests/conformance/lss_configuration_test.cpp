@@ -47,13 +47,13 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
     verifies<req::CO_LSS_011>();
     configure();
     talk({{"7E5#110A000000000000", {"7E4#1100000000000000"}},
-          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // the active node-ID
+          {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // inquiry: the active node-ID is still 5
           {"605#4000180100000000", {"585#4300180185010000"}},  // the COB-ID of TPDO1 is 180h + 5
           {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY is 80h + 5
           {"7E5#0400000000000000", {}},                        // no reset without a command
           {"605#4014100000000000", {"585#4314100085000000"}},
           {"60A#4014100000000000", {}},
-          {"000#820A", {}},  // not its node-ID yet
+          {"000#820A", {}},  // the node does not have node-ID 0Ah yet, so it ignores this reset
           {"000#8205", {"70A#00"}},
           {"605#4014100000000000", {}},
           {"60A#4014100000000000", {"58A#431410008A000000"}},  // COB-ID EMCY 80h + 10
@@ -251,7 +251,7 @@ TEST_F(Lss, SelfStartDuringTheSwitchDelaysSendsNothing) {
     EXPECT_EQ(state(), NmtState::operational);
     const Frames told = pass(1);
     ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the error is not lost
+    EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // the overrun is reported, 8110h
 }
 
 // CiA 301, 7.2.8.2.2: node 31h is monitored with 100 ms; no heartbeat is received during the switch delays

@@ -66,7 +66,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsIgnoredUnlessAllSixNumbersFitInOrder) {
     std::vector<Exchange> whole = fitting;
     whole[5].answers = {"7E4#4F00000000000000"};
     talk(whole);
-    talk({{"7E5#4B22112620000000", {}}});  // the last frame alone identifies nothing
+    talk({{"7E5#4B22112620000000", {}}});  // the last frame of the sequence has no effect by itself
 }
 
 TEST_F(Lss, IdentifyRemoteSlaveRestartsWithAVendorId) {
@@ -219,9 +219,9 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
          {"7E5#5102000100000203", yes},
          {"7E5#5122112620000300", {}}},  // the serial number of another unit
         {{"7E5#515F000000000001", yes},
-         {"7E5#5100000080010103", {}},  // a mismatch changes nothing …
+         {"7E5#5100000080010103", {}},  // a mismatch does not confirm the number …
          {"7E5#5121112620000300", {}},
-         {"7E5#51000000801F0103", yes},  // … and a match of some bits changes nothing
+         {"7E5#51000000801F0103", yes},  // … and a match of only some bits does not confirm it either
          {"7E5#5121112620000300", {}}}};
     for (const auto& conversation : shortcuts) {
         talk({{"7E5#5100000000800000", yes}});
@@ -249,7 +249,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
           {"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},
           {"7E5#5102000100000203", yes},
-          {"7E5#51FFFFFFFF800203", yes},  // the other fields do not matter
+          {"7E5#51FFFFFFFF800203", yes},  // with bit check 128 the other fields have no meaning
           {"7E5#5121112620000300", {}},   // the scan is at the vendor-ID
           {"7E5#515F000000000003", yes},
           {"7E5#5121112620000300", yes}});
@@ -268,7 +268,8 @@ TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
     talk({{"7E5#5100000000800000", yes}});
     talk(three);
     talk({{"7E5#5121112620000300", yes}, {"7E5#0400000000000000", {}}});
-    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});  // the first requests of the next scan
+    // the next scan has begun: two of its four numbers are confirmed
+    talk({{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}});
     EXPECT_FALSE(is_configuring());
 }
 

@@ -13,7 +13,8 @@ class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
 TEST_F(PdoChange, ChangeOfAnEntryWithTheLowestWatchMarkTriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    ASSERT_EQ(watch_mark(0x2001, 63), 1U);  // 2001h + 200h + 63 is a multiple of 64
+    // the bit is (index + index / 16 + sub-index) modulo 64: 2001h + 200h + 63 gives bit 0
+    ASSERT_EQ(watch_mark(0x2001, 63), 1U);
     extend(0x2001, 63);
     ship(0x1A00, 0, 1);
     ship(0x1A00, 1, 0x20013F08);

@@ -79,7 +79,7 @@ TEST_F(Pdo, ShortFramesChangeNothingAndLongFramesGiveTheirMappedPart) {
     }
     disable_rpdo2();
     write("603#2F01160000000000");
-    write("603#2F01160001000000");  // only the first entry, 6411h:1
+    write("603#2F01160001000000");  // maps only the first entry, 6411h:1
     enable_rpdo2();
     send("303#34");
     EXPECT_EQ(outputs(), (std::vector<std::string>{"1111", "2222", "3333", "4444"}));

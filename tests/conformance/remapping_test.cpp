@@ -87,7 +87,7 @@ TEST_P(Remapping, EachRemappingStepOutOfOrderIsRefused) {
         {line("01"), GetParam().entry, present_state},  // c) before b)
         {line("00"), "00", ""},                         // b)
         {line("01"), GetParam().entry, ""},             // c)
-        {parameter("01"), valid(), ""},                 // e) before d): a PDO without content
+        {parameter("01"), valid(), ""},                 // e) before d): the PDO is enabled while its mapping is empty
         {line("00"), "01", present_state},              // d) after e)
         {parameter("01"), not_valid(), ""},
         {line("00"), "01", ""},
@@ -165,7 +165,7 @@ TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntrie
         {line("01"), "00000000", ""},
         {line("00"), "01", cannot_be_mapped},  // an empty entry
         {line("01"), GetParam().entry, ""},
-        {line("00"), "04", cannot_be_mapped},  // the fourth is empty
+        {line("00"), "04", cannot_be_mapped},  // the fourth mapping entry is 0
         {line("00"), "09", "31000906"},        // 06090031h: this slave gives sub-index 0 a limit of 8
     });
 }
@@ -218,7 +218,7 @@ TEST_P(Remapping, IdentifierSharedByATpdoAndAnotherPdoIsRefused) {
         {parameter("01"), "85010000", GetParam().parameters == "0018" ? "" : incompatible},  // 185h: TPDO1
         {parameter("01"), "85010080", ""},
         {parameter("01"), "85020000", incompatible},  // 285h: TPDO2
-        {parameter("01"), "85020080", ""},            // not valid: no conflict
+        {parameter("01"), "85020080", ""},            // this COB-ID is not valid (bit 31), so it causes no conflict
         {parameter("01"), "85030000", ""},            // 385h: TPDO3 is not valid
         {parameter("01"), "85030080", ""},
         {parameter("01"), "05030000", GetParam().parameters == "0018" ? incompatible : ""},  // 305h: RPDO2
@@ -263,7 +263,7 @@ TEST_P(Remapping, EventTimerCanChangeWhileThePdoIsValid) {
     hold({
         {parameter("05"), "6400", ""},
         {parameter("05"), "0000", ""},
-        {parameter("04"), "00", subindex_missing},  // this slave has no compatibility entry
+        {parameter("04"), "00", subindex_missing},  // sub-index 4 (compatibility entry) does not exist in this slave
     });
 }
 
@@ -276,7 +276,7 @@ TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
                     {"605#2F00180600000000", {"585#8000180622000008"}},  // not even the value that it has
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F001806F0000000", {"585#6000180600000000"}},
-                    {"605#2F001806F1000000", {"585#8000180631000906"}},  // this slave limits the entry itself
+                    {"605#2F001806F1000000", {"585#8000180631000906"}},  // this slave limits the entry to 240
                     {"605#2F00180600000000", {"585#6000180600000000"}},
                 });
 }

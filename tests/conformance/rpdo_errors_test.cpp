@@ -78,7 +78,7 @@ TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
     }
 }
 
-/// RPDO1 and RPDO3 both set 2000h:1. Whichever came first, RPDO3 is applied last.
+/// RPDO1 and RPDO3 both set 2000h:1. At a SYNC, RPDO3 is applied last, whichever of the two was received first.
 TEST_F(Rpdo, SynchronousRpdosAreAppliedInOrderOfTheirNumbers) {
     verifies<req::CO_PDO_002>();
     map_rpdo3({"08010020"});

@@ -94,7 +94,7 @@ TEST_F(SdoBlock, LostDownloadSegmentsAreRequestedAgain) {
                     {"605#030F101112131415", {}},  // the second segment was lost
                     {"605#84161718191A1B1C", {"585#A2017F0000000000"}},
                     {"605#0108090A0B0C0D0E", {}},                        // the repeated segment has number 1
-                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now the next segment was lost
+                    {"605#83161718191A1B1C", {"585#A2017F0000000000"}},  // now segment 2 was lost
                     {"605#82161718191A1B1C", {"585#A2007F0000000000"}},  // the segment is lost again
                     {"605#010F101112131415", {}},
                     {"605#82161718191A1B1C", {"585#A2027F0000000000"}},
@@ -250,7 +250,8 @@ TEST_F(SdoBlock, EveryFrameCountsAsASegmentWhileSegmentsArrive) {
                     {"605#2F01220008000000", {}},                        // segment number 47, out of order
                     {"605#C600240009000000", {"585#A2017F0000000000"}},  // number 70, marked as the last
                     {"605#8138390000000000", {"585#A2017F0000000000"}},
-                    // the last segment was received: from here on an initiate counts as an initiate
+                    // The last segment was received. From here on, a frame with the command of an initiate request is
+                    // such a request, and not a segment.
                     {"605#4000100000000000", {"585#4300100078563412"}},
                     {"605#D5C3310000000000", {stray}},
                 });

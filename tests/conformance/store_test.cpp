@@ -75,7 +75,8 @@ TEST_F(Store, SaveIsRefusedInOperational) {
     set_values("3412");
     send("000#0103");
     EXPECT_EQ(send("603#2310100173617665"), (Frames{"583#8010100122000008"}));
-    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));  // defaults may be requested
+    // 1011h restore defaults is accepted in operational
+    EXPECT_EQ(send("603#231110016C6F6164"), (Frames{"583#6011100100000000"}));
     power_on();
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }

@@ -116,7 +116,7 @@ TEST_F(Tpdo, WriteOfTheUnchangedCobIdKeepsTheEventTimerRunning) {
     EXPECT_EQ(send("605#2B00180564000000"), (Frames{"585#6000180500000000"}));  // 1800h:5 event timer of TPDO1: 100 ms
     start();
     EXPECT_TRUE(pass(60).empty());
-    // The identifier is written again, unchanged.
+    // A write of the COB-ID that it already has does not restart the event timer.
     EXPECT_EQ(send("605#2300180185010000"), (Frames{"585#6000180100000000"}));
     EXPECT_EQ(pass(40), (Frames{"40:185#0000"}));
 }

@@ -152,7 +152,7 @@ class alignas(std::uint64_t) MutableBytes {
         }
         return differs;
     }
-    // Not inlined: they are the rare cases of functions that are.
+    // These functions are not inlined: they are the rare cases of the inlined functions above and below.
     [[gnu::noinline]] void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
     [[gnu::noinline]] bool exchange_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
 

@@ -14,7 +14,7 @@ namespace {
 namespace index = generated::canopen::index;
 
 constexpr std::uint32_t error_cured_code = 0x0000U;
-constexpr Duration queue_retry = milliseconds(1U);  ///< time until the next attempt when the queue is full
+constexpr Duration queue_retry = milliseconds(1U);  ///< time to the next attempt when the transmit queue is full
 
 }  // namespace
 
@@ -138,7 +138,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{1U};  // 1 also without 1003h, because writes to an absent entry have no effect
+    std::uint8_t capacity{1U};  // 1 also without 1003h: a write to an absent entry has no effect
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }
@@ -153,10 +153,10 @@ void Emcy::clear_list() noexcept {
 }
 
 static_assert(implements<req::CO_EMCY_006> && implements<req::CO_EMCY_022>);
-/// Queues the message of an error that begins or ends. A message that repeats the newest waiting one of its error is
-/// dropped. If two messages of the error wait, an opposite one cancels the newer of them. So at most two messages wait
-/// for each error, and the last one sent shows its present state. An error of report() is over when its message is
-/// sent.
+/// Queues the message of an error that begins or ends. A new message is dropped if the newest waiting message of the
+/// same error says the same. If two messages of the error wait already, the new message and the newer of the two cancel
+/// each other, because one reports the beginning and the other the end. So at most two messages wait for each error,
+/// and the last one sent shows its present state. An error of report() is over when its message is sent.
 void Emcy::announce(const std::size_t error, const bool cured, const Instant now) noexcept {
     if (!cob_id::is_valid(cob_id_entry())) {
         return;
@@ -206,7 +206,7 @@ Frame Emcy::message(const Pending& told) const noexcept {
         static_assert(implements<req::CO_EMCY_023>);
         set_field_le<3U, 2U>(frame.data, list_entry(told.error) >> 16U);
     } else {
-        // the message for the end of an error contains zeros here
+        // these bytes stay zero in the message for the end of an error
     }
     return frame;
 }

@@ -42,7 +42,7 @@ inline void set_data_frame(Frame& frame, const std::uint32_t id, const std::uint
     frame.length = length;
     set_field_le<0U, max_frame_length>(frame.data, data);
 }
-/// Returns such a data frame.
+/// Returns the data frame that set_data_frame() makes of these values.
 inline Frame data_frame(const std::uint32_t id, const std::uint8_t length, const std::uint64_t data) noexcept {
     Frame frame{};
     set_data_frame(frame, id, length, data);

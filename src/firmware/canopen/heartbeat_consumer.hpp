@@ -47,8 +47,8 @@ class HeartbeatConsumer {
 
   private:
     struct Watch {
-        /// Identifier of the producer's heartbeat. 0 when nobody is watched, because 0 is the identifier of NMT, which
-        /// the node serves elsewhere.
+        /// Identifier of the producer's heartbeat. 0 when no node is watched: 0 is the identifier of NMT commands,
+        /// which never reach this class.
         std::uint32_t identifier{0U};
         Duration time{};
         Instant deadline{never};

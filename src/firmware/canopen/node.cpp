@@ -99,7 +99,8 @@ void Node::boot_up(const Instant now) noexcept {
     if (node_id_ == unconfigured_node_id) {
         return;
     }
-    // A change of the controller to error passive during initialising was not reported.
+    // While the node was initialising it could not report that the controller became error passive. It reports this
+    // now.
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     error_control_.boot_up(node_id_, now);
     enter(NmtState::pre_operational, now);

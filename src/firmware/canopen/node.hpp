@@ -199,7 +199,7 @@ class Node final : private ObjectAccess {
     void serve(const Frame& frame, Instant now) noexcept;
     void serve_sdo(const Frame& frame, const Instant now) noexcept {
         sdo_.receive(frame, now);
-        if (idle_until_ <= now) {  // a write had effects beyond its value
+        if (idle_until_ <= now) {  // the write has changed more than the value of its entry
             watch_communication(now);
             send_events(now);
         }

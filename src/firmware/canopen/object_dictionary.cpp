@@ -42,8 +42,8 @@ constexpr bool has_zero_byte(const Word word) noexcept {
     return ((word - lowest_bits) & ~word & highest_bits) != 0U;
 }
 
-/// Returns the entry whose row may be before the place of its sub-index, because earlier ones are absent. Sub-indices
-/// ascend from 0.
+/// Searches the row of a sub-index. The sub-indices of an object ascend from 0, so the row is at the place with the
+/// number of its sub-index, or before that place when lower sub-indices are absent.
 EntryRef search(const DictionaryTables& tables, const ObjectRow& object, const std::uint8_t subindex) noexcept {
     const std::size_t first = object.first_entry;
     const std::size_t wanted = subindex;

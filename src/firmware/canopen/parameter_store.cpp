@@ -92,7 +92,7 @@ bool StoredEntries::next() noexcept {
 std::size_t size_of_stored(const DictionaryTables& tables) noexcept {
     StoredEntries stored{tables};
     while (stored.next()) {
-        // moves to the last entry
+        // next() moves to the following entry; the loop ends behind the last one
     }
     return stored.end();
 }

@@ -40,7 +40,7 @@ void SdoServer::dispatch(const sdo::Request& request, const Instant now) noexcep
             initiate_upload(request, now);
             break;
         case ClientCommand::upload_segment:
-            refuse_command();  // receive() has passed on the segments of an upload
+            refuse_command();  // receive() has already served the segments of a running upload
             break;
         case ClientCommand::abort:
             abandon();
@@ -126,7 +126,7 @@ std::size_t SdoServer::expedited_length(const std::uint8_t command) const noexce
     if ((command & sdo::size_flag) != 0U) {
         return sdo::expedited_capacity - ((std::uint32_t{command} >> 2U) & 0x03U);
     }
-    // Without a size, the entry's own length applies.
+    // If the client gives no size, the length of the entry applies.
     const auto place = objects_.writable(object_.index(), object_.subindex());
     const bool shorter = place.ok() && (place.value().capacity < sdo::expedited_capacity);
     return shorter ? place.value().capacity : sdo::expedited_capacity;

@@ -164,7 +164,7 @@ TEST_F(Angles, AutoNullUsesTheOutputOfTheInputFilter) {
     write(0x2002, 0, 1, 1);
     write(0x2003, 0, 1, 1);
     turn(10.0, 0.0);
-    pass(5);  // one sample at 1 Hz has covered 3 % of the step
+    pass(5);  // after one sample the filter at 1 Hz has covered 3 % of the step
     write(0x2300, 0, 1, 1);
     EXPECT_NEAR(real(0x2200), 0.31F, 0.01F);
 }
@@ -305,7 +305,7 @@ TEST_F(Angles, FieldValuesAreScaledShiftedByTheOffsetRoundedAndSaturated) {
     angles_of(20.04, 0.0);
     EXPECT_EQ(pitch(), 200);  // 200.4 is rounded to 200
     write_real(0x2040, 1, 0.3F);
-    EXPECT_EQ(pitch(), 201);  // 200.7: the offset is in counts
+    EXPECT_EQ(pitch(), 201);  // 200.4 + 0.3 = 200.7 is rounded to 201: the offset is added to the count
     write(0x2031, 1, 1, 1);
     EXPECT_EQ(pitch(), -200);  // -200.4 + 0.3 = -200.1 is rounded to -200
     write(0x2031, 1, 0, 1);
@@ -361,7 +361,7 @@ TEST_F(RangedAngles, RangeOfAFullTurnGivesPitchAndRollFrom0To360Degrees) {
     EXPECT_EQ(angles_of(30.0, 0.0), (Row{300, 0, 300}));
     write(0x2031, 1, 1, 1);
     EXPECT_EQ(angles(), (Row{-300, 0, 300}));
-    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // reversed after the conversion to its range
+    EXPECT_EQ(angles_of(-30.0, 0.0), (Row{-3300, 0, 300}));  // the sign changes after the conversion to the angle range
 }
 
 TEST_F(RangedAngles, RangeOfARightAngleGivesTheDistanceFromLevel) {

@@ -234,7 +234,8 @@ TEST_F(InclinometerDictionary, OnlyWritableEntriesAcceptAWriteOfTheirValue) {
     verifies<req::INC_OD_4060, req::INC_OD_4070, req::INC_OD_4080, req::INC_OD_5020, req::INC_OD_5030, req::INC_OD_5550,
              req::INC_OD_5555>();
     for (const auto& row : rows) {
-        const bool signature = row.index == 0x1010 || row.index == 0x1011;  // needs a signature, not its value
+        // a write needs the signature, not the value that a read returns
+        const bool signature = row.index == 0x1010 || row.index == 0x1011;
         const bool mapping = (row.index & 0xFFF0) == 0x1600 || (row.index & 0xFFF0) == 0x1A00;  // needs five steps
         const bool valid = row.index == 0x1400 || (row.index >= 0x1800 && row.index <= 0x1802);
         const bool inhibit_time = valid && row.sub == 3;  // locked while its PDO is valid

@@ -23,8 +23,7 @@ class InclinometerEdges : public InclinometerTest {
         pass(5);
         return read(0x4020);
     }
-    /// Returns the figure of merit with the X axis that many degrees from the vertical, and the rest of gravity along
-    /// Y.
+    /// Returns the figure of merit while the X axis is `degrees` from the vertical; the rest of gravity acts along Y.
     std::uint32_t merit_beside_the_vertical(double degrees) {
         turn(90.0 - degrees, 90.0);
         pass(5);
@@ -64,7 +63,7 @@ TEST_F(InclinometerEdges, EulerRollIsKeptWithin0Point00005DegreesOfTheVertical) 
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees exceed 16 bits
     angle_digits(100);
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the last roll
-    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll by the formula
+    EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll that the formula gives
 }
 
 TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {

@@ -74,7 +74,7 @@ TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
     feel(0.0, 0.0, 0.0);
-    pass(100);  // the input filter needs time until 1 g has decayed
+    pass(100);  // the output of the input filter falls from 1 g to nearly 0 in this time
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
     fail_accelerometer();  // temperature, missing gravity and sensor fault now hold at the same time
@@ -187,7 +187,8 @@ TEST_F(Ax060805Errors, SensorErrorsAreReportedAtASampleNotAtTheFilterRate) {
     pass(6);
     inputs.sensor_temperature = 130.0F;
     set_inputs();
-    EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));  // at 10 ms with the sample, not at 7 ms with the filter
+    // reported at 10 ms, when the next sample is taken, and not at 7 ms, when the filters run
+    EXPECT_EQ(pass(4), (Frames{"4:0FF#0042010000000000"}));
 }
 
 TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
@@ -279,7 +280,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
 TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
     verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
     write(0x1016, 1, 0x002200C8, 4);  // 1016h:1 consumer heartbeat time: node 22h, 200 ms
-    pass(1000);                       // nothing is expected before the first heartbeat
+    pass(1000);                       // the device monitors the producer only after its first heartbeat
     EXPECT_EQ(read(0x1001), 0U);
     send("000#0100");
     send("722#05");

@@ -149,7 +149,7 @@ TEST_F(Filters, AveragesRestartAfterAnAccelerometerError) {
     EXPECT_EQ(pitch(), 3000);
     turn(60.0, 0.0);
     pass(10);
-    EXPECT_EQ(pitch(), 4500);  // 30 and 60, 10 ms after the restart
+    EXPECT_EQ(pitch(), 4500);  // the mean of 30 and 60 degrees, 10 ms after the filter restarted
     inputs.accelerometer_fault = true;
     set_inputs();
     pass(5);
@@ -177,7 +177,7 @@ TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {
     verifies<req::INC_AVG_001, req::INC_T4, req::INC_OD_2050, req::INC_OD_2051, req::INC_OD_2052>();
     switch_filter_off();
     set_filter(1, 1, 4);
-    pass(2);  // the changes below are between two samples and between two filter periods
+    pass(2);  // the writes below come between two samples and between two filter periods
     // The first sample, 0, was taken when the filter started.
     EXPECT_EQ(pitches({10.0, 20.0, 30.0, 40.0, 40.0}, 10), (Row{500, 1000, 1500, 2500, 3250}));
 }
@@ -330,7 +330,7 @@ TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
 TEST_F(Filters, LateCallRestartsTheSamplePeriod) {
     verifies<req::INC_FILTER_001>();
     pass(5);
-    now = now + milliseconds(52);  // the call is ten samples late
+    now = now + milliseconds(52);  // this call comes after ten due samples
     device->advance(now);
     EXPECT_EQ(elapsed(now, device->next_deadline()).us, 5000U);
 }
@@ -338,7 +338,7 @@ TEST_F(Filters, LateCallRestartsTheSamplePeriod) {
 TEST_F(Filters, SlightlyLateCallShiftsNeitherSamplesNorFilters) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     write(0x2052, 0, 7, 2);
-    now = now + milliseconds(9);  // 4 ms after the sample at 5, 2 ms after the filters at 7
+    now = now + milliseconds(9);  // 4 ms after the sensor's sample at 5 ms, 2 ms after the filter's sample at 7 ms
     device->advance(now);
     EXPECT_EQ(device->next_deadline().us, 10000U);
     pass(1);
@@ -353,7 +353,7 @@ TEST_F(Filters, SampleThatIsDueBeforeAFrameIsTakenFirst) {
     EXPECT_EQ(pitch(), 1000);
     turn(20.0, 0.0);
     now = now + milliseconds(4);
-    turn(30.0, 0.0);  // after the sample at 10
+    turn(30.0, 0.0);  // set at 13 ms, after the sensor's sample at 10 ms
     EXPECT_EQ(pitch(), 2000);
 }
 
@@ -369,7 +369,7 @@ TEST_F(Filters, NewMeasurementsAppearWithTheNextSample) {
     inputs.supply_voltage = 24.0F;
     inputs.processor_temperature = 80.0F;
     set_inputs();
-    for (int ms = 6; ms < 10; ++ms) {  // the additional filters take their sample at 7
+    for (int ms = 6; ms < 10; ++ms) {  // the additional filters take their sample at 7 ms
         EXPECT_EQ(value(0x4060), 20) << ms;
         EXPECT_EQ(real(0x5020), 12.0F) << ms;
         EXPECT_EQ(real(0x5030), 40.0F) << ms;

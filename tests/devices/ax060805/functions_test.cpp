@@ -115,7 +115,7 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // its own output of the previous pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // input 10 is the output of this function in the previous pass
 }
 
 TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
@@ -204,7 +204,7 @@ TEST_F(Functions, NoInputIsConnectedAsShipped) {
         EXPECT_EQ(real(0x300B, static_cast<std::uint8_t>(function)), 1.0F);
         EXPECT_EQ(real(0x300C, static_cast<std::uint8_t>(function)), 0.0F);
     }
-    // An operation alone connects nothing.
+    // A function with an operation but without a connected input keeps its output at 0.
     operate(1, 1);
     pass(5);
     EXPECT_EQ(output(1), 0);
@@ -282,7 +282,7 @@ TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     connect(3, 1, 11);
     connect(1, 1, 12);  // a ring: 1 uses the result of 3 in the previous pass
     give_default(1, 1, 0.0F);
-    EXPECT_EQ(output(3), 0);  // not before the next sample
+    EXPECT_EQ(output(3), 0);  // 3000h:3 is updated with the next sample, not by the writes
     pass(5);
     EXPECT_EQ(output(1), 1);
     EXPECT_EQ(output(2), 2);

@@ -80,7 +80,7 @@ class InclinometerBench : public UnitBench<ax060805::Device, ax060805::Inputs, a
         std::memcpy(&bits, &value, sizeof bits);
         return bits;
     }
-    /// Returns `base` plus the node-ID, and `#`.
+    /// Returns the identifier `base` + node-ID as text, followed by `#`.
     std::string id(unsigned base) const { return fmt::format("{:03X}#", base + node); }
 
     // The functions below return pitch, roll, gravity angle and accelerations in counts.

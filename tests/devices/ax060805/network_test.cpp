@@ -37,7 +37,7 @@ TEST_F(Network, SessionOfTheManualSetsTheNodeId) {
 TEST_F(Network, DefaultCobIdsFollowANewNodeIdEvenWhenTheyWereStored) {
     verifies<req::INC_LSS_005>();
     write(0x1801, 1, 0xC00002FF, 4);
-    write(0x1801, 1, 0x40000123 + 0x200, 4);  // 323h: not its default
+    write(0x1801, 1, 0x40000123 + 0x200, 4);  // COB-ID 323h, which is not the default of this TPDO
     store_all();
     for (const char* frame : {"7E5#0401", "7E5#1110", "7E5#17", "7E5#0400"}) {
         send(frame);
@@ -77,7 +77,7 @@ TEST_F(Network, LssAcceptsTheBitRatesOfTable21) {
             EXPECT_EQ(device->bit_rate(), rates[index]);
         }
     }
-    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // there is no table 1
+    EXPECT_EQ(send("7E5#130103"), (Frames{"7E4#130100"}));  // table selector 1 does not exist: LSS error 1
 }
 
 TEST_F(Network, StoredBitRateAppliesAtTheNextPowerOn) {
@@ -216,7 +216,7 @@ TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
 
 TEST_F(Network, HeartbeatConsumerAcceptsNodeId255AndRefusesReservedBits) {
     verifies<req::INC_OD_1016>();
-    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 is unused: it monitors nothing
+    EXPECT_EQ(refusal(0x1016, 1, 0x00FFFFFF, 4), "");  // node-ID 255 does not exist, so the entry monitors no node
     EXPECT_EQ(refusal(0x1016, 1, 0x01000000, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0x01220064, 4), "06090031");
     EXPECT_EQ(refusal(0x1016, 1, 0, 4), "");

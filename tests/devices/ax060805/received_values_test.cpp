@@ -77,10 +77,11 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     operate(1, 10);  // operation 10: pitch > limit
     connect(1, 1, 5);
     connect(1, 2, 20);
-    write(0x2501, 1, 100, 2);       // tenths of a degree
-    write_real(0x2502, 1, 5.0F);    // half a degree more
-    write_real(0x2040, 1, 100.0F);  // changes the field value only
-    write(0x2500, 1, 200, 2);       // the limit is 200 tenths + 0.5 = 20.5 degrees
+    write(0x2501, 1, 100, 2);     // received counts are tenths of a degree
+    write_real(0x2502, 1, 5.0F);  // an offset of 5 counts adds half a degree to the received value
+    // an offset of the pitch changes its field value, but not the signal of the function
+    write_real(0x2040, 1, 100.0F);
+    write(0x2500, 1, 200, 2);  // the limit is 200 tenths + 0.5 = 20.5 degrees
     turn(20.4, 0.0);
     pass(5);
     EXPECT_EQ(output(1), 0);
@@ -103,7 +104,7 @@ TEST_F(ReceivedValues, ReceivedValuesAreUndefinedUntilTheyArrive) {
     send("000#0100");
     send("27F#0000D0070000");  // received value 2 is 7D0h = 2000
     EXPECT_EQ(taken_from(21, 1.0F), 2000);
-    EXPECT_EQ(taken_from(20, 1.0F), 0);  // the same frame set received value 1, which was undefined, to 0
+    EXPECT_EQ(taken_from(20, 1.0F), 0);  // the same frame contains 0 for received value 1, which was undefined before
     send("000#8100");
     EXPECT_EQ(value(0x2500, 2), 0);
     switch_filter_off();
@@ -186,7 +187,7 @@ TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
     EXPECT_EQ(taken_from(22, 1.0F), undefined);
 }
 
-// The frame arrives before the device is called for the time-out of RPDO1.
+// The frame arrives after the time-out of RPDO1, but before the call in which the device detects the time-out.
 TEST_F(TwoSenders, FrameThatEndsItsOwnTimeOutInvalidatesTheValuesOfTheOtherRpdo) {
     verifies<req::INC_RPDO_003>();
     write(0x1400, 5, 20, 2);

@@ -46,7 +46,8 @@ TEST_F(SlewRate, SlewRateIsSetAtOnce) {
 
 TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_K_FAST_SLEW, req::INC_S_SLEW_RATE, req::INC_OD_2000>();
-    const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};  // by index of Table 21
+    // whether the fast slew rate applies, by the index of the bit rate in Table 21
+    const std::vector<bool> fast{true, true, true, false, false, false, false, false, false};
     for (std::size_t index = 0; index < fast.size(); ++index) {
         if (index != 5) {
             activate(index);
@@ -56,11 +57,12 @@ TEST_F(SlewRate, SlewRateFollowsTheBitRate) {
     }
     activate_and_store(0);
     power_on();
-    EXPECT_TRUE(device->outputs().slew_rate_fast);  // the fast slew rate suits 1 Mbit/s
+    EXPECT_TRUE(device->outputs().slew_rate_fast);  // 1 Mbit/s needs the fast slew rate
     write(0x2000, 0, 0, 1);
     store_all();
     power_on();
-    EXPECT_FALSE(device->outputs().slew_rate_fast);  // the stored value takes precedence
+    // the stored value of 2000h (CAN slew rate) has priority over the bit rate
+    EXPECT_FALSE(device->outputs().slew_rate_fast);
 }
 
 TEST_F(SlewRate, SaveOfOtherParametersDoesNotStoreTheSlowSlewRate) {
@@ -105,7 +107,7 @@ TEST_F(SlewRate, StoredSlewRateIsKeptAtItsBitRate) {
 TEST_F(SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
     write(0x2000, 0, 1, 1);
-    store_all();  // fast at 125 kbit/s
+    store_all();  // stores the fast slew rate at 125 kbit/s
     activate_and_store(3);
     expect_fast(false, "250 kbit/s, without power-on");
     power_on();
@@ -120,7 +122,8 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s
     activate_and_store(3);
-    write(0x1010, 2, 0x65766173, 4);  // only the communication parameters
+    // stores only the communication parameters, to which the slew rate does not belong
+    write(0x1010, 2, 0x65766173, 4);
     power_on();
     expect_fast(false, "250 kbit/s");
     activate_and_store(4);
@@ -130,7 +133,7 @@ TEST_F(SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
 
 TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003>();
-    activate(2);  // 500 kbit/s until the next power-on
+    activate(2);  // 500 kbit/s applies until the next power-on
     send("7E5#0400");
     store_all();
     power_on();
@@ -140,7 +143,8 @@ TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
 TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
-    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {  // all groups, then those of the manufacturer
+    // saves all groups, then only that of the manufacturer
+    for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         power_on();
         write(0x2000, 0, 0, 1);
         store_all();

@@ -72,7 +72,8 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
 }
 
-/// The only direction of gravity so far is vertical in the new frame, except for a hundred-thousandth of a degree.
+/// The initial angles change. In the new frame of reference, the only direction of gravity so far is vertical except
+/// for a hundred-thousandth of a degree.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_008>();
     use_euler_angles();
@@ -199,7 +200,7 @@ TEST_F(UndefinedAngles, HalfATurnIsPlus180DegreesFromEitherSide) {
     }
     EXPECT_EQ(angles_at(0.0, 0.001, 1.0)[1], -17994);  // 0.057 degrees beyond half a turn
     write(0x2031, 2, 1, 1);
-    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // the sign is reversed
+    EXPECT_EQ(angles_at(0.0, 0.0, 1.0)[1], -18000);  // 2031h:2 (angular data inversion) reverses the sign of the roll
 }
 
 TEST_F(UndefinedAngles, MachineOnItsBackReadsPlus180InEachOf30Installations) {

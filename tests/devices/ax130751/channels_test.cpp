@@ -15,7 +15,7 @@ class Ax130751Channels : public Ax130751Blocks {
         no_ramps(1);
         no_ramps(2);
     }
-    /// Connects enable or override of output n to 2500h:n.
+    /// Connects the enable or override input of output n to 2500h:n (EC Extra Received Process Value).
     void connect(std::uint16_t source_index, int output) {
         extra_as_percent(output);
         set8(source_index, output, canopen);
@@ -110,7 +110,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
         const int other = 3 - ours;
         set8(0x6250, ours, 0);  // keeps its state
         set8(0x6250, other, 1);
-        set8(0x6340, ours, 1);  // for an analogue output; no effect here
+        set8(0x6340, ours, 1);  // 6340h is the fault mode of an analogue output; it has no effect here
         set8(0x6340, other, 0);
         set8(0x6260, ours, 1);
         set8(0x6260, other, 0);

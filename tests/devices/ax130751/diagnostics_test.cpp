@@ -174,7 +174,7 @@ TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     supply(24.0F);
     pass(200);
-    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // the ramp has 5 V per second
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);  // 1 V after 200 ms: the ramp rises by 5 V per second
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 2.0F);
 }
@@ -194,7 +194,7 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
         SCOPED_TRACE(wrong);
         EXPECT_TRUE(relay_on());
         supply(wrong);
-        supply(24.0F);  // requested again in this cycle, from state OFF
+        supply(24.0F);  // the valid supply requests ON again in this cycle; the relay starts from OFF
         EXPECT_FALSE(relay_on());
         pass(49);
         EXPECT_FALSE(relay_on());
@@ -278,7 +278,7 @@ TEST_F(Ax130751Diagnostics, FaultAtPowerOnStopsTheOutputsAndNotTheSelfStart) {
     verifies<req::AOR_START_004, req::AOR_DIAG_006, req::AOR_DIAG_007>();
     set8(0x5555, 0, 1);
     set8(0x2342, 1, 0);
-    set16(0x7321, 1, 2000);  // 2 V for a control value of 0
+    set16(0x7321, 1, 2000);  // the output shows 2 V for a control value of 0
     store();
     const ax130751::Inputs sound = inputs;
     for (const bool hot : {false, true}) {

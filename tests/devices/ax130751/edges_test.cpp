@@ -388,7 +388,7 @@ TEST_F(Ax130751Edges, MathInputsAreClampedAtTheirScalings) {
     set16(0x4120, 1, 2000);
     set16(0x4122, 1, 4000);
     EXPECT_EQ(math_of(1999, 0), 0);
-    EXPECT_EQ(math_of(2001, 0), 5);  // 1 of the 2000 between the scalings
+    EXPECT_EQ(math_of(2001, 0), 5);  // 2001 lies 1 of 2000 above the lower scaling: 0.0005
     EXPECT_EQ(math_of(3999, 0), 9995);
     EXPECT_EQ(math_of(4000, 0), 10000);
     EXPECT_EQ(math_of(4001, 0), 10000);

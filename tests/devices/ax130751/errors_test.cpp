@@ -14,7 +14,7 @@ class Ax130751Errors : public Ax130751Test {
   protected:
     void SetUp() override {
         Ax130751Test::SetUp();
-        write(0x1800, 5, 0, 2);  // TPDO1 is not needed
+        write(0x1800, 5, 0, 2);  // switches off the event timer of TPDO1, whose frames these tests do not need
     }
     /// Monitors node `producer` with 100 ms, receives one heartbeat, and lets it time out.
     void lose(int slot, int producer) {
@@ -77,7 +77,7 @@ TEST_F(Ax130751Errors, ErrorListHasTheActiveErrorsNewestFirst) {
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);
     EXPECT_EQ(read(0x1003, 2), 0x80228130U);
     EXPECT_EQ(read(0x1003, 3), 0x80218130U);
-    // the middle error ends: the others move up, bit 0 stays
+    // The second of the three errors ends: the entries of the others move up, and bit 0 of 1001h stays set.
     EXPECT_EQ(send("722#05"), (Frames{"0FF#0000010000000000"}));
     EXPECT_EQ(read(0x1003, 0), 2U);
     EXPECT_EQ(read(0x1003, 1), 0x80238130U);

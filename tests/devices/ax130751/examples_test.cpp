@@ -101,7 +101,7 @@ TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     for (int input = 1; input <= 2; ++input) {
         put(0x4100, input, 1, 1);
         put(0x4101, input, 3 + input, 1);
-        put(0x4103, input, 1, 1);     // one decimal digit: tenths
+        put(0x4103, input, 1, 1);     // the scaling of the input has one decimal digit
         put(0x4122, input, 1000, 2);  // the upper scaling is 100.0
     }
     put(0x4140, 1, 75, 1);
@@ -147,12 +147,12 @@ TEST_F(Ax130751Examples, ThreeTablesGiveThirtySlopes) {
     const auto below = [this](std::uint16_t condition, int border) {
         put(condition, 1, 1, 1);  // extra value 1 …
         put(condition, 2, 4, 1);
-        put(condition, 3, 1, 1);  // … less than the border
+        put(condition, 3, 1, 1);  // … is less than the border (condition operator 4)
         put(condition, 4, 3 + border, 1);
         put(condition, 5, 4, 1);
     };
-    below(0x3411, 2);  // the condition for table A
-    below(0x3421, 3);  // table B; table C is the default
+    below(0x3411, 2);  // the condition that selects table A
+    below(0x3421, 3);  // the condition that selects table B; table C applies otherwise
     for (int point = 0; point < 30; ++point) {
         receive_extra(1, x(point));
         EXPECT_EQ(read(0x3310, 1), static_cast<std::uint64_t>(1 + point / 10)) << point;

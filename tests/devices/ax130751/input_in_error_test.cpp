@@ -84,7 +84,7 @@ TEST_F(Ax130751InputInError, OverrideInErrorLeavesADigitalOutputToItsFaultState)
     watch_input(0x2360);
     set8(0x6220, 1, 1);
     for (const bool state : {true, false}) {
-        set16(0x2300, 1, state ? 0 : 1);  // the override is the opposite
+        set16(0x2300, 1, state ? 0 : 1);  // the override value is the opposite of the fault state
         set8(0x6260, 1, state ? 1 : 0);
         in_each_response(0x2362, 2, [this, state] { EXPECT_EQ(is_on(1), state); });
     }

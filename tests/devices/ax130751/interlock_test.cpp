@@ -55,7 +55,7 @@ class Ax130751Interlock : public Ax130751Blocks {
         int source;
         int number;
     };
-    /// Sources without a value: Table 4B has no such number, or the block is off by default.
+    /// Pairs of source and number without a value: Table 4B has no such number, or the block is off by default.
     const std::vector<Choice> without_value{{canopen, 0},       {canopen, 10}, {lookup_source, 1}, {logic_source, 1},
                                             {lookup_source, 0}, {2, 2},        {math_source, 5},   {6, 3}};
 };
@@ -70,7 +70,7 @@ TEST_F(Ax130751Interlock, EnableWithoutAValuePutsTheOutputOff) {
             SCOPED_TRACE(fmt::format("2352h = {}, source {}, number {}", response, choice.source, choice.number));
             set8(0x2352, 1, response);
             make_voltage();
-            set16(0x2331, 1, 1000);  // a ramp, which does not apply
+            set16(0x2331, 1, 1000);  // sets a ramp, which must not delay the shutdown
             choose(0x2350, 1, choice.source, choice.number);
             EXPECT_FLOAT_EQ(volts(1), 0.0F);
             EXPECT_EQ(get16(0x7330, 1), 0);
@@ -91,7 +91,7 @@ TEST_F(Ax130751Interlock, DigitalOutputGoesOffWhenItsEnableSourceIsDisabled) {
     set8(0x3010, 0, not_used);
     pass(1);
     EXPECT_FALSE(is_on(1));
-    set8(0x6250, 1, 0);  // maintain the state in a fault: a missing value is not an input fault
+    set8(0x6250, 1, 0);  // fault mode 0 keeps the state in a fault, but a source without a value is not an input fault
     pass(5);
     EXPECT_FALSE(is_on(1));
 }
@@ -130,7 +130,7 @@ TEST_F(Ax130751Interlock, DisablingEnableShutsOffAnAnalogueOutputWhoseControlIsL
     verifies<req::AOR_OUT_029, req::AOR_OUT_011>();
     no_ramps(1);
     connect(0x2350, 1, 1);
-    set8(0x6340, 1, 0);  // maintain the last state in a fault
+    set8(0x6340, 1, 0);  // fault mode 0: the output keeps its last value
     set16(0x1400, 5, 50);
     start();
     send("27F#A00F000000");  // 4 V
@@ -184,7 +184,7 @@ TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
             SCOPED_TRACE(fmt::format("2282h = {}, source {}, number {}", response, choice.source, choice.number));
             set8(0x2282, 1, response);
             make_relay();
-            set32(0x22A2, 1, 1000);  // a delay, which does not apply
+            set32(0x22A2, 1, 1000);  // sets a delay, which must not delay the shutdown
             set8(0x22A0, 1, 1);
             choose(0x2280, 1, choice.source, choice.number);
             EXPECT_FALSE(relay_on());
@@ -208,7 +208,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
         make_relay();
         choose(0x2270, 1, choice.source, choice.number);
         EXPECT_TRUE(relay_on()) << "the unlatch input means nothing to normal logic";
-        set8(0x2242, 1, 4);  // the inverse latch rests ON
+        set8(0x2242, 1, 4);  // the rest state of the inverse latch is ON
         pass(1);
         EXPECT_FALSE(relay_on()) << "unlatch";
         set8(0x2270, 1, not_used);

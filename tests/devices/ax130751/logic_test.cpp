@@ -64,7 +64,8 @@ TEST_F(Ax130751Logic, EachLogicBlockSelectsAmongItsTables) {
         SCOPED_TRACE(block);
         set8(0x3300, block, 1);
         condition(block, 1, 1, 1, 4, 2);  // A: 2500h:1 < 50
-        condition(block, 2, 1, 1, 0, 2);  // B: 2500h:1 (EC Extra Received Process Value) = 50; C is the default
+        // condition of function B: 2500h:1 (EC Extra Received Process Value) = 50; function C applies by default
+        condition(block, 2, 1, 1, 0, 2);
         const int first = (3 * block) - 2;
         extra(1, 40);
         EXPECT_EQ(selected(block), first);
@@ -117,7 +118,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
     set8(0x3300, 1, 1);
     set16(0x2500, 6, 1);
     for (int number = 1; number <= 3; ++number) {
-        condition(1, 1, number, number, 0, 6);  // condition n: 2500h:n = 1
+        condition(1, 1, number, number, 0, 6);  // condition `number` compares 2500h:`number` with 2500h:6, which is 1
     }
     for (int operation = 0; operation <= 4; ++operation) {
         set8(0x3402, 1, operation);
@@ -137,7 +138,7 @@ TEST_F(Ax130751Logic, OperatorsWithThreeConditionsFollowTable18) {
 TEST_F(Ax130751Logic, UnusedConditionsCountAsTrueForAndOnly) {
     verifies<req::AOR_LOGIC_004, req::AOR_LOGIC_002, req::AOR_T17, req::AOR_T19>();
     set8(0x3300, 1, 1);
-    condition(1, 1, 1, 1, 0, 1);  // always true; 2 and 3 have their defaults
+    condition(1, 1, 1, 1, 0, 1);  // condition 1 is always true; conditions 2 and 3 have their defaults
     const auto holds = [this](int operation) {
         set8(0x3402, 1, operation);
         return selected(1) == 1;

@@ -11,7 +11,8 @@ class Ax130751Lookup : public Ax130751Blocks {
     static std::uint16_t index(int table, int offset) {
         return static_cast<std::uint16_t>((table == 10 ? 0x3100 : 0x3000 + (0x10 * table)) + offset);
     }
-    /// Connects a table to 2500h:n, which is 0 to 100 without digits.
+    /// Connects the X axis of a table to 2500h:n (EC Extra Received Process Value), scaled from 0 to 100 without
+    /// decimal digits.
     void connect(int table, int extra_number) {
         extra_as_percent(extra_number);
         set8(index(table, 0), 0, canopen);
@@ -72,7 +73,7 @@ TEST_F(Ax130751Lookup, PointsOfEqualXGiveAJump) {
 TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     verifies<req::AOR_LT_008, req::AOR_SRC_009>();
     extra_as_percent(1);
-    set8(0x2502, 1, 2);  // 2500h:1 takes two decimal digits: 0.00…1.00
+    set8(0x2502, 1, 2);  // 2500h:1 (EC Extra Received Process Value) has two decimal digits: 0.00…1.00
     set16(0x2522, 1, 10000);
     set8(0x3010, 0, canopen);
     set8(0x3011, 0, 4);
@@ -81,7 +82,7 @@ TEST_F(Ax130751Lookup, DecimalDigitsApplyToBothAxes) {
     EXPECT_EQ(output(1), 25);
     EXPECT_EQ(get16(0x3018, 0), 25);
     set8(0x3013, 0, 1);  // X points are 0…10.0
-    extra(1, 525);       // 5.25 of 10.0: 52.5 tenths, rounded away from zero
+    extra(1, 525);       // 5.25 of 10.0 is 52.5 tenths, which is rounded away from zero
     EXPECT_EQ(output(1), 53);
 }
 
@@ -101,7 +102,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     for (int point = 1; point <= 10; ++point) {
         set16(0x3017, point, 10 * (point - 1));
     }
-    set16(0x3017, 11, 101);  // an ignored point counts for the range: 0 to 101
+    set16(0x3017, 11, 101);  // the range of Y includes the ignored point 11: 0 to 101
     pass(1);
     EXPECT_EQ(get16(0x3320, 1), 50);  // 4.95 % of 0 to 101, rounded
     set16(0x3017, 11, 1000);
@@ -113,7 +114,8 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     set16(0x3017, 11, 100);
     set16(0x3017, 10, -300);
     pass(1);
-    EXPECT_EQ(get16(0x3320, 1), 763);  // 305 of 400: the highest is 100, because the lowest is below 0
+    // 5 lies 305 above the lowest Y, -300; the range up to the highest Y, 100, is 400
+    EXPECT_EQ(get16(0x3320, 1), 763);
 }
 
 TEST_F(Ax130751Lookup, XThatBreaksTheOrderOfThePointsIsRefused) {
@@ -155,7 +157,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
     set32(0x3016, 5, 40000);
     set8(0x3015, 1, 0);
     extra(1, 4);
-    EXPECT_EQ(output(1), 2);  // 4 / 20 of the way from 0 to 10
+    EXPECT_EQ(output(1), 2);  // 4 lies 4 / 20 of the way from point 2 to point 3, so Y is a fifth of 10
     extra(1, 20);
     EXPECT_EQ(output(1), 10) << "point 3 lies behind";
     extra(1, 25);
@@ -190,7 +192,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
 
 TEST_F(Ax130751Lookup, UnavailableSourceDoesNotLimitThePoints) {
     verifies<req::AOR_LT_009, req::AOR_LOGIC_009>();
-    set8(0x3020, 0, logic_source);  // 0 to 100 %, once it is enabled
+    set8(0x3020, 0, logic_source);  // a logic block gives 0 to 100 % as soon as it is enabled
     set8(0x3021, 0, 1);
     EXPECT_EQ(write_x(2, 11, 150), "");
     connect(1, 1);

@@ -112,8 +112,8 @@ TEST_F(Ax130751Math, InputScalingHasItsOwnDecimalDigits) {
     verifies<req::AOR_MATH_001>();
     make(1, 2);
     set8(0x4103, 1, 1);
-    set16(0x4120, 1, 200);   // 20.0 is the input for 0
-    set16(0x4122, 1, 1000);  // 100.0 is the input for 1
+    set16(0x4120, 1, 200);   // an input of 20.0 becomes 0
+    set16(0x4122, 1, 1000);  // an input of 100.0 becomes 1
     values({40, 0});
     EXPECT_EQ(output(1), 2500);
     values({10, 0});
@@ -165,7 +165,7 @@ TEST_F(Ax130751Math, OutputFollowsItsScalingAndDigits) {
     EXPECT_EQ(output(1), 100);
     values({100, 100});
     EXPECT_EQ(output(1), 200);
-    // Other blocks use 10.0: math block 2 scales 0 to 20 to 0 to 1
+    // Other blocks read 10.0 from math block 1; math block 2 scales 0…20 to 0…1.
     values({75, 0});
     set8(0x4200, 1, math_source);
     set8(0x4201, 1, 1);

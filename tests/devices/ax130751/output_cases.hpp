@@ -15,7 +15,8 @@ class Ax130751Output : public Ax130751Blocks {
         set8(0x2342, 1, 0);
         pass(1);
     }
-    /// Connects enable or override of output 1 to number 3 + n of the CANopen messages, read as digital.
+    /// Connects the enable or override input of output 1 to number 3 + `number` of the CANopen messages (Table 4B),
+    /// scaled so that ON and OFF can be read from it.
     void connect(std::uint16_t source_index, int number) {
         extra_as_percent(number);
         set8(source_index, 1, canopen);

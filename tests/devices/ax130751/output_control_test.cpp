@@ -11,8 +11,8 @@ namespace canproof::test {
 TEST_F(Ax130751Output, RampCrossesTheWholeSpanInItsTime) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_017, req::AOR_OUT_018>();
     set8(0x2342, 1, 0);
-    set16(0x2331, 1, 500);  // 1000 ms up as shipped, 500 ms down
-    command(1, 5000);       // the cycle of this call begins the ramp
+    set16(0x2331, 1, 500);  // the ramp takes 1000 ms upwards (default) and 500 ms downwards
+    command(1, 5000);       // the ramp begins in the cycle that this call runs
     EXPECT_EQ(get16(0x7330, 1), 5000);
     EXPECT_EQ(get16(0x2370, 1), 0);
     pass(250);
@@ -37,8 +37,8 @@ TEST_F(Ax130751Output, RampUpTimeAppliesToARisingFieldValueWithAnInverseSlopeToo
     set16(0x7323, 1, 0);
     set16(0x2330, 1, 1000);
     set16(0x2331, 1, 100);
-    command(1, 5000);  // the output stays at 0 V
-    command(1, 0);     // 5 V: the output rises
+    command(1, 5000);  // a command of 5000 gives 0 V: the output stays at 0 V
+    command(1, 0);     // a command of 0 gives 5 V: the output rises
     pass(100);
     EXPECT_FLOAT_EQ(volts(1), 0.5F);
     pass(900);
@@ -55,7 +55,7 @@ TEST_F(Ax130751Output, RampSpanIsTheDistanceBetweenTheScalings) {
     set16(0x7323, 1, 4000);
     set16(0x2330, 1, 1000);
     set8(0x2342, 1, 1);
-    set16(0x7320, 1, 100);  // a command of 0 is below scaling 1: OFF
+    set16(0x7320, 1, 100);  // a command of 0 is below 7320h (AO Output Scaling 1 PV), so the output is OFF
     pass(1);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     command(1, 5000);
@@ -94,7 +94,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
         command(1, 4000);
         EXPECT_FLOAT_EQ(volts(1), 4.0F);
         extra(1, 100 - running);
-        command(1, 2000);  // the command has no effect any more
+        command(1, 2000);  // this new command has no effect on the output
         const int action = response % 3;
         if (action == 0) {
             EXPECT_FLOAT_EQ(volts(1), 0.0F) << "shut off";

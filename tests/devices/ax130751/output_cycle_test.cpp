@@ -64,7 +64,7 @@ TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
     set8(0x6302, 1, 2);
     set16(0x7322, 1, 10000);
     pass(1);
-    extra(1, 50);  // extra() lets one cycle pass
+    extra(1, 50);  // extra() sets 2500h and lets one cycle run
     EXPECT_FLOAT_EQ(volts(1), 2.5F);
     // Math block 2 adds 1 % to its own output: one step per cycle.
     set16(0x2500, 2, 1);
@@ -110,7 +110,7 @@ TEST_F(Ax130751Output, ChainAgainstTheEvaluationOrderTakesOneCyclePerBlock) {
 TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
     verifies<req::AOR_OUT_030, req::AOR_DO_010>();
     make(10);
-    set8(0x2340, 1, 7);  // output 1 is 0 or 5 V with the drive state of output 2
+    set8(0x2340, 1, 7);  // the control of output 1 is the drive state of output 2: 0 V or 5 V
     set8(0x2341, 1, 2);
     set8(0x6302, 1, 0);
     set16(0x7322, 1, 1);
@@ -132,7 +132,8 @@ TEST_F(Ax130751Output, OutputFollowsABlinkingOutputOneCycleLater) {
 
 TEST_F(Ax130751Output, LoopOfOutputsStepsOncePerCycle) {
     verifies<req::AOR_OUT_030>();
-    // Output 2 repeats output 1, which is a tenth of a volt or of a milliampere above the previous output 2.
+    // Output 2 follows output 1. Output 1 follows output 2 plus a tenth of a volt or of a milliampere, so both rise
+    // with each cycle.
     const auto close_loop = [this](int type, int source, int full) {
         for (const int output : {1, 2}) {
             set16(0x6310, output, type);
@@ -215,7 +216,7 @@ TEST_F(Ax130751Output, FullTransmitQueueDelaysNoOutput) {
 TEST_F(Ax130751Output, SlowRampKeepsRunning) {
     verifies<req::AOR_OUT_012>();
     make(10);
-    set16(0x7323, 1, 100);  // 0.1 V in 10 s: one digit per 100 ms
+    set16(0x7323, 1, 100);  // the ramp takes 10 s for 0.1 V: 7330h rises by one count every 100 ms
     set16(0x2330, 1, 10000);
     set16(0x7300, 1, 5000);
     pass(1);

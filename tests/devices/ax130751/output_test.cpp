@@ -195,7 +195,7 @@ TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
     verifies<req::AOR_OUT_016>();
     make(10);
     set16(0x7323, 1, 10000);
-    set8(0x6332, 1, 2);  // the same integers are now 100.00 V
+    set8(0x6332, 1, 2);  // with two decimal digits the same integer means 100.00 V
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 10.0F);
     EXPECT_EQ(get16(0x7330, 1), 1000);
@@ -204,7 +204,7 @@ TEST_F(Ax130751Output, OutputOfType10StaysWithin10Volts) {
 TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
     verifies<req::AOR_OUT_024, req::AOR_OUT_039, req::AOR_OUT_040>();
     for (const int output : {1, 2}) {
-        set16(0x6310, 3 - output, 40);  // the other output is a PWM: its limit is 100.0 %, 1000
+        set16(0x6310, 3 - output, 40);  // the other output is a PWM, whose limit is 1000 (100.0 %)
         for (const std::uint16_t index : std::array<std::uint16_t, 4>{0x7321, 0x7323, 0x2300, 0x7341}) {
             SCOPED_TRACE(fmt::format("output {}, {:04X}h", output, index));
             set16(0x6310, output, 10);

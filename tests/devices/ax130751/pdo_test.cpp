@@ -154,8 +154,8 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(pass(20), Frames{});
     EXPECT_EQ(write(0x1800, 1, 0xC00001FF, 4), "");
     EXPECT_EQ(write(0x1800, 1, 0x000001FF, 4), "");  // 1800h:1 COB-ID of TPDO1: RTR allowed
-    // 1800h:2 (TPDO1 Communication Parameter) is 254 as shipped: the present values, at once without an inhibit time.
-    // No output has feedback.
+    // 1800h:2 (TPDO1 Communication Parameter) is 254 by default: without an inhibit time the answer comes at once and
+    // contains the present values. Both feedback values are 0.
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
@@ -165,7 +165,7 @@ TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists
     EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");
     EXPECT_EQ(write(0x1400, 1, 0xC000027F, 4), "");
-    EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");  // its mapping is still enabled
+    EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");  // 1600h:0 (number of mapped objects) of RPDO1 is not 0 yet
     EXPECT_EQ(write(0x1600, 0, 0, 1), "");
     EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "");
     EXPECT_EQ(write(0x1600, 0, 1, 1), "");
@@ -273,7 +273,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
     EXPECT_EQ(write(0x1601, 0, 2, 1), "");
     EXPECT_EQ(write(0x1401, 1, no_rtr + 0x37F, 4), "");
     start();
-    send("37F#E80361EA");  // 60,001 is above the maximum
+    send("37F#E80361EA");  // 60,001 is above the maximum of 2223h, so the whole RPDO is refused
     EXPECT_EQ(read(0x7300, 1), 0U);
     EXPECT_EQ(read(0x2223, 1), 500U);
     send("37F#E80360EA");

@@ -115,7 +115,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
 
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayUnlatch) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
-    set8(0x2242, 1, 4);  // the inverse latch goes OFF with its control while it is not unlatched
+    set8(0x2242, 1, 4);  // polarity 4 is the inverse latch: OFF with its control ON, while it is not unlatched
     follow_supply(0x2270, 1);
     forgets("unlatch", [&] {
         set8(0x6220, 3, 1);
@@ -147,7 +147,7 @@ TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     set32(0x22A2, 1, 1000);
     set8(0x22A0, 1, 1);
     store();
-    for (const int state : {1, 0, 1}) {  // ON, then OFF and ON again, which is pending
+    for (const int state : {1, 0, 1}) {  // commands ON, OFF, and ON again; the last change is delayed
         set8(0x6220, 3, state);
         pass(1);
     }

@@ -22,7 +22,7 @@ class Ax130751Sources : public Ax130751Blocks {
             set32(0x3016, point, 3000);
         }
     }
-    /// Returns the value of a source and number in tenths; 0 also when there is none.
+    /// Returns the value of a source and number in tenths; 0 also for a pair without a value.
     int tenths(int source, int number) {
         set8(0x3010, 0, source);
         set8(0x3011, 0, number);
@@ -79,10 +79,10 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
         const auto base = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
         set8(base, 0, 1);
         set8(static_cast<std::uint16_t>(base + 1), 0, 9);
-        set16(0x2500, 6, 10 * table);  // X = table number; Y = X between 0 and 10
+        set16(0x2500, 6, 10 * table);  // X is the number of the table, and Y equals X from 0 to 10
         EXPECT_EQ(tenths(3, table), 10 * table);
     }
-    set8(0x3044, 0, 2);  // table 4 in hundredths, Y = X again
+    set8(0x3044, 0, 2);  // table 4 now has two decimal digits; Y equals X again
     for (int point = 1; point <= 11; ++point) {
         set16(0x3047, point, 1000 * (point - 1));
     }
@@ -94,7 +94,8 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
             set8(base, input, 1);
             set8(static_cast<std::uint16_t>(base + 1), input, 4);
         }
-        set8(static_cast<std::uint16_t>(base + 0x50), 1, 17);  // maximum of 2500h:1 with itself
+        // operator 17 gives the larger input; both inputs are 2500h:1
+        set8(static_cast<std::uint16_t>(base + 0x50), 1, 17);
         set8(0x4000, block, 1);
         set16(0x4023, block, 1000 * block);
         set16(0x2500, 1, 500);  // 2500h:1 (EC Extra Received Process Value) = 50.0
@@ -206,7 +207,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
         set16(0x3017, point, 900);
     }
     pass(2);
-    expect_limits(3, 1, 0, 10000);  // the table gives 0 to 90; the limits are then 0 to 100
+    expect_limits(3, 1, 0, 10000);  // the values of the table are 0 to 90, so its limits are 0 to 100
 }
 
 TEST_F(Ax130751Sources, NeverReceivedValueIsValid) {
@@ -333,7 +334,7 @@ TEST_F(Ax130751Sources, LostHeartbeatPutsAReceivedCommandInError) {
     EXPECT_FLOAT_EQ(volts(1), 1.0F);
     pass(20);
     EXPECT_FLOAT_EQ(volts(1), 3.0F);
-    set8(0x2340, 1, math_source);  // a source that is no received message
+    set8(0x2340, 1, math_source);  // a math block cannot time out, unlike a received message
     pass(2);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     set8(0x2340, 1, canopen);

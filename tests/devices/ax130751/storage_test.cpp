@@ -82,7 +82,7 @@ TEST_F(Ax130751Storage, LssAcceptsTheBitRatesOfTable22) {
     send("7E5#0401");
     EXPECT_EQ(send("7E5#130005"), (Frames{"7E4#130100"}));  // index 5 is reserved
     EXPECT_EQ(send("7E5#130009"), (Frames{"7E4#130100"}));
-    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // another table of bit rates
+    EXPECT_EQ(send("7E5#130104"), (Frames{"7E4#130100"}));  // table selector 1 does not exist
 }
 
 // The capture in 3.1.3: node 80, from 125 to 250 kbit/s with delays of 5000 ms = 1388h
@@ -115,7 +115,8 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     for (const auto& [index, cob_id] : expected) {
         EXPECT_EQ(read(index, 1), cob_id) << std::hex << index;
     }
-    // another group is stored by the new node: the stored identifiers still follow, also after the next change
+    // The node saves another group under its new node-ID. The stored identifiers still follow the node-ID, also at the
+    // next change.
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store(4);
     power_on();
@@ -288,7 +289,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
     EXPECT_EQ(read(0x5032, 0), 90U);
     EXPECT_EQ(send("000#817F"), (Frames{"77F#00"}));
     EXPECT_EQ(read(0x5032, 0), 85U);
-    EXPECT_EQ(read(0x6340, 2), 0U);  // a value of another group
+    EXPECT_EQ(read(0x6340, 2), 0U);  // 6340h:2 belongs to another group, so its value was not stored
 }
 
 // AX130751, 3.4.86

@@ -182,7 +182,8 @@ TEST_F(Ax130751Takeover, DigitalOutputIsOverriddenWhileItsControlIsInError) {
 TEST_F(Ax130751Takeover, LostHeartbeatPutsTheRelayOff) {
     verifies<req::AOR_SRC_005, req::AOR_RELAY_011>();
     write(0x1016, 3, 0x00050064, 4);
-    for (const int source : {1, 2}) {  // number 3 of the messages and the relay command: both are 6220h:3
+    // source 1 with number 3 and source 2 both select 6220h:3 (DO Write State 1 Output Line)
+    for (const int source : {1, 2}) {
         SCOPED_TRACE(source);
         write(0x2260, 1, source, 1);
         write(0x2261, 1, source == 1 ? 3 : 1, 1);

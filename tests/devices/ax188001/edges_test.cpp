@@ -44,7 +44,7 @@ Reading closest(bool above) {
             best = {code * finest_step_uv, tenths};
         }
     }
-    EXPECT_LT(distance, 1e-3);  // a thousandth of the hysteresis
+    EXPECT_LT(distance, 1e-3);  // less than 0.001 degC from the tenth, a thousandth of the hysteresis
     return best;
 }
 
@@ -127,7 +127,7 @@ TEST_F(Edges, EachGainEndsAtItsFullScale) {
 
 TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     verifies<req::TCS_IN_004, req::TCS_K_GAIN_BACK>();
-    // 0.9 of 19531.25 uV is 17578.1 uV, of 39062.5 uV 35156.2 uV
+    // 90 % of the full scales of gain 128 and 64: 0.9 * 19531.25 uV = 17578.1 uV, 0.9 * 39062.5 uV = 35156.2 uV
     const std::vector<std::pair<double, int>> cases{{17578.0, 128}, {17579.0, 64}, {35156.0, 64}, {35157.0, 32}};
     for (const auto& [uv, expected] : cases) {
         show(60000.0);

@@ -292,7 +292,7 @@ TEST_F(Ax188001Errors, EmcyIsSentBeforeTheNodeStops) {
     expect_state(NmtState::stopped);
     heat(1, 20.0);
     read_once();
-    expect_state(NmtState::stopped);  // it does not return by itself
+    expect_state(NmtState::stopped);  // the end of the fault does not change the NMT state
 }
 
 TEST_F(Ax188001Errors, EachLostHeartbeatLeadsToPreOperationalAlsoWhileAnotherLasts) {
@@ -344,7 +344,7 @@ TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
 
 TEST_F(Ax188001Errors, ErrorsActiveAtBootUpAreReportedAfterTheBootUpMessage) {
     verifies<req::TCS_ERR_002, req::TCS_LIM_015>();
-    write(0x1010, 1, 4, 0x65766173);  // stores the set, whose delays are 0
+    write(0x1010, 1, 4, 0x65766173);  // stores the parameters, with all delays set to 0
     heat(1, 130.0);
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#11F0010110000000"}));
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1001F011}));
@@ -354,7 +354,8 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     verifies<req::TCS_ERR_002>();
     write(0x4030, 1, 2, 50);
     heat(1, 130.0);
-    now = now + milliseconds(5 * period_ms);  // one call for five readings: the first starts the delay
+    // the device performs five readings in one call; the first of them starts the delay
+    now = now + milliseconds(5 * period_ms);
     device->advance(now);
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }

@@ -36,7 +36,7 @@ TEST_F(LateCalls, FaultThatEndsBeforeItsDelayIsNotReported) {
     heat(1, 130.0);  // read at 165 ms; the fault is due at 565 ms
     pass(400);
     heat(1, 20.0);
-    EXPECT_EQ(come_late(200), Frames{});  // the reading at 495 ends it
+    EXPECT_EQ(come_late(200), Frames{});  // the reading at 495 ms shows that the fault has ended
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{}));
 }
 
@@ -65,7 +65,8 @@ TEST_F(LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms
     come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed
     EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading is at 1815 ms
-    come_late(20 * 165);           // more readings than are performed later: the schedule restarts here
+    // more missed readings than one call performs: the schedule starts again at this call
+    come_late(20 * 165);
     EXPECT_EQ(next_in_ms(), 165U);
 }
 

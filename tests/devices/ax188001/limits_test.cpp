@@ -137,7 +137,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     pass(4000);  // the fault is pending since 165 ms
     cut(1);      // cut at 4000 ms, read at 4125 ms, open at 4125 + 1320 = 5445 ms
     EXPECT_EQ(pass(1164), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 5165, before the open circuit is detected
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // sent at 5165 ms, before the open circuit is detected
     cut(1, false);
     heat(1, 20.0);
     pass(2000);
@@ -239,7 +239,8 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
     EXPECT_EQ(write(0x4020, 1, 2, word(2499)), too_low);
     EXPECT_EQ(write(0x4020, 1, 2, word(17351)), too_high);
     EXPECT_EQ(write(0x4020, 1, 2, word(17350)), 0U);
-    EXPECT_EQ(write(0x4010, 2, 2, word(2401)), too_high);  // the other channel has its own limit
+    // the limits of channel 2 do not depend on those of channel 1
+    EXPECT_EQ(write(0x4010, 2, 2, word(2401)), too_high);
     for (const int index : {0x4000, 0x4010, 0x4020}) {
         EXPECT_EQ(read(index, 0).value, 2U);
         EXPECT_EQ(write(index, 3, 2, 0), no_subindex);
@@ -262,7 +263,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20884.0), 0x03);
     read_once();
-    EXPECT_EQ(status(1), 0x03);  // it is still active, though 400 degC are far inside the limit
+    EXPECT_EQ(status(1), 0x03);  // the warning is still active, although 400 degC is far from the limit
     EXPECT_EQ(process_value(1), 400 * 16 + 4368);
     EXPECT_EQ(status_at(20000.0), 0);
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);

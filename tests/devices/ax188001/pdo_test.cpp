@@ -82,7 +82,8 @@ TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     EXPECT_EQ(write(0x1A02, 0, 1, 4), 0U);
     EXPECT_EQ(write(0x1802, 5, 2, 100), 0U);
     EXPECT_EQ(write(0x1802, 1, 4, 0x400003FF), 0U);
-    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);                                 // it is valid now
+    // TPDO3 is valid now, so its mapping cannot change
+    EXPECT_EQ(write(0x1A02, 0, 1, 0), 0x08000022U);
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#A012A012", "3FF#000070430000A012"}));  // 240.0F is 43700000h
 }
 
@@ -93,7 +94,7 @@ TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
     for (const std::uint32_t entry : {0x20100120U, 0x40000110U, 0x50400008U, 0x61120108U, 0x21120008U, 0x61100110U}) {
         EXPECT_EQ(write(0x1A03, 1, 4, entry), 0x06040041U) << fmt::format("{:08X}", entry);
     }
-    EXPECT_EQ(write(0x1A03, 1, 4, 0x21300310), no_subindex);  // as the manual prints it
+    EXPECT_EQ(write(0x1A03, 1, 4, 0x21300310), no_subindex);  // the manual prints this mapping entry for TPDO4
     EXPECT_EQ(write(0x1A03, 1, 4, 0x71300310), no_subindex);
 }
 

@@ -174,7 +174,7 @@ TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_012, req::TCS_LIM_007>();
     struct Limit {
         double celsius;
-        const char* message;  ///< message of channel 1 about its most severe limit
+        const char* message;  ///< emergency message of channel 1, which reports the most severe limit exceeded
     };
     for (const Limit& one : {Limit{130.0, "0FF#11F0010110000000"}, Limit{-30.0, "0FF#11F0010120000000"},
                              Limit{260.0, "0FF#11F0010140000000"}}) {

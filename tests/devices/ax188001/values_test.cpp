@@ -121,7 +121,7 @@ TEST_F(Values, FactorAndOffsetGiveFahrenheit) {
     read_once();
     EXPECT_EQ(write_real(0x6126, 2, 18.0F), 0U);
     EXPECT_EQ(write_real(0x6127, 2, 320.0F), 0U);
-    EXPECT_EQ(process_value(2), 2120);  // at once, from the last reading
+    EXPECT_EQ(process_value(2), 2120);  // the change has an effect at once, on the last reading
     EXPECT_EQ(process_value(1), 4768);
 }
 
@@ -196,7 +196,8 @@ TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     inputs.cold_junction = 60.0F;
     set_inputs();
     read_once();
-    EXPECT_EQ(read(0x2010, 1).value, before);  // not the previous reading with the new compensation
+    // the voltage of the previous reading is not combined with the new compensation
+    EXPECT_EQ(read(0x2010, 1).value, before);
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();

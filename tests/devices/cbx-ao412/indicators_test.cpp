@@ -25,7 +25,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Returns whether `seen` repeats the pattern `round`, whatever its phase.
+    /// Returns whether `seen` repeats the pattern `round`; it may begin anywhere in the pattern.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -172,7 +172,7 @@ TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     for (int output = 1; output <= 4; ++output) {
         EXPECT_EQ(volts(output), 0.0F);
     }
-    EXPECT_EQ(power_on(), Frames{});  // a failure that existed before
+    EXPECT_EQ(power_on(), Frames{});  // the failure is present before power-on
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 

@@ -272,7 +272,7 @@ TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     power_on();
     expect_steps(1, 0);
     expect_steps(2, 128);
-    expect_steps(3, 0);  // 0 V since power-on, never changed
+    expect_steps(3, 0);  // output 3 has been at 0 V since power-on
 }
 
 /// The supply is cut and returns: the same device restarts.
@@ -305,7 +305,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
-    write("603#2310100173617665");  // saves an offset of 0
+    write("603#2310100173617665");  // saves all parameters, among them a calibration offset of 0
     for (int output = 1; output <= 4; ++output) {
         write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
         expect_steps(output, 1025);

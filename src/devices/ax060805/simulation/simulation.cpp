@@ -17,7 +17,7 @@ namespace {
 
 namespace own = generated::ax060805;
 
-constexpr std::size_t memory_size = 4096;  // two banks of parameters, and the settings of LSS at the end
+constexpr std::size_t memory_size = 4096;  // bytes for two banks of parameters, and for the settings of LSS at the end
 
 ax060805::FactoryData factory_data(const FactoryValues& values) {
     ax060805::FactoryData data;

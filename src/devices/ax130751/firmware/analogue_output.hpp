@@ -38,7 +38,7 @@ struct AnalogueDemand {
 
 struct AnalogueOutputState {
     double target{0.0};  ///< before the ramp: 7330h output field value
-    double value{0.0};   ///< after ramp and range; 2370h feedback field value is what of it reaches the terminals
+    double value{0.0};   ///< after ramp and range; 2370h (feedback) shows what reaches the terminals
 };
 
 class AnalogueOutput {

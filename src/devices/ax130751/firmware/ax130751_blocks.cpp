@@ -118,7 +118,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
                                 ? static_cast<double>(objects.get(fields.x[static_cast<std::uint8_t>(point + 1U)]))
                                 : static_cast<double>(INT16_MAX);
     const double value = static_cast<double>(x);
-    // The X of a neighbour that was set as a time interval may exceed 16 bits upwards, but not downwards.
+    // The X of a neighbour that was set as a time interval may be above the range of 16 bits, but not below it.
     const AbortCode by_order = check_range(value, least, std::fmin(greatest, static_cast<double>(INT16_MAX)));
     const BlockSignal source = sources.signal(resolve(objects.get(fields.source), objects.get(fields.number)));
     if ((by_order != AbortCode::none) || (!source.is_available()) || (source.upper <= source.lower)) {

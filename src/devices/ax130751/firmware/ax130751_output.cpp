@@ -33,7 +33,7 @@ bool follows_profile(const std::uint8_t response, const ScalingPosition position
     return cell_or(table::find(response, position), &table::Row::drive, table::Drive::off) == table::Drive::profile;
 }
 
-/// Returns whether the override input is active by Table 8.
+/// Returns whether the override input is active, as Table 8 defines it.
 static_assert(implements<req::AOR_T08>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
     return cell_or(own::override_response::find(response, on), &own::override_response::Row::overridden, false);
@@ -61,7 +61,7 @@ bool UniversalOutput::follow_type() noexcept {
     }
     reset();
     constexpr std::int16_t off = 0;
-    return show(off, off);  // before the inputs are read, because one of them may be the value of this output
+    return show(off, off);  // must precede the reading of the inputs, because an input may be the value of this output
 }
 
 bool UniversalOutput::advance(const OutputCycle& cycle, const Inputs& inputs, Outputs& outputs) noexcept {

@@ -51,7 +51,7 @@ class SourceChoice {
     bool lacks(const BlockSignal& signal) const noexcept { return (source_ != 0U) && (!signal.is_available()); }
 
   private:
-    static constexpr std::uint8_t not_yet = 0xFFU;  // a value that no source has
+    static constexpr std::uint8_t not_yet = 0xFFU;  // a number that is not the number of any source
 
     /// Returns a byte that changes with each single bit of the members.
     static constexpr std::uint8_t check_of(const SourceRef& ref) noexcept {

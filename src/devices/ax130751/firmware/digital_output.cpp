@@ -39,7 +39,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
         next_blink_ = never;
     }
     static_assert(implements<req::AOR_DO_013>);
-    control_before_ = demand.control;  // an edge while something else drives the output does not count later
+    control_before_ = demand.control;  // an edge is not remembered while something else drives the output
     return state_;
 }
 

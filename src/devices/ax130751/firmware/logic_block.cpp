@@ -25,7 +25,7 @@ bool holds(const LogicCondition& condition) noexcept {
     } else if (condition.first.value > condition.second.value) {
         relation = table::Relation::greater;
     } else {
-        // one of the values is NaN: signals never are
+        // one of the values is NaN, which the value of a signal never is
     }
     return cell_or(table::find(condition.comparison, relation), &table::Row::holds, false);
 }

@@ -150,7 +150,7 @@ double MathBlock::input_value(const MathInput& input) const noexcept {
     }
     static_assert(implements<req::AOR_MATH_015>);
     const MathFunction& fed_back = results_[input.own_function - 1U];
-    const bool is_inverted = input.gain < 0.0;  // a negative difference keeps its sign only then (1.7)
+    const bool is_inverted = input.gain < 0.0;  // a negative difference keeps its sign only with a negative gain (1.7)
     return (is_inverted ? fed_back.with_sign : fed_back.value) * input.gain;
 }
 

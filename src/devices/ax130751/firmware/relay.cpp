@@ -34,7 +34,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(false);
             break;
     }
-    control_before_ = demand.control;  // an edge while something else drives the relay does not count later
+    control_before_ = demand.control;  // an edge is not remembered while something else drives the relay
     return state_;
 }
 
@@ -63,7 +63,7 @@ void Relay::watch_unlatch(const bool control, const bool unlatch) noexcept {
         static_assert(implements<req::AOR_RELAY_021>);
         latch_ = (control == rest) ? Latch::latching : Latch::waiting;
     } else {
-        // the latch stays in latching
+        // the state of the latch stays `latching`
     }
 }
 

@@ -30,7 +30,7 @@ struct NamedType {
 constexpr NamedType types[]{{SensorType::j, "J"}, {SensorType::k, "K"}, {SensorType::n, "N"}, {SensorType::r, "R"},
                             {SensorType::s, "S"}, {SensorType::t, "T"}, {SensorType::e, "E"}, {SensorType::b, "B"}};
 
-constexpr double sixteenths = 16.0;  // as shipped: 7130h (TC Input Process Value) = 16 T + 4368
+constexpr double sixteenths = 16.0;  // by default 7130h (TC Input Process Value) is 16 * °C + 4368
 constexpr double offset = 4368.0;
 
 /// An AX188001 alone on a bus with one thermocouple; the plots read it over SDO.
@@ -132,8 +132,8 @@ LinePlot channel_error_plot() {
     LinePlot plot{"AX188001: field value less hot junction (1 °C promised)", "hot junction / °C", "error / °C", {}, {}};
     for (const auto& [type, name] : types) {
         const ThermocoupleCurve& curve = thermocouple_curve(type);
-        // Type B begins at the lowest temperature at which half a step of the converter (0.3 µV here) is less than a
-        // degree.
+        // The plot of type B begins at the lowest temperature at which half a step of the converter (0.3 µV here) is
+        // less than a degree.
         const double low = type == SensorType::b ? 50.0 : curve.lowest_c();
         Bench bench{type};
         Curve drawn{name, {}};

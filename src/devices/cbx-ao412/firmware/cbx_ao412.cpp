@@ -130,7 +130,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::program_control:
         case Parameter::analogue_output_error_mode:
         case Parameter::analogue_output_error_value:
-            break;  // no output changes immediately
+            break;  // a write to these objects changes no output immediately
         default:
             break;  // -Wswitch-enum demands a label for each parameter
     }

@@ -12,7 +12,8 @@ using namespace host;
 
 namespace {
 
-constexpr std::size_t eeprom_size = 256 * 4;  // the manual guarantees at least 256 bytes (2.2); two banks need more
+// The manual guarantees a memory of at least 256 bytes (2.2); two banks of parameters need more.
+constexpr std::size_t eeprom_size = 256 * 4;
 
 cbx_ao412::FactoryData factory_data(const FactoryValues& values) {
     cbx_ao412::FactoryData data;

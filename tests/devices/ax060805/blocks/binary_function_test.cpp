@@ -79,7 +79,7 @@ TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     EXPECT_EQ(apply_unary(2, 5.0e9F), 0.0F);           // ~FFFFFFFFh
     EXPECT_EQ(apply_unary(3, -2.5F), 2.5F);
     EXPECT_EQ(apply_unary(3, 2.5F), 2.5F);
-    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // no such function: the value is unchanged
+    EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // operation 4 does not exist: the value stays unchanged
 }
 
 TEST(BinaryFunctions, ArithmeticFollowsTable10) {
@@ -156,7 +156,7 @@ TEST(BinaryFunctions, DivisionAndModulusByZeroGiveZero) {
 TEST(BinaryFunctions, ShiftsBy32AndMoreGiveZero) {
     verifies<req::INC_BIN_006>();
     EXPECT_EQ(result(19, 1.0F, 31.0F), 2147483648.0F);
-    EXPECT_EQ(result(19, 3.0F, 31.0F), 2147483648.0F);  // the upper bit is lost
+    EXPECT_EQ(result(19, 3.0F, 31.0F), 2147483648.0F);  // the shift by 31 drops the upper of the two bits
     EXPECT_EQ(result(19, 1.0F, 32.0F), 0.0F);
     EXPECT_EQ(result(19, 1.0F, 33.0F), 0.0F);
     EXPECT_EQ(result(19, 1.0F, infinite), 0.0F);

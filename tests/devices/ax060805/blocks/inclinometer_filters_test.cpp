@@ -156,7 +156,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     outputs(filter, {100.0F, 100.0F, 100.0F});
     filter.restart(AngleFilterKind::moving_average, 4);
     EXPECT_EQ(outputs(filter, {-20.0F, -10.0F}), (std::vector<float>{-20.0F, -15.0F}));
-    for (int round = 0; round < 2; ++round) {  // the second time after a whole block
+    for (int round = 0; round < 2; ++round) {  // the second restart follows a whole block
         filter.restart(AngleFilterKind::repeating, 2);
         EXPECT_EQ(outputs(filter, {8.0F, 10.0F, 50.0F}), (std::vector<float>{8.0F, 9.0F, 9.0F}));
     }

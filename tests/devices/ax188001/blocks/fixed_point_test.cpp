@@ -15,7 +15,8 @@ namespace {
 
 using namespace ax188001;
 
-/// An array of the length that the firmware uses, so that its own functions are tested.
+/// Coefficients as an array of the length that the firmware uses, so that the tests call the same template instances as
+/// the firmware.
 using Coefficients = std::array<double, InversePiece::size>;
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
     verifies<req::TCS_IN_002>();
     convert(1000.0);  // 1000 / 0.596046 = 1677.72: step 1678 = 1000.17 uV
     EXPECT_NEAR(adc.microvolts(), 1678 * 19531.25 / 32768, 1e-9);
-    convert(-0.29);  // less than half a step
+    convert(-0.29);  // less than half a step is rounded to 0
     EXPECT_EQ(adc.microvolts(), 0.0);
     convert(-0.31);
     EXPECT_NEAR(adc.microvolts(), -19531.25 / 32768, 1e-9);
@@ -77,7 +77,7 @@ TEST_F(Converter, GainRisesWhenTheVoltageFitsWithTenPercentToSpare) {
     EXPECT_NEAR(adc.microvolts(), 35156.25, 78125.0 / 32768 / 2);
     convert(5.0);
     EXPECT_NEAR(adc.microvolts(), 5.0, 1.2);
-    EXPECT_EQ(adc.gain(circuit), 128);  // raised again from 64: 5 uV fit the highest gain
+    EXPECT_EQ(adc.gain(circuit), 128);  // the gain rises from 64 to 128, which suits 5 uV
 }
 
 TEST_F(Converter, GainRisesToTheHighestInOneStep) {
@@ -94,7 +94,7 @@ TEST_F(Converter, OpenCircuitIsFoundWithTheNinthConversion) {
     EXPECT_FALSE(adc.is_open());
     convert(100000.0);  // 1 + 4 + 4 conversions of 165 ms: 1485 ms
     EXPECT_TRUE(adc.is_open());
-    EXPECT_EQ(adc.microvolts(), 0.0);  // the last valid reading
+    EXPECT_EQ(adc.microvolts(), 0.0);  // the value stays that of the last valid conversion
     convert(25000.0);
     EXPECT_FALSE(adc.is_open());
     EXPECT_NEAR(adc.microvolts(), 25000.0, 1.2);
