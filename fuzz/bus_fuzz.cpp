@@ -145,7 +145,8 @@ CANPROOF_FUZZ_RECORDS(fuzz::device_record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_SDO_015, req::CO_SDO_044, req::CO_STORE_004)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Bus<fuzz::EveryUnit> first{fuzz::Circumstances{}};  // made once, because a device takes longer than an input
+    // made once for all inputs, because making the devices takes longer than running an input
+    static Bus<fuzz::EveryUnit> first{fuzz::Circumstances{}};
     static Bus<fuzz::EveryUnit> second{fuzz::late_and_dirty};
     require(run(data, size, first) == run(data, size, second), "two runs are equal");
     return 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads logs of any bytes. A log is refused with the place of the fault, or it is written and read back unchanged.
+// Reads any bytes as a candump log. The log is refused with the place of the fault, or it is written and read back
+// unchanged.
 #include <sstream>
 
 #include "firmware/base/time.hpp"

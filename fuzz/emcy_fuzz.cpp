@@ -100,7 +100,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::
                      req::CO_EMCY_023)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Both both;  // made once, because making a slave takes longer than an input
+    static Both both;  // made once for all inputs, because making the slave takes longer than running an input
     both.restart();
     const std::size_t count = std::min(size / record_size, most_records);
     for (std::size_t i = 0; i < count; ++i, data += record_size) {

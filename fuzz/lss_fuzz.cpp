@@ -72,8 +72,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// Follows the state of the slave as far as its frames show it. Where they do not show it, LSS configuration counts as
-/// possible.
+/// Follows the state of the slave as far as its frames show it. When the frames leave the state open, the slave counts
+/// as possibly in LSS configuration.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {
@@ -167,7 +167,8 @@ CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static host::Memory memory{64};
     static TransmitQueue queue;
-    static host::GenericDevice device{part(), memory, queue};  // made once, because this takes longer than an input
+    // made once for all inputs, because making it takes longer than running an input
+    static host::GenericDevice device{part(), memory, queue};
     queue = TransmitQueue{};
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
     Instant now = fuzz::begin_input();

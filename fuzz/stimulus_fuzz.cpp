@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads stimuli of any bytes. They are refused with the place of the fault, or they are changes in time order with
-// finite values. Accepted values are within the ranges of the inputs of a device.
+// Reads any bytes as stimuli (changes of physical inputs). They are refused with the place of the fault, or they are
+// accepted as changes in time order with finite values. Accepted values are within the ranges of the inputs of a
+// device.
 #include <cmath>
 #include <sstream>
 

@@ -39,7 +39,7 @@ std::string text(const std::vector<Message>& messages) {
 struct Model {
     Server server{pair_model()};
     std::uint64_t now{0};
-    std::uint8_t next_data{1};  ///< next data byte of streamed segments: it counts up
+    std::uint8_t next_data{1};  ///< next byte of the data that streams of segments contain; it counts up
 };
 
 using SdoCommand = rc::state::Command<Model, Ours>;
@@ -223,7 +223,7 @@ Message end_of(const Bytes& value, std::uint16_t crc) {
     return message(0xC1 + 4 * unused, {crc % 256U, crc / 256U});
 }
 
-/// Decides for each segment whether it is lost; none is lost after the budget is used up, so that a transfer ends.
+/// Decides for each segment whether it is lost. The number of losses is limited, so that a transfer ends.
 class Loss {
   public:
     bool now() {
@@ -380,7 +380,7 @@ RC_GTEST_PROP(SdoBlockLaw, InterruptedDownloadLeavesTheOldValue, ()) {
             break;
     }
     ours.answers();
-    // a late end of that transfer does not set the value either
+    // a late end request of the aborted transfer does not set the value either
     RC_ASSERT(ours.ask(end_of(value, crc16(value))).at(0)[0] == 0x80);
     RC_ASSERT(held(ours) == (Bytes{1, 2, 3}));
 }

@@ -6,7 +6,7 @@
 
 namespace canproof::fuzz {
 
-/// The circumstances of a run, which must not change the result.
+/// The start time and the initial content of RAM of a run. They must not change the result.
 struct Circumstances {
     std::uint64_t begins_us{0};  ///< the time at power-on
     std::uint8_t garbage{0};     ///< the byte that fills the RAM of the device before its start

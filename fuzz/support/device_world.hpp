@@ -32,7 +32,7 @@
 
 namespace canproof::fuzz {
 
-/// Records of an input after these are ignored, so that each run is short.
+/// Most records of an input; further records are ignored, so that each run is short.
 constexpr std::size_t most_device_records = 150;
 
 template <typename Unit>
@@ -164,7 +164,7 @@ class DeviceWorld {
     void receive(const Frame& frame) {
         if (start_ == 0) {
             deliver(*device_, frame, state_.now);
-        } else {  // the log shows only one of the two runs
+        } else {  // only one of the two runs writes the log
             device_->receive(frame, state_.now);
         }
         drain(&frame);
@@ -175,7 +175,7 @@ class DeviceWorld {
     const Device& device() const { return *device_; }
     const Inputs& inputs() const { return state_.inputs; }
     const Image& memory() const { return memory_.image(); }
-    /// Makes the memory and the CAN controller work again.
+    /// Ends all faults of the memory and of the CAN controller.
     void recover() {
         memory_.heal();
         for_each_input(state_.inputs, [](const char* name, auto& input) {

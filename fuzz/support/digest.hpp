@@ -43,7 +43,7 @@ class Digest {
   private:
     void add_word(std::uint64_t word) {
         value_ = (value_ ^ word) * 0x100000001B3U;
-        value_ ^= value_ >> 32U;  // the highest bits act on the lowest
+        value_ ^= value_ >> 32U;  // mixes the highest bits into the lowest ones
     }
 
     std::uint64_t value_{0xCBF29CE484222325U};

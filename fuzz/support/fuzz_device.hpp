@@ -61,7 +61,7 @@ void check_reset(DeviceWorld<Unit>& used) {
     }
 }
 
-/// A world that is made once and returns to its start for each input.
+/// A device world that is made once and returns to its start for each input.
 template <typename World>
 class Reused {
   public:
@@ -86,21 +86,21 @@ std::uint64_t run_world(const std::uint8_t* data, std::size_t size, const Circum
     }
     world.settle();
     const std::uint64_t digest = world.digest();
-    if (circumstances.begins_us != 0) {  // one of the two runs makes this check
+    if (circumstances.begins_us != 0) {  // each input runs twice; only the second run makes this check
         check_reset(world);
     }
     return digest;
 }
 
-/// Runs one input in a world of its own. Needs the memory of one world, and of two during the check of the reset.
+/// Runs one input in a new device world. Needs memory for one world, and for two during the check of the reset.
 template <typename Unit>
 std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const Circumstances& circumstances) {
     DeviceWorld<Unit> world{circumstances};
     return run_world(data, size, circumstances, world);
 }
 
-/// Runs one input twice: the behaviour of a device depends on its events only. The microcontroller has no room for
-/// worlds that stay.
+/// Runs one input twice and checks that both runs have the same result, because the behaviour of a device depends on
+/// its events only. Uses new worlds on the microcontroller, which has no memory for worlds that are kept.
 template <typename Unit>
 int fuzz_device(const std::uint8_t* data, std::size_t size) {
     constexpr bool has_room = sizeof(std::size_t) > sizeof(std::uint32_t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the entries that may have left their limits since the last look: a device has a thousand entries, and an event
-// changes few of them.
+// Finds the entries that may have left their limits since the last check. A device has a thousand entries, and an event
+// changes only a few of them.
 #pragma once
 
 #include <algorithm>

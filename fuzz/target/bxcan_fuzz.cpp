@@ -55,10 +55,11 @@ class World {
     std::map<std::uint32_t, Frame> waiting_;  ///< accepted and not sent, by serial number
     std::uint32_t on_bus_{0};                 ///< serial number of the frame on the bus; 0: none
     std::uint32_t forgotten_below_{0};        ///< serial number of the last boot-up message: earlier frames are dropped
-    std::uint32_t vanished_below_{0};         ///< frames below this number may be lost: their mailboxes were cleared
+    /// frames with a lower serial number may be lost, because the driver cleared their mailboxes
+    std::uint32_t vanished_below_{0};
     std::deque<Frame> in_fifos_;
     std::deque<Frame> in_ring_;
-    bool lost_{false};  ///< a frame was lost for lack of room since the last report
+    bool lost_{false};  ///< a frame was lost since the last report, because a buffer was full
     std::size_t resets_{0};
 };
 

@@ -141,8 +141,8 @@ RC_GTEST_PROP(AcceptanceLaw, NodeAcceptsTheIdentifiersOfItsDictionaryAndNoOthers
     for (std::uint32_t id = 0; id <= 0x7FFU; ++id) {
         check(id, false);
         check(id, true);
-        check(id | 0x00010000U, true);  // identifier with the same last eleven bits
-        check(id << 18U, true);         // identifier with the same first eleven bits
+        check(id | 0x00010000U, true);  // the identifier of 29 bits with the same last eleven bits
+        check(id << 18U, true);         // the identifier of 29 bits with the same first eleven bits
     }
 }
 

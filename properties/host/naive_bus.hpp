@@ -40,7 +40,8 @@ inline std::string naive_crc(std::string bits) {
     bits += std::string(15, '0');
     for (std::size_t at = 0; at < places; ++at) {
         for (std::size_t i = 0; bits[at] == '1' && i < divisor.size(); ++i) {
-            const std::size_t place = at + divisor.size() - 1U - i;  // the leading one last
+            // the coefficient of the highest power is the last one
+            const std::size_t place = at + divisor.size() - 1U - i;
             bits[place] = bits[place] == divisor[divisor.size() - 1U - i] ? '0' : '1';
         }
     }
@@ -65,7 +66,7 @@ inline unsigned naive_frame_bits(const Frame& frame) {
     return static_cast<unsigned>(wire.size()) + 10U;  // delimiter, acknowledge, delimiter, seven bits of end
 }
 
-/// Probabilities and seed of bus faults.
+/// Probabilities of bus faults, and the seed of the random numbers.
 struct NaiveFaults {
     double corrupted{0.0};
     double lost{0.0};
@@ -83,7 +84,7 @@ class NaiveBus {
         std::string name;
         bool gateway{false};
         std::deque<std::pair<std::uint64_t, Frame>>
-            queue;  ///< frames, each with the time since which it is the first of its queue
+            queue;  ///< frames, each with the time at which it became the first of the queue
         std::vector<Heard> heard;
         std::vector<std::pair<std::uint64_t, int>> states;  ///< 0 active, 1 warning, 2 passive, 3 bus-off
         std::vector<bool> overruns;
@@ -146,7 +147,7 @@ class NaiveBus {
     double load(std::uint64_t now) const {
         const std::uint64_t from = now < 1000000U ? 0U : now - 1000000U;
         std::uint64_t used = on_wire_ ? now - std::max(start_, from) : 0U;
-        for (const auto& [first, last] : taken_) {  // one after another: none overlaps the next
+        for (const auto& [first, last] : taken_) {  // sorted by time: none overlaps the next
             used += last > from ? std::min(last, now) - std::max(first, from) : 0U;
         }
         return now == 0U ? 0.0 : static_cast<double>(used) / static_cast<double>(now - from);
@@ -204,7 +205,8 @@ class NaiveBus {
         start_ = at;
         const unsigned length = naive_frame_bits(stations_.at(sender_).queue.front().second);
         corrupted_ = happens(faults_.corrupted);
-        const std::uint64_t used = corrupted_ ? 1U + draws_() % length + 20U : length;  // 20: error flags and delimiter
+        // 20 bits: error flags and delimiter
+        const std::uint64_t used = corrupted_ ? 1U + draws_() % length + 20U : length;
         end_ = at + used * bit_;
         return true;
     }
@@ -304,7 +306,7 @@ class NaiveBus {
     std::uint64_t bit_;
     NaiveFaults faults_;
     std::mt19937_64 draws_;
-    std::map<int, Station> stations_;  ///< the key is the number: the order of attachment
+    std::map<int, Station> stations_;  ///< the key counts the stations in the order of attachment
     int next_number_{0};
     std::vector<Sent> sent_;
     bool on_wire_{false};

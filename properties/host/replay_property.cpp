@@ -69,7 +69,7 @@ LoggedFrame any_frame(Instant time) {
     return {time, "can0", parse_frame(*rc::gen::elementOf(requests), "law")};
 }
 
-/// Returns whether the times in the first column, with or without brackets, never decrease.
+/// Returns whether the times in the first column, never decrease; the column may be in brackets.
 bool never_decreases(const std::string& text, bool heading) {
     std::istringstream lines{text};
     Instant last{};
@@ -85,7 +85,8 @@ bool never_decreases(const std::string& text, bool heading) {
     return holds;
 }
 
-/// Returns the log with marks of a run: any requests to nodes 5 and 6 at any times, on a bus that they may fill.
+/// Returns the log of a run, with its marks for received and sent frames. The run has random requests to nodes 5 and 6
+/// at random times, on a bus that they may fill.
 std::string any_run() {
     static const std::vector<std::string> requests{"000#0100",
                                                    "000#8000",

@@ -112,7 +112,7 @@ class Node {
     Sent take_sent() { return std::exchange(sent_, {}); }
 
   private:
-    /// A waiting message; its other content is determined at the moment of transmission.
+    /// A waiting message. The rest of its content is determined at the moment of transmission.
     struct Waiting {
         Error error;
         bool cured;

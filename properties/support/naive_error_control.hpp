@@ -38,7 +38,8 @@ class Node {
                 state_ = pre_operational;
                 break;
             case 0x81:
-            case 0x82:  // the two resets differ only in application parameters, which this model does not have
+            // reset node and reset communication differ only in application parameters, which this model does not have
+            case 0x82:
                 boot();
                 break;
             default:
@@ -114,7 +115,7 @@ class Node {
     Said take_said() { return std::exchange(said_, {}); }
 
   private:
-    /// The guarding master, then the producers of 1016h (consumer heartbeat time).
+    /// The guarding master, then the producers that 1016h (consumer heartbeat time) names.
     using Failing = std::array<bool, 5>;
     struct Consumer {
         unsigned node{0};

@@ -40,7 +40,7 @@ inline unsigned group_of(unsigned index) {
     return index < 0x2000 ? 0U : index < 0x6000 ? 2U : 1U;
 }
 
-/// Returns the number of up to eight bytes.
+/// Returns the number that up to eight bytes represent, least significant byte first.
 inline std::uint64_t number_of(const std::uint8_t* bytes, std::size_t count) {
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < count && i < 8; ++i) {
@@ -151,8 +151,8 @@ class Format {
     bool is_corrupt(const Bytes& image) const {
         return !bank_in_use(image) && !(is_unused(image, 0) && is_unused(image, 1));
     }
-    /// Gives a saved COB-ID the node-ID of the present start when its identifier is `base` plus the node-ID of the
-    /// save. The bits above the identifier stay (CO-PDO-035, CO-PDO-061).
+    /// Makes a saved COB-ID follow the node-ID of the present start when its identifier is `base` plus the node-ID of
+    /// the save. The bits above the identifier stay (CO-PDO-035, CO-PDO-061).
     static void follow(Bytes& cob_id, std::uint64_t base, unsigned saved_node_id, unsigned node_id) {
         const std::uint64_t saved = number_of(cob_id.data(), cob_id.size());
         if (saved % identifiers == base + saved_node_id) {

@@ -102,14 +102,16 @@ inline bool is_communication_parameter(const EntryRef& entry) {
     return entry.index >= 0x1000 && entry.index < 0x2000 && entry.index != 0x1001 && entry.index != 0x1003;
 }
 
-/// Events of the communication of one unit only; they do not affect the application.
+/// Kinds of events that only one of the two units gets; they concern its communication and do not affect the
+/// application.
 inline const std::vector<EventKind> own_kinds{EventKind::communication, EventKind::communication, EventKind::request,
                                               EventKind::heartbeat, EventKind::remote};
-/// Events that affect the application, whatever the state of the communication.
+/// Kinds of events that both units get; they affect the application, whatever the state of the communication.
 inline const std::vector<EventKind> shared_kinds{EventKind::setting, EventKind::setting, EventKind::nmt,
                                                  EventKind::input,   EventKind::time,    EventKind::late};
 
-/// Performs the same events on both units, and on `used` also a separate communication, which stays unfinished.
+/// Performs the same events on both units, and on `used` additional events that concern only its communication, some of
+/// which stay unfinished.
 template <typename Traits>
 void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     const int rounds = *rc::gen::inRange(1, 4);
@@ -124,10 +126,9 @@ void live_apart(ResetUnit<Traits>& used, ResetUnit<Traits>& spared) {
     Happening<Traits>::leave_waiting(used, *rc::gen::inRange(0U, 4U));
 }
 
-/// Checks reset communication. Two units get the same events; then one also gets a separate communication that does not
-/// affect its application: parameters, unfinished transfers, timers, a SYNC that is due. Both are reset, and behave the
-/// same from then on: the application continues as in the spared unit, and nothing of the separate communication is
-/// left.
+/// Checks reset communication. Two units get the same events. One of them also gets events that concern only its
+/// communication: parameters, unfinished transfers, timers, a SYNC that is due. Both units are reset, and must then
+/// behave the same: the application continues as in the unit without these events, and nothing of the events is left.
 template <typename Traits>
 void communication_law() {
     ResetUnit<Traits> used;
@@ -194,7 +195,7 @@ void lss_law() {
         unit->command(0x80);
         unit->take_frames();
     }
-    name_own(used, 0x40, 1);  // first half of switch state selective and of identify remote slave
+    name_own(used, 0x40, 1);  // sends the first half of switch state selective and of identify remote slave
     name_own(used, 0x41, 2);
     for (unsigned frame = 0; frame < 3; ++frame) {
         name_own(used, 0x46 + frame, 1 + frame);
@@ -210,7 +211,7 @@ void lss_law() {
     }
     ResetUnit<Traits> fresh{spared.memory.bytes(), spared.inputs, spared.now};
     RC_ASSERT(difference_of_values(used, fresh, is_communication_parameter) == "");
-    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // both units now perform the second half of the law
+    for (ResetUnit<Traits>* unit : {&used, &spared}) {  // both units receive the second half of each sequence now
         name_own(*unit, 0x42, 3);
         name_own(*unit, 0x43, 4);
         name_own(*unit, 0x49, 3);

@@ -124,7 +124,7 @@ class ResetUnit {
         set_input("can_overrun", 0.0);
         const Instant end = silent_until;
         silent_until = Instant{};
-        if (end != Instant{}) {  // a late driver has delayed the second delay
+        if (end != Instant{}) {  // the driver called late, so the second delay of the change of the bit rate ends later
             pass(longest_silence);
             pass_until(end);
         }

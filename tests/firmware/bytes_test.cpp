@@ -158,7 +158,7 @@ TEST(Bytes, NumberTakesTheGivenBytesAndNoneBeyondTheEnd) {
 
 namespace {
 
-constexpr std::size_t room_size = 18;  // 8 bytes of a view, and 10 after it
+constexpr std::size_t room_size = 18;  // a view of 8 bytes, followed by 10 other bytes
 using Room = std::array<std::uint8_t, room_size>;
 
 constexpr Room numbered() {

@@ -58,7 +58,7 @@ TEST(LssStore, StoreUsesTheEndOfTheMemory) {
 
 TEST(LssStore, PowerCutAtAnyByteLeavesTheOldOrTheNewConfiguration) {
     verifies<req::CO_LSS_016>();
-    // One byte invalidates the slot, 20 fill it, one commits it, one invalidates the other slot.
+    // A save writes 23 bytes: one invalidates the slot, 20 fill it, one commits it, one invalidates the other slot.
     for (std::size_t cut = 0; cut <= 23; ++cut) {
         host::Memory memory{64};
         LssStore{memory}.store({1, 10000});
@@ -106,7 +106,8 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
 
 TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     verifies<req::CO_LSS_017, req::CO_LSS_065>();
-    for (const int stores : {1, 2, 3}) {  // the latest is in the first slot, in the second, in the first
+    // after each save the latest settings are in the first slot, the second, the first
+    for (const int stores : {1, 2, 3}) {
         for (std::size_t at = 0; at < 40; ++at) {
             host::Memory memory{64};
             for (int node_id = 1; node_id <= stores; ++node_id) {
@@ -136,7 +137,8 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
             LssStore{memory}.store({9, 50000});
             memory.restore_power();
             const LssConfiguration found = LssStore{memory}.load(shipped);
-            EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;  // until the damaged slot is invalidated
+            // the error lasts until a save invalidates the damaged slot
+            EXPECT_EQ(found.damaged, cut < 23) << stores << ' ' << cut;
             expect(found, cut < 23 ? 127 : 9, cut < 23 ? 125000 : 50000);
             EXPECT_EQ(LssStore{memory}.store({10, 10000}), LssError::none);
             expect(LssStore{memory}.load(shipped), 10, 10000);
@@ -172,7 +174,7 @@ TEST(LssStore, NewSlotIsLoadedWhenTheOlderOneStaysCommitted) {
         const std::uint8_t committed = bytes.at(older + 3);
         std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(other) + 4, 4, std::uint8_t{0});
         ASSERT_EQ(LssStore{memory}.store({9, 50000}), LssError::none);
-        bytes.at(older + 3) = committed;  // as if its last write had failed
+        bytes.at(older + 3) = committed;  // as if the last write of the save had failed
         expect(LssStore{memory}.load(shipped), 9, 50000);
     }
 }
@@ -223,7 +225,7 @@ TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {
         host::Memory memory{64};
-        LssStore{memory}.store({9, 500000});  // the older slot, which is not used either
+        LssStore{memory}.store({9, 500000});  // an older slot with other settings, which is not used either
         LssStore{memory}.store({static_cast<std::uint8_t>(node_id), 20000});
         const bool counts = (node_id >= 1 && node_id <= 127) || node_id == 255;
         const LssConfiguration found = LssStore{memory}.load(shipped);

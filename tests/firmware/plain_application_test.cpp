@@ -29,7 +29,7 @@ class PlainApplication final : public Application {
     void booted(Instant) override {}
     MutableBytes staging(const EntryRef&) override { return MutableBytes{memory_}; }
 
-    /// The answers of the application; where one is empty, the answer is the default.
+    /// The answers of the application; an empty member means that the application gives the default answer.
     std::optional<AbortCode> access{};
     std::optional<AbortCode> last_word{};
     /// The objects that the node has reported to the device as written.
@@ -145,7 +145,8 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1300030000000000"), Frames{"7E4#1300000000000000"});  // 250 kbit/s
-    EXPECT_TRUE(send("7E5#150A000000000000").empty());                        // after 10 ms, and 10 ms more
+    // sent after 10 ms, and again after 10 ms more
+    EXPECT_TRUE(send("7E5#150A000000000000").empty());
     EXPECT_TRUE(send("605#4000100000000000").empty());
     EXPECT_TRUE(pass(20).empty());
     EXPECT_EQ(send("605#4000100000000000"), Frames{"585#4300100078563412"});
@@ -176,7 +177,8 @@ TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
     node.set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state_after_start(), NmtState::pre_operational);
     node.set_can_state(CanState::error_active, now);
-    sent();                                                                   // the emergency messages after bus-off
+    // the node sends the emergency messages after bus-off
+    sent();
     EXPECT_EQ(send("605#2F29100101000000"), Frames{"585#6029100100000000"});  // 1029h:1 = 1: no change of state
     node.set_can_state(CanState::bus_off, now);
     EXPECT_EQ(state_after_start(), NmtState::operational);

@@ -69,7 +69,7 @@ TEST(TransmitQueueOrder, EmptyQueueGivesAnEmptyFrame) {
     TransmitQueue queue;
     EXPECT_EQ(queue.pop().length, 0U);
     EXPECT_TRUE(queue.empty());
-    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // the pop has not changed the empty queue
+    ASSERT_TRUE(queue.push(numbered(0x583, 1)));  // pop() of an empty queue changes nothing
     EXPECT_EQ(queue.pop().data[0], 1);
 }
 
@@ -188,7 +188,7 @@ TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 2));
     EXPECT_TRUE(queue.boot_up_waits());
-    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // it stays behind the boot-up message
+    ASSERT_TRUE(queue.put_back(numbered(0x083, 3)));  // the frame stays behind the boot-up message
     EXPECT_EQ(queue.pop().data[0], 2);
     EXPECT_FALSE(queue.boot_up_waits());
     queue.push_boot_up(numbered(0x703, 4));

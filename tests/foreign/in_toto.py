@@ -37,7 +37,7 @@ def make_key(folder, kind, name):
 def is_accepted(pack, kind, key):
     words = ["in-toto-verify", "--layout", "in-toto/root.layout", "--layout-keys", key, "--key-types", kind, "--link-dir", "in-toto"]
     done = subprocess.run(words, cwd=pack, capture_output=True, text=True)
-    (pack / "pack.link").unlink(missing_ok=True)  # in-toto leaves what its inspection saw
+    (pack / "pack.link").unlink(missing_ok=True)  # removes a file that in-toto leaves in the pack after an inspection
     return done.returncode == 0, done.stdout + done.stderr
 
 

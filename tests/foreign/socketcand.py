@@ -47,7 +47,7 @@ def converse(port):
     second = wait_for(one, 0x703, "05")
     period = second.timestamp - first.timestamp
     assert abs(period - 0.010) < 0.0015, f"heartbeat after {period} s"
-    two.send(frame(0x606, "4000100000000000"))  # the device behind the other CANopen program: AX060805 4.2.1
+    two.send(frame(0x606, "4000100000000000"))  # device type of the node in the other CANopen program: AX060805, 4.2.1
     wait_for(two, 0x586, "430010009A010310")
     two.send(frame(0x605, "4000100100000000"))  # 1000h has no sub-index 1
     wait_for(two, 0x585, "8000100111000906")
@@ -63,7 +63,7 @@ def wait_for_boot_up(run, nodes):
         line = run.stdout.readline()
         assert line, f"the program ended without {missing}"
         missing.discard(line.split()[2])
-    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # the rest is read and dropped
+    threading.Thread(target=collections.deque, args=(run.stdout, 0), daemon=True).start()  # further text is read and dropped
 
 
 def main():

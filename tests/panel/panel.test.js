@@ -136,7 +136,7 @@ test('a temperature dragged past the shutdown limit is shown by lamp, emergency 
   await page.mouse.up();
   await expectShutdown(page, 1);
   assert.ok(Math.abs(Number(await slider.inputValue()) - 600) <= 20);
-  // The measured value follows the input.
+  // The measured value of the device follows the slider.
   await until(page, () => /^(58\d|59\d|60\d|61\d)\s°C$/.test(document.querySelector('[data-device=ax188001] .gauge .figure').textContent));
   await control(page, 'ax188001', 'tc1_celsius').locator('input[type=number]').fill('25');
   await page.keyboard.press('Enter');
@@ -222,7 +222,7 @@ test('lost frames are shown, and without a loss the field is hidden', async (t) 
   await page.route('**/api/state*', async (route) => {
     const response = await route.fetch();
     const state = await response.json();
-    state.bus.lost = 1204; // a loss as SocketCAN reports it
+    state.bus.lost = 1204; // lost frames, as the SocketCAN bus reports them
     state.bus.missed = 7;
     await route.fulfill({ response, json: state });
   });

@@ -106,7 +106,7 @@ TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();
-    registers.master_control.write(mcr::time_stamps);  // without RFLM, unlike the driver
+    registers.master_control.write(mcr::time_stamps);  // RFLM stays 0, although the driver sets it
     for (std::uint32_t i = 0; i < 4; ++i) {
         bench.model.receive(data_frame(0x200 + i, 0));
     }

@@ -130,7 +130,8 @@ TEST(CanTransmitter, FrameReturnedToTheQueuePrecedesFramesOfItsIdentifier) {
     bench.queue_up({{0x583, 1}, {0x583, 2}, {0x583, 3}, {0x583, 4}});
     bench.serve();
     ASSERT_NE(bench.queue.front(), nullptr);
-    EXPECT_EQ(bench.queue.front()->data[0], 4);  // a frame does not displace frames of the same identifier, so it waits
+    // a waiting frame does not displace a frame with the same identifier from a mailbox
+    EXPECT_EQ(bench.queue.front()->data[0], 4);
     bench.queue_up({{0x083, 5}});
     EXPECT_THAT(bench.sent(),
                 ElementsAre(Pair(0x083, 5), Pair(0x583, 1), Pair(0x583, 2), Pair(0x583, 3), Pair(0x583, 4)));

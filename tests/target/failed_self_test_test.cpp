@@ -42,7 +42,7 @@ class FailedSelfTest : public testing::Test {
         }
         EXPECT_EQ(unit_.loop.failed(), test);
         const std::size_t refreshes = chips_.watchdog.refreshes();
-        unit_.board.driven.aout[0] = 5.0F;  // pins that something else sets are switched off again
+        unit_.board.driven.aout[0] = 5.0F;  // the test sets other pins; the loop must switch them off again
         EXPECT_THAT(unit_.run(5), IsEmpty());
         EXPECT_FALSE(unit_.can.is_on_bus());
         EXPECT_NE(chips_.can.receive(data_frame(0x603, 8)), BxcanModel::Taken::kept);
@@ -64,7 +64,8 @@ class FailedSelfTest : public testing::Test {
 /// bit rate, compares the outputs, keeps them after a computation, compares them again and drives them.
 struct ChangingDevice {
     cbx_ao412::Outputs values{};
-    int* looks{nullptr};  ///< outside the device, because its state must not change while it does not compute
+    /// kept outside the device, because the state of the device must not change while it does not compute
+    int* looks{nullptr};
     bool* changes{nullptr};
 
     void power_on(const cbx_ao412::Inputs&, Instant) {}
@@ -95,8 +96,8 @@ TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
 TEST_F(FailedSelfTest, FlippedBitOfFlashEndsInTheSafeState) {
     verifies<req::CO_SELF_002, req::CO_SELF_008>();
     chips_.image.turn(150, 2);
-    // 72 and 204 bytes are 5 and 13 slices, one in every third pass. Two rounds are allowed, because the first may be
-    // past the changed byte.
+    // The vectors (72 bytes) are 5 slices and the code (204 bytes) 13; the loop checks one slice in every third pass.
+    // Two rounds are allowed, because the first may already be past the changed byte.
     expect_safe_state(SelfTest::flash, 2 * 3 * 18);
 }
 
@@ -178,8 +179,9 @@ TEST_F(FailedSelfTest, DeviceWithoutAFailureContinues) {
     EXPECT_THAT(unit_.run(5000), IsEmpty());
     EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
     EXPECT_NEAR(unit_.board.driven.aout[0], 5.0F, 0.01F);
-    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 passes, each third with one of 18 slices
-    EXPECT_GE(unit_.tests.ram().passes(), 80U);    // 5000 / 3 / 21, and one at power-on
+    EXPECT_GE(unit_.tests.flash().passes(), 92U);  // 5000 passes, with one of 18 slices in every third pass
+    // one of 21 slices in every third pass, 5000 / 3 / 21, and one whole check at power-on
+    EXPECT_GE(unit_.tests.ram().passes(), 80U);
 }
 
 TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
@@ -200,7 +202,7 @@ TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
 TEST(DeviceLoop, OutputThatChangesBeforeItIsDrivenIsNotDriven) {
     verifies<req::CO_SELF_007, req::CO_SELF_008>();
     Chips chips;
-    Unit unit{chips};  // its drivers, without its device
+    Unit unit{chips};  // the test uses its drivers, and ChangingDevice instead of its device
     int looks = 0;
     bool changes = false;
     ChangingDevice device;

@@ -18,7 +18,8 @@ using namespace stm32f405;
 using Fault = RamModel::Fault;
 using Defect = RamModel::Defect;
 
-constexpr std::size_t word_count = 30;  // nine slices of four words that share one, and a short one
+// nine slices of four words, each sharing one word with the next, and a short one
+constexpr std::size_t word_count = 30;
 
 /// Returns whether the given number of passes finds a defect.
 bool finds(const Defect& defect, std::uint32_t passes = 1, std::size_t words = word_count) {
@@ -124,7 +125,7 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
     RamModel ram{word_count};
     RamCheck check{{ram.words(), 0, 0}};
     std::size_t before = 0;
-    for (std::uint32_t slice = 0; slice < 9; ++slice) {  // words 0 to 3, 3 to 6 … 24 to 27
+    for (std::uint32_t slice = 0; slice < 9; ++slice) {  // slices of words 0 to 3, 3 to 6 … 24 to 27
         EXPECT_TRUE(check.step());
         // A save, ten accesses of March C-, the contents written back and read: 13 for each of four words.
         EXPECT_EQ(ram.accesses() - before, 13U * 4U);

@@ -198,7 +198,8 @@ TEST(OutputCopy, CopyNoticesEachFlippedBitOfTheOutputsAndOfTheCopy) {
 
 TEST(OutputCopy, CopyOfThreeBytesNoticesEachFlippedBit) {
     verifies<req::CO_SELF_007>();
-    std::array<std::uint8_t, 3> outputs{60, 128, 128};  // no whole words: those of the AX188001
+    // the outputs of the AX188001, three bytes, are not a whole number of words
+    std::array<std::uint8_t, 3> outputs{60, 128, 128};
     OutputCopy<std::array<std::uint8_t, 3>> copy;
     copy.keep(outputs);
     EXPECT_TRUE(copy.matches(outputs));
@@ -245,7 +246,7 @@ TEST(StateGuard, GuardNoticesSwappedWords) {
 TEST(StateGuard, ChecksumTurnsByOneBitAndAddsTheNextWord) {
     verifies<req::CO_SELF_011>();
     const std::array<std::uint32_t, 3> words{0x80000001, 0x00000010, 0xFFFFFFFF};
-    // 80000001h; turned 00000003h, plus 10h: 00000013h; turned 00000026h, minus 1: 00000025h
+    // 80000001h rotated is 00000003h; plus 10h is 00000013h; rotated 00000026h; minus 1 is 00000025h
     EXPECT_EQ(StateGuard{object_bytes(words)}.sum(), 0x25U);
 }
 

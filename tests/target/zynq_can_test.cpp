@@ -128,21 +128,22 @@ TEST(ZynqCan, NewBitRateDropsTheFrameInTheController) {
     EXPECT_THAT(bench.model.faults(), IsEmpty());
 }
 
-// The steps take as many calls as the hardware needs; no call waits for it.
+// Each call does what the hardware allows at that moment and never waits for it.
 TEST(ZynqCan, SlowControllerIsServedStepByStep) {
     verifies<req::CO_ZCAN_005>();
     ZynqBench bench;
     bench.model.answer_reset(false);
     bench.model.keep_filters_busy(true);
     bench.model.hold_dominant(true);
-    bench.model.registers().filters_used.write(1U);  // from an earlier program: its end makes the filters busy
+    // an earlier program has left the filters on; switching them off makes them busy
+    bench.model.registers().filters_used.write(1U);
     bench.can.set_bit_rate(125000, Instant{});
     for (std::uint64_t us = 1000; us <= 900000; us += 100000) {
         bench.can.advance(bench.queue, Instant{us});
         EXPECT_EQ(bench.model.resets(), 1U);
     }
     bench.model.answer_reset(true);
-    bench.can.advance(bench.queue, Instant{910000});  // sees the reset's end at its next read
+    bench.can.advance(bench.queue, Instant{910000});  // detects the end of the reset with its next read
     bench.can.advance(bench.queue, Instant{911000});
     bench.can.advance(bench.queue, Instant{912000});
     EXPECT_FALSE(bench.can.is_on_bus());

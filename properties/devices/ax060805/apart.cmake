@@ -1,3 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# Each of these sources names something as another one of its folder does: canproof_join() compiles it by itself.
+# Sources that use the same name for different things. canproof_join(), which compiles several sources as one, compiles
+# each of these by itself.
 set(apart inclinometer_cache_property.cpp inclinometer_device_property.cpp inclinometer_filters_property.cpp inclinometer_model_property.cpp inclinometer_swap_property.cpp reset_property.cpp tilt_property.cpp)

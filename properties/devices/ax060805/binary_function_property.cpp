@@ -75,7 +75,8 @@ RC_GTEST_PROP(SignalLaw, AnyContinuousValueIsConvertedToDiscreteByTheRule, ()) {
 RC_GTEST_PROP(SignalLaw, DiscreteToContinuousGivesTheNearestFloat, (std::uint32_t value)) {
     verifies<req::INC_SIG_008>("property");
     const auto continuous = static_cast<double>(as_continuous(discrete_signal(value)));
-    RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);  // half a step of 2^32 / 2^24
+    // half of the distance between two floats next to 2^32, which is 2^32 / 2^24
+    RC_ASSERT(std::fabs(continuous - static_cast<double>(value)) <= 128.0);
     if (value <= 16777216U) {
         RC_ASSERT(continuous == static_cast<double>(value));
     }
@@ -104,7 +105,8 @@ RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNan_AndAreUndefinedForNanInpu
         if (is_defined(result)) {
             RC_ASSERT(!std::isnan(result.continuous));
         } else {
-            // Otherwise only differences, products and quotients of infinities have no result.
+            // Operands that are numbers give an undefined result only by the difference, product or quotient of
+            // infinities.
             RC_ASSERT(must_be_undefined || (operation <= 4 && (std::isinf(x) || std::isinf(y))));
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that everything the AX060805 derives from its parameters follows them. One parameter is changed. From then on
-// the device must behave like another device that had this value from the start.
+// Checks that no value that the AX060805 computes depends on an earlier value of a parameter. One parameter is changed.
+// From then on the device must behave like another device that had this value from the start.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>

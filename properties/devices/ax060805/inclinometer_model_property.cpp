@@ -146,7 +146,7 @@ Setting any_other_setting() {
     }
 }
 
-/// The topic of a case: most of its settings concern this topic.
+/// The topic of a case: most settings of the case concern this topic.
 enum class Topic { angles, functions, others };
 
 Setting any_setting(Topic topic) {
@@ -164,7 +164,7 @@ void set_filter(TwoInclinometers& both) {
     both.set({0x2052, 0, 2, static_cast<double>(*rc::gen::element(1, 3, 7))});
 }
 
-/// Sets a function block with sources and an operation, which single settings rarely give.
+/// Sets a function block with sources and an operation. Random single settings would rarely give a complete block.
 void set_function(TwoInclinometers& both) {
     const auto function = static_cast<unsigned>(between(0, 10));
     const auto at = static_cast<std::uint16_t>(0x3010 + 0x10U * function);

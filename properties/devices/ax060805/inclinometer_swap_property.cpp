@@ -92,7 +92,8 @@ std::string rpdo(const std::array<int, 3>& values) {
 
 }  // namespace
 
-/// The unit is turned so that X and Y change places; its tilt angles then change places: x' = -y, y' = -x.
+/// The unit is turned so that X and Y exchange their places: x' = -y, y' = -x. Its tilt angles then exchange their
+/// places too.
 RC_GTEST_PROP(InclinometerSwapLaw, SwappedParametersSwapPitchAndRoll, ()) {
     verifies<req::INC_AVG_005, req::INC_FV_004, req::INC_FV_008>("property");
     InclinometerBench one;

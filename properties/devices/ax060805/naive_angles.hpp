@@ -73,7 +73,7 @@ class NaiveDirection {
                  (from_vertical < 1.0e-5 && is_turned_);
         return from_vertical < limit;
     }
-    /// Returns whether rounding in single precision may have led to another decision.
+    /// Returns whether rounding in single precision may have decided a comparison.
     bool is_doubtful() const { return doubt_; }
 
   private:
@@ -89,7 +89,7 @@ class NaiveDirection {
         }
         return {naive_degrees(std::atan2(y, x)), 1.2e-4 + naive_degrees(2.0 * error_ / g_.length())};
     }
-    /// Returns an angle over the whole turn; half a turn is +180 from either side.
+    /// Returns the angle of (x, y) from -180 to +180; half a turn gives +180, whatever the sign of a rounding error.
     NaiveAngle rolled_over(double y, double x) {
         if (y == 0.0 && x == 0.0) {
             return {};
@@ -151,8 +151,8 @@ class NaiveAverage {
         doubt_ = doubt_ || std::fabs(std::fabs(turned - before) - 180.0) < 0.01;
         return turned;
     }
-    /// Returns the mean of the latest `constant` samples; beyond 64 samples the oldest run of equal length counts by
-    /// its share.
+    /// Returns the mean of the latest `constant` samples; above 64 samples the window consists of runs of equal length,
+    /// of which the oldest counts by its share in the window.
     double window_mean() const {
         const int count = static_cast<int>(samples_.size());
         const int seen = std::min(count, constant_);

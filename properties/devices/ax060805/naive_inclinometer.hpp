@@ -28,7 +28,7 @@ struct NaiveUnit {
     int range{0};
 };
 
-/// Parameters by index and sub-index, as far as they were written.
+/// Parameters by index and sub-index; only those that were written.
 using NaiveEntries = std::map<std::pair<unsigned, unsigned>, double>;
 
 class NaiveInclinometer {

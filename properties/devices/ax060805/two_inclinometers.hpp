@@ -89,7 +89,7 @@ class TwoInclinometers {
                                 felt.acceleration.y, felt.acceleration.z, felt.fault, felt.sensor_temperature,
                                 felt.processor_temperature, felt.supply);
         device_->set_inputs(inputs_, now());
-        pass(5);  // the next sample detects it
+        pass(5);  // the device detects the error with the next sample
     }
     void lose_frames(bool lost) {
         inputs_.can_overrun = lost;

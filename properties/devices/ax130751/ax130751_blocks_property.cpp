@@ -226,7 +226,8 @@ RC_GTEST_PROP(MathLaw, MathBlockGivesTheSameResultAsTheNaiveModel, ()) {
     naive_blocks::Math naive;
     for (int cycle = 0; cycle < 10; ++cycle) {
         if (cycle == 0 ||
-            *rc::gen::inRange(0, 3) == 0) {  // new settings at times only: loops need several cycles of one setting
+            // the settings change only in some cycles, because a loop needs several cycles with the same settings
+            *rc::gen::inRange(0, 3) == 0) {
             for (std::size_t i = 0; i < math_inputs; ++i) {
                 inputs[i] = some_naive_input();
                 config.inputs[i] = math_input_of(inputs[i]);

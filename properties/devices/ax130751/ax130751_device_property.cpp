@@ -119,9 +119,9 @@ std::vector<double> observe(Ax130751Bench& bench) {
 
 RC_GTEST_PROP(Ax130751Law, OutputsDoNotDependOnHowOftenTheDeviceIsAdvanced, ()) {
     verifies<req::AOR_OUT_027>("property");
-    Ax130751Bench on_time;   // is called at each of its deadlines
-    Ax130751Bench late;      // is called at events only
-    Ax130751Bench restless;  // is also called at odd times between events
+    Ax130751Bench on_time;   // called at each of its deadlines
+    Ax130751Bench late;      // called at events only
+    Ax130751Bench restless;  // called at events and at odd times between them
     for (auto* bench : {&on_time, &late, &restless}) {
         bench->power_on();
         bench->start();  // outputs run in operational only

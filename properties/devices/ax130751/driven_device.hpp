@@ -67,7 +67,7 @@ class DrivenDevice {
     }
     const ax130751::Device& device() const { return *bench_.device; }
 
-    /// The frames sent since this was last cleared, without answers of the SDO server.
+    /// The frames sent since the test last cleared this list, without answers of the SDO server.
     std::vector<naive_ax130751::Said> said;
 
     static constexpr unsigned node = 127;

@@ -203,7 +203,8 @@ class NaiveOutput {
         return target;
     }
 
-    /// Limits a value at the terminals: 14 V drive the current through the load; without pulses there is no duty cycle.
+    /// Limits a value at the terminals: at most the current that 14 V drive through the load flows; at a frequency of 0
+    /// the duty cycle is 0.
     static double at_terminals(const Output& output, double value, double load) {
         if (output.type == 20 && load * value > 14000.0) {
             return 14000.0 / load;

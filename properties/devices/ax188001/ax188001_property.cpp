@@ -99,7 +99,8 @@ RC_GTEST_PROP(Ax188001Law, LimitFaultsAreReportedAsTheNaiveModelPredicts, ()) {
     const int high = low + any(10, 100);
     const int shutdown = high + any(10, 60);
     const int delay_ms = *rc::gen::element(0, any(0, 1000), any(0, 10) * 165, 60000);
-    // Half degrees are half a degree away from every threshold: neither quantisation nor rounding decides.
+    // Multiples of half a degree are either equal to a threshold or half a degree away from it, so neither the steps of
+    // the converter nor rounding decides.
     const auto degrees = *rc::gen::container<std::vector<int>>(rc::gen::inRange(low - 12, shutdown + 12));
 
     TcsBench bench;

@@ -101,7 +101,8 @@ class Pair {
                 RC_ASSERT(std::pair(index, read(index, channel + 1)) ==
                           std::pair(index, model_.value(index, channel + 1)));
             }
-            // 2010h (TC Input Microvolts) is an integer: near a half the rounding of the device decides.
+            // 2010h (TC Input Microvolts) is an integer. The model gives a real number, so the two may differ by half a
+            // microvolt.
             const auto shown = static_cast<double>(static_cast<std::int32_t>(read(0x2010, channel + 1)));
             RC_ASSERT(std::fabs(shown - model_.scanner().shown(channel).uv) <= 0.5 + 1e-5);
         }

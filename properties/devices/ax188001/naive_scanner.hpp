@@ -57,7 +57,7 @@ struct Shown {
 
 class Scanner {
   public:
-    /// Returns the temperature that the device shows: the last digits of its REAL32 are taken from the device.
+    /// Returns the temperature that the device shows. The model takes the last digits of the REAL32 from it.
     using Observe = std::function<float(unsigned channel)>;
 
     explicit Scanner(Observe observe) : observe_{std::move(observe)} {}

@@ -45,7 +45,7 @@ void put(TcsBench& bench, const TcsState& state) {
     bench.inputs.supply = static_cast<float>(state.supply_v);
 }
 
-/// Writes the values that differ from those of a device in the state `before`.
+/// Writes the values of `after` that differ from those of `before`.
 void write_changes(TcsRig& rig, const TcsState& before, const TcsState& after) {
     const auto change = [&](int index, int sub, int size, auto old_value, auto value) {
         if (old_value != value) {

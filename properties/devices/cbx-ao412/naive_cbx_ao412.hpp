@@ -51,7 +51,7 @@ struct Settings {
     unsigned start_ms{100};
 };
 
-/// Copies only 1000h to 1FFFh of a set.
+/// Copies all settings of 1000h to 1FFFh, and none of the outputs.
 inline void take_communication(Settings& to, const Settings& from) {
     const auto outputs = to.outputs;
     to = from;
@@ -151,7 +151,7 @@ class Device {
     std::deque<Waiting> waiting_;
     std::uint64_t may_send_at_{0};
     bool communication_failed_{false};
-    std::array<bool, 3> failing_{};  ///< producer, guarding master, bus
+    std::array<bool, 3> failing_{};  ///< whether a producer, the guarding master or the bus is missing
     bool failed_{false};
     bool shown_internal_{false};
     bool toggle_{false};

@@ -19,7 +19,7 @@ inline bool flashes(std::uint64_t at_ms, unsigned count, unsigned pause_ms) {
 
 /// Returns whether an LED is lit; the red LEDs are 200 ms behind the green ones.
 inline bool is_lit(Light light, bool red, std::uint64_t now_ms) {
-    constexpr std::uint64_t rounds_ms = 16000;  // a whole number of rounds of each pattern
+    constexpr std::uint64_t rounds_ms = 16000;  // a multiple of the length of each pattern, in ms
     const std::uint64_t at = red ? now_ms + rounds_ms - 200U : now_ms + rounds_ms;
     switch (light) {
         case Light::off:

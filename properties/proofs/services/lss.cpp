@@ -14,7 +14,7 @@ namespace {
 
 namespace device = generated::ax188001;
 
-/// A device that may store or refuse. The choice is open, and is made before the call.
+/// A device that stores the settings or refuses to. The prover considers both; the choice is made before the call.
 class AnyApplication final : public LssApplication {
   public:
     explicit AnyApplication(const LssError answer) : answer_{answer} {}

@@ -13,13 +13,14 @@ namespace {
 
 namespace device = generated::ax188001;
 
-/// The dictionary of the AX188001, which has receive and transmit PDOs. Its values are open.
+/// The dictionary of the AX188001, which has receive and transmit PDOs. The prover considers all values of its entries.
 struct AnyDictionary {
     std::array<std::uint8_t, device::image_size> image{any<std::array<std::uint8_t, device::image_size>>()};
     ObjectDictionary objects{device::tables, MutableBytes{image}, LimitAbort::range};
 };
 
-/// Returns an object of RPDO1 or TPDO1, whichever each() tries: `offset` is 0 for the communication parameters.
+/// Returns an object of RPDO1 or TPDO1. The theorem is decided for both. `offset` is 0 for the communication
+/// parameters.
 std::uint16_t any_pdo_object(const std::uint32_t offset) {
     const auto direction = static_cast<PdoDirection>(each(2U));
     return static_cast<std::uint16_t>(communication_object(direction, 0U) + offset);

@@ -15,7 +15,8 @@ constexpr std::size_t line_count = 2U;  ///< most entries of a PDO
 constexpr std::size_t entry_count = pdo_count * line_count;
 constexpr std::size_t image_size = 16U;
 
-/// The owner of the mapped entries. It takes a value or refuses it; the choice is open, and is made before the call.
+/// The owner of the mapped entries. It accepts a value or refuses it. The prover considers both; the choice is made
+/// before the call.
 class AnyOwner final : public ObjectAccess {
   public:
     Result<ByteView, AbortCode> read(std::uint16_t /*index*/, std::uint8_t /*subindex*/) override {
@@ -59,8 +60,8 @@ std::uint32_t bits_of(const EntryRow& row) {
     return (row.type == DataType::boolean) ? 1U : (row.size * 8U);
 }
 
-/// Two receive PDOs as resolve() leaves them, in any state of reception. Their values do not lie side by side in the
-/// image, as far as the PDOs know: the short cut for those that do is not taken.
+/// Two receive PDOs as resolve() leaves them, in any state of reception. The PDOs treat the values as not adjacent in
+/// the image, so the faster code for adjacent values is not used.
 struct Receiving {
     std::array<std::uint8_t, image_size> image{any<std::array<std::uint8_t, image_size>>()};
     std::array<EntryRow, entry_count> rows{};
@@ -113,8 +114,8 @@ struct Receiving {
         pdo.mapping.lines_ = Slots<PdoLine>{&lines[number * line_count], count};
         pdo.mapping.length_ = static_cast<std::uint8_t>((total + 7U) / 8U);
     }
-    /// Invariant between two calls: identifiers have 11 bits, or are those of nobody; a frame that waits has all bytes
-    /// of its mapping; the next deadline is the earliest of all PDOs.
+    /// Invariant between two calls: each identifier has 11 bits or is `nobody`; a frame that waits has all bytes of its
+    /// mapping; the next deadline is the earliest of all PDOs.
     bool is_consistent() const {
         bool sound = (received.failed_ <= 0xFFFFFFU) && (received.next_ == earliest(pdos[0].due, pdos[1].due));
         for (const ReceivePdo& pdo : pdos) {

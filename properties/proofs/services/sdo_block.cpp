@@ -19,8 +19,8 @@ constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 
 
 constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments that leave at once
 
-/// Decides an upload for each number of segments, up to the most that leave at once, that the sub-block has `left` and
-/// that the value has from this place on.
+/// The theorem about an upload is decided for each number of segments that the sub-block has `left`, and for each
+/// number of segments of the value from this place on; both go up to the most that leave at once.
 void split(const Served& node, const std::size_t left, const std::size_t from) {
     const std::size_t more = each(most + 1U);
     const std::size_t full = each(most + 1U);

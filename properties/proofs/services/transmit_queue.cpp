@@ -9,7 +9,8 @@ namespace canproof::proofs {
 
 namespace {
 
-/// A place of the ring from which a queue of more than 12 frames goes on at its beginning.
+/// A place near the end of the ring: a queue of more than 12 frames that begins here continues at the beginning of the
+/// ring.
 constexpr std::uint32_t place_20 = 20U;
 
 /// Returns any consistent queue that begins at this place of the ring. The theorem is decided for each length.
@@ -39,7 +40,7 @@ bool is_same(const Frame& a, const Frame& b) {
     return both(head, field_le<0U, max_frame_length>(a.data) == field_le<0U, max_frame_length>(b.data));
 }
 
-/// Queues a frame with one of the two forms of push(). each() tries both.
+/// Queues a frame with one of the two forms of push(). The theorem is decided for both.
 bool push_either_way(TransmitQueue& queue, const Frame& frame) {
     return (each(2U) == 0U) ? queue.push(frame)
                             : queue.push(frame.id, frame.length, field_le<0U, max_frame_length>(frame.data));

@@ -59,7 +59,8 @@ struct Device {
     ParameterStore store;
 };
 
-/// Cuts the power after the number of bytes that each() tries, in a save that follows `saves` others.
+/// Cuts the power after some number of bytes of a save that follows `saves` others. The theorem is decided for each
+/// number.
 void cut_a_save_behind(const std::size_t saves) {
     const std::size_t cut = each(bytes_of_a_save + 1U);
     Memory::Bytes bytes{};

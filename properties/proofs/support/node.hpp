@@ -16,7 +16,7 @@ inline Frame any_frame() {
     return frame;
 }
 
-/// Returns any time that a clock can show. A clock that counts microseconds from power-on reaches 2^63 after 292,000
+/// Returns any time that a clock can have. A clock that counts microseconds from power-on reaches 2^63 after 292,000
 /// years.
 inline Instant any_time() {
     const Instant now = any<Instant>();
@@ -24,8 +24,8 @@ inline Instant any_time() {
     return now;
 }
 
-/// The dictionary of the CAN-CBX-AO412, which has objects for error control, heartbeat consumer, SYNC and EMCY. Its
-/// values are open.
+/// The dictionary of the CAN-CBX-AO412, which has objects for error control, heartbeat consumer, SYNC and EMCY. The
+/// prover considers all values of its entries.
 struct AnyDictionary {
     std::array<std::uint8_t, generated::cbx_ao412::image_size> image{
         any<std::array<std::uint8_t, generated::cbx_ao412::image_size>>()};

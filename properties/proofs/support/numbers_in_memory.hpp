@@ -44,7 +44,7 @@ void put_and_look() {
     claim_put(looked, at, N, value);
 }
 
-/// Returns the number of the bytes from a position on; bytes beyond the view count as zero.
+/// Returns the number that `count` bytes from position `at` on represent; bytes beyond the view count as zero.
 inline std::uint64_t number_at(const ByteView bytes, const std::size_t at, const std::size_t count) {
     std::uint64_t number{0U};
     for (std::size_t i = 0U; i < longest; ++i) {

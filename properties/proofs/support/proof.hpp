@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of a proof harness: leave values open, assume, call, claim. `canproof prove` shows that every claim holds
-// for every open value, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
+// The functions with which a harness states a theorem. It leaves some values open, which means that they can be
+// anything; it assumes conditions, calls the firmware and claims a result. `canproof prove` shows that every claim
+// holds for every value that is open, and that no undefined behaviour occurs. src/host/prove/README.md describes how.
 #pragma once
 
 #include <array>
@@ -45,8 +46,8 @@ inline void claim(const bool holds, const unsigned line = __builtin_LINE()) noex
     canproof_claim(holds, line);
 }
 
-/// Offers open values as an input of a fuzz target: `canproof prove --seeds` writes that of a counterexample. A harness
-/// calls it before what may fail.
+/// Converts open values to an input of a fuzz target. `canproof prove --seeds` writes the input that corresponds to a
+/// counterexample. A harness calls this function before the call that may fail.
 template <std::size_t N>
 void fuzz_seed(const char* const target, const std::array<std::uint8_t, N>& input) noexcept {
     canproof_seed(target, input.data(), N);

@@ -69,7 +69,7 @@ std::uint8_t* canproof_any_memory(std::size_t bytes) noexcept {
         std::_Exit(file_ends);
     }
     put(memory, bytes);
-    return bytes == 0 ? memory + room : memory;  // without bytes, the first byte is already outside
+    return bytes == 0 ? memory + room : memory;  // a view without bytes has no first byte that may be read
 }
 
 void canproof_assume(bool holds, const char* file, unsigned line) noexcept {

@@ -7,7 +7,8 @@
 
 namespace canproof::proofs {
 
-/// Objects that may return anything that their interface allows. The choice is open, and is made before the call.
+/// Objects that may return anything that their interface allows. The prover considers every answer; each is chosen
+/// before the call.
 class AnyObjects final : public ObjectAccess {
   public:
     AnyObjects() {

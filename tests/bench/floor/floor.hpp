@@ -20,7 +20,8 @@ class Floor final : public Server {
     /// Makes a floor with the entries of `rows`; the entry of `domain_index` has the content `domain`.
     Floor(const host::DictionaryRows& rows, std::uint16_t domain_index, const std::vector<std::uint8_t>& domain)
         : values_{rows.layout.image}, constants_{rows.layout.constants}, domain_{domain}, staging_(domain.size()) {
-        values_.resize(values_.size() + expedited);  // a value is read as four bytes, whatever its size
+        // room behind the last value, because every value is read as four bytes
+        values_.resize(values_.size() + expedited);
         constants_.resize(constants_.size() + expedited);
         for (const ObjectRow& object : rows.objects) {
             for (std::size_t i = 0; i < object.count; ++i) {
@@ -96,7 +97,7 @@ class Floor final : public Server {
     };
 
     static constexpr std::uint32_t name_of(std::uint32_t index, std::uint32_t subindex) {
-        return index | (subindex << 16U);  // as in bytes 1 to 3 of a request
+        return index | (subindex << 16U);  // object of the entry, as in bytes 1 to 3 of a request
     }
     static std::uint64_t word_of(const std::uint8_t* bytes) {
         std::uint64_t word = 0;
@@ -273,7 +274,7 @@ class Floor final : public Server {
                 std::memcpy(staging_.data() + size_, &data, 7);
                 crc_.add_seven(data);
             } else {
-                tail_ = request >> 8U;  // the number of valid bytes is known at the end
+                tail_ = request >> 8U;  // set at the end, when the number of valid bytes is known
             }
             size_ += 7;
             sequence_ = sequence;

@@ -35,7 +35,7 @@ class FloorCrc {
     std::uint16_t value() const { return swapped(crc_); }
 
   private:
-    // The CRC has its bytes swapped, as in the data.
+    // crc_ has its two bytes swapped, in the order of the data.
     static std::uint16_t swapped(std::uint32_t word) {
         return static_cast<std::uint16_t>(((word & 0xFFU) << 8U) | ((word >> 8U) & 0xFFU));
     }

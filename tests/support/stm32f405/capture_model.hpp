@@ -28,7 +28,7 @@ class CaptureModel final : public Peripheral {
 
     stm32f405::CaptureRegisters block_{};
     std::uint32_t control_{0}, option_{0}, mode_{0}, enable_{0}, status_{0}, captured_{0};
-    double count_{0};  ///< count of the timer
+    double count_{0};  ///< present value of the timer's counter
     double edges_{0};  ///< edges of the oscillator since the last capture
     bool before_read_{false};
 };

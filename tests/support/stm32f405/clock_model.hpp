@@ -36,7 +36,7 @@ class ClockModel final : public Peripheral {
     void break_pll() { pll_works_ = false; }
     void reset_by_watchdog() { status_ |= stm32f405::rcc_csr::by_watchdog; }
 
-    /// Return the configured clock of the core and of APB1 in MHz.
+    /// These two functions return the configured clock of the core and of APB1, in MHz.
     double core_mhz() const;
     double apb1_mhz() const;
     bool is_crystal_watched() const { return (control_ & stm32f405::rcc_cr::security_on) != 0; }

@@ -63,18 +63,18 @@ class ZynqCanModel final : public Peripheral {
     bool answers_{true}, filters_stay_{false}, dominant_{false};
     bool reset_{false};    ///< a reset was requested and not answered yet
     bool enabled_{false};  ///< CEN
-    bool normal_{false};   ///< has joined the bus
+    bool normal_{false};   ///< the controller has joined the bus
     std::uint32_t mode_{0}, prescaler_{0}, timing_{0};
     std::uint32_t interrupts_{0};  ///< ISR
     std::uint32_t used_{0};        ///< AFR
     bool busy_{false};             ///< ACFBSY
     std::array<std::array<std::uint32_t, 2>, zynqmp::filter_count> filters_{};
     Words first_{};               ///< TXHPB
-    std::size_t written_{0};      ///< words of a frame that was begun
+    std::size_t written_{0};      ///< words written so far of a frame that is not complete
     bool full_{false};            ///< TXBFLL
-    bool on_bus_{false};          ///< its frame is on the bus
+    bool on_bus_{false};          ///< the frame of TXHPB is on the bus
     std::deque<Words> received_;  ///< RXFIFO
-    std::size_t read_{0};         ///< words of its first frame that were read
+    std::size_t read_{0};         ///< words read so far of the first frame in RXFIFO
     std::uint32_t transmit_errors_{0}, receive_errors_{0};
     bool bus_off_{false};
     std::uint32_t recessive_{0};
