@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # `cmake --install` installs the program and, below lib/canproof, what an outside project builds its devices from
-# (find_package, canproofConfig.cmake). These are sources of the firmware, of test bench and fuzz world, and headers and
-# compiled libraries of the host.
+# (find_package, canproofConfig.cmake). These are sources of the firmware, of the test benches and of the fuzz targets'
+# support, and headers and compiled libraries of the host.
 set(home lib/canproof)
 install(TARGETS canproof DESTINATION bin)
 if(TARGET canproof-prove)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes the records of a device world that do not need the device: see device_world.hpp.
+// Decodes those records of a fuzz input for which the device is not needed; see device_world.hpp.
 #pragma once
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // checks what must hold after each of them. A `Unit` describes the device: its types, the size of its memory and its
 // own checks; see the headers named _unit.hpp.
 //
-// A record of an input has twelve bytes: the event, `how`, and ten bytes for it.
+// An input of the fuzz target consists of records of twelve bytes: the event, `how`, and ten bytes for it.
 //   0…3 SDO request · 4 expedited write to the n-th entry · 5 LSS request · 6 frame of identifier 0 · 7 RPDO · 8 any
 //   frame · 9 remote frame on an identifier of the device · A SYNC · B physical input · C time, with no deadline kept
 //   when `how` is odd · D power cut while a frame is served · E power cycle · F memory fails, cannot be read, or works
@@ -368,7 +368,7 @@ class DeviceWorld {
     struct Storage {
         alignas(Device) DeviceBytes bytes;
     };
-    /// The part of the world that changes, without the device and its memory.
+    /// Everything that changes during a run, without the device and its memory.
     struct State {
         TransmitQueue queue;
         Inputs inputs{};

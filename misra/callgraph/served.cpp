@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions for the test of the check in checks/served.py. The marked ones serve no item; all others do.
+// Functions for the test of the check in checks/served.py, which finds functions that implement no requirement. A
+// comment marks each such function.
 #include "firmware/base/requirement.hpp"
 #include "generated/canopen/requirements.hpp"
 

@@ -160,7 +160,7 @@ def write_html(folder, outcome):
 
 
 def write_exhibit(folder, outcome):
-    """Writes the exhibit of this run for the evidence pack (src/host/assess/evidence/exhibit.hpp)."""
+    """Writes the result of this run as an exhibit of the evidence pack (src/host/assess/evidence/exhibit.hpp)."""
     state = "open" if outcome.open or outcome.faults else "holds"
     exhibit = {"title": "MISRA", "state": state, "says": lead(outcome), "page": "misra.html", "data": ["misra.sarif"]}
     (folder / "exhibit.json").write_text(json.dumps(exhibit, indent=1) + "\n")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finds functions of the firmware that serve no item of the requirements register.
+"""Finds functions of the firmware that serve no item of the requirements register: they implement none, and no function
+that does calls them.
 
 A function serves an item in three cases:
 - A link (`static_assert(implements<req::…>)`) is in it, or directly above it or its declaration.
@@ -27,7 +28,7 @@ NAME = re.compile(r"((?:[\w{}~]+(?:<.*?>)?::)*~?[\w=<>!+*/&|^-]+)(?:\(|$)")
 
 
 class Source:
-    """One file: the lines of its links, and the functions or classes directly below them."""
+    """One file: the lines of its implements<> assertions, and the functions or classes directly below them."""
 
     def __init__(self, path):
         self.lines = without_comments_and_literals(path.read_text()).splitlines()
@@ -84,7 +85,7 @@ class Served:
     def linked(self):
         """Returns the functions with their own link."""
         found = set()
-        named = collections.defaultdict(set)  # path without extension → names with a link at their declaration
+        named = collections.defaultdict(set)  # names with implements<> at their declaration, by path without extension
         for path, source in self.sources.items():
             for link in source.links:
                 first, text = source.below(link)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tests/program/inject_shards.py PROGRAM: checks that `canproof inject` in three shards prints the same bytes as on one machine.
+"""tests/program/inject_shards.py PROGRAM: checks that `canproof inject`, divided into three shards as for three machines, prints
+the same bytes as on one machine.
 
 Among 300 faults of seed 3 is one that turns a bit of a pointer: its effect depends on the addresses and the content of the memory
 beside the device."""

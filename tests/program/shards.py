@@ -4,7 +4,7 @@
 machine, also when tests/mutation/in_parts is stopped and started again.
 
 A script replaces the program of mutants: it has eleven mutants, of which every third survives. The scripts of fuzz/cluster run
-the shards. Compares the output, the exit status, code_mutation.json and the exhibit."""
+the shards. Compares the output, the exit status, code_mutation.json and the exhibit (the result for the evidence pack)."""
 import os
 import pathlib
 import subprocess

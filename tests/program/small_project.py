@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A project with one manual of two sections and a device with one requirement. The marks are computed here by their definition in
-spec/README.md."""
+"""A project with one manual of two sections and a device with one requirement. The marks (hashes) of the manual's passages are
+computed here by their definition in spec/README.md."""
 import hashlib
 import pathlib
 import re

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links from code to the requirements register: a wrong or retired requirement id does not compile.
+// Links code to the requirements that it implements: a wrong or retired requirement id does not compile.
 #pragma once
 
 namespace canproof {

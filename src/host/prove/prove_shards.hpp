@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Theorems on several machines. Each machine decides a shard of the theorems, and one machine merges the results.
+// Theorems on several machines. Each machine decides a shard (a part) of the theorems, and one machine merges the
+// results.
 #pragma once
 
 #include <filesystem>

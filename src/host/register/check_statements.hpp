@@ -6,9 +6,9 @@
 
 namespace canproof::host {
 
-/// Adds the faults of the statements. Each statement must belong to a place of its manual, and each mark must occur
-/// only once in a manual. The items in `covered` must be in force and belong to a device with that manual or to the
-/// shared part.
+/// Adds the faults of the statements. Each statement must belong to a place of its manual, and each passage mark (hash
+/// of a passage) must occur only once in a manual. The items in `covered` must be in force and belong to a device with
+/// that manual or to the shared part.
 void check_statements(const Register& content, Faults& faults);
 
 }  // namespace canproof::host

@@ -22,8 +22,9 @@ std::string fingerprint(const Constant& constant);
 std::string fingerprint(const Signal& signal);
 std::string fingerprint(const Decision& decision);
 std::string fingerprint(const Hazard& hazard);
-/// Returns eight hexadecimal digits that depend on the disposition of a manual section: whether it is normative, the
-/// reason, the objects that it describes, and the conditions of use. Its title and its statements have no influence.
+/// Returns eight hexadecimal digits that depend on the classification of a manual's section: whether it is normative,
+/// the reason, the objects that it describes, and the conditions of use. Its title and its statements have no
+/// influence.
 std::string fingerprint(const Section& section);
 
 /// Returns the fingerprint of each item, decision and hazard of the part by id, as reviews.toml contains it.

@@ -39,7 +39,7 @@ Mark mark_of(const std::string& passage) {
 std::optional<Mark> read_mark(const std::string& text) {
     const std::size_t colon = text.find(':');
     const std::string digits = text.substr(0, colon);
-    constexpr std::size_t most_digits = 5;  // the number of digits of Mark::longest
+    constexpr std::size_t most_digits = 5;  // number of decimal digits of Mark::longest
     const bool is_number = !digits.empty() && digits.size() <= most_digits && digits.front() != '0' &&
                            std::all_of(digits.begin(), digits.end(), is_digit);
     const std::string hash = colon == std::string::npos ? "" : text.substr(colon + 1);

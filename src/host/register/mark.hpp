@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mark of a passage. It identifies words of a manual but does not contain them.
+// The mark of a passage of a manual: a hash that identifies the words of the passage without containing them.
 #pragma once
 
 #include <cstddef>

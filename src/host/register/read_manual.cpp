@@ -47,7 +47,7 @@ Manual read_manual(TomlItem& item) {
     return manual;
 }
 
-/// Returns the marks in the field `mark`, which contains one mark or a list of marks.
+/// Returns the passage marks (hashes) in the field `mark`, which contains one mark or a list of marks.
 std::vector<Mark> read_marks(TomlItem& item) {
     const toml::node* node = item.node("mark");
     const bool is_list = node != nullptr && node->is_array();

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Parses the marks of a review, `ITEM CODE TESTS`. `-` or a missing mark means that there was no code or no test.
+/// Parses the hashes of a review, `ITEM CODE TESTS`. `-` or a missing hash means that there was no code or no test.
 Review read_marks(const std::string& marks) {
     std::istringstream words{marks};
     Review review;

@@ -238,15 +238,17 @@ struct Hazard : Item {
     Place decisions_place;
 };
 
-/// The review of an item with its code and tests, or of the disposition of a section.
+/// The review of an item with its code and tests, or of the classification of a manual's section.
 struct Review {
     std::string fingerprint;  ///< fingerprint of the item when it was reviewed
     std::string code;         ///< hash of the functions that implemented the item; empty: there were none
-    std::string tests;        ///< hash of the tests that claimed the item; empty: there were none
+    std::string tests;        ///< hash of the tests that claimed to show the item; empty: there were none
     std::string date;         ///< YYYY-MM-DD
     std::string by;
-    std::string role;    ///< author or independent; empty: not recorded
-    std::string marked;  ///< date on which code and tests got new marks without being read; empty: they were read
+    std::string role;  ///< author or independent; empty: not recorded
+    /// date on which the hashes of code and tests were renewed without a reader; empty: a reader has read code and
+    /// tests
+    std::string marked;
     Place place;
 };
 
@@ -306,7 +308,8 @@ struct Part {
     /// earlier reviews by independent readers, of items whose review in `reviews` is the author's
     std::map<std::string, Review> independent_reviews;
     std::vector<std::string> files;
-    bool inherited{false};  ///< whether these are shared rules of an installed canproof, whose own project proves them
+    /// whether these are shared rules of an installed canproof, which canproof's own project tests
+    bool inherited{false};
 
     /// Returns the name of the part in C++: cbx_ao412 for `cbx-ao412`.
     std::string cpp_name() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line plot as SVG, with round numbers on the axes, a legend and marks. Every browser can display it.
+// A line plot as SVG, with round numbers on the axes, a legend and labelled vertical lines. Every browser can display
+// it.
 #pragma once
 
 #include <string>
@@ -31,7 +32,8 @@ struct LinePlot {
 /// or 5 times a power of ten. The axis is 3.2 to 8 times as long as this distance.
 double tick_step(double low, double high);
 
-/// Returns title, axes, marks and the range of each curve in sentences, for readers who do not see the plot.
+/// Returns title, axes, labels of vertical lines and the range of each curve in sentences, for readers who do not see
+/// the plot.
 std::string plot_words(const LinePlot& plot);
 
 /// Whether a plot shows its title. A plot below a caption that has the title does not.

@@ -53,8 +53,8 @@ void print_part(const PartAudit& audit) {
     }
 }
 
-/// The items and statements that pass a filter. `not_shown` counts those items without the status `shown` and those
-/// statements that are open.
+/// The items and statements that pass a filter. `not_shown` counts the items whose tests do not prove them (any status
+/// but `shown`), and the open statements.
 struct Listed {
     std::vector<const AuditedItem*> items;
     std::vector<const AuditedStatement*> statements;
@@ -150,7 +150,7 @@ std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::strin
     return audits;
 }
 
-/// Compares the tests with the record of the mutants that each test notices (reports/kills.csv). Returns nothing for a
+/// Compares the tests with reports/kills.csv, which records the mutants that each test notices. Returns nothing for a
 /// project without such a record.
 std::optional<KillAudit> kills_of(const std::filesystem::path& root, const std::vector<PartAudit>& audits,
                                   const Evidence& evidence) {

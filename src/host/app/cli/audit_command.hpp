@@ -13,11 +13,13 @@ struct AuditOptions {
     std::string subject;  ///< device, id, section, statement, source file or test; empty: everything
     std::string verdicts;
     AuditFilter filter;
-    bool json{false};  ///< items, gaps, suspects and orphans as JSON instead of lines
+    /// items, gaps, suspects (items that have changed since their review) and orphans (code or tests without a
+    /// requirement) as JSON instead of lines
+    bool json{false};
 };
 
-/// Prints the audit. Returns the exit status: 1 when something is open, suspect, failed or not shown; always 0 for a
-/// list of conditions of use.
+/// Prints the audit. Returns the exit status: 1 when an item is not proven by a passed test, has changed since its
+/// review or has a failed test, or when something else is open; always 0 for a list of conditions of use.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

@@ -82,7 +82,7 @@ std::optional<MeasuredMutation> mutation_of(const std::filesystem::path& file) {
     return MeasuredMutation{read_mutation_json(file), bytes_of(file)};
 }
 
-/// Returns the stale measurements, each with a source that has changed since the measurement.
+/// Returns the stale measurements: those with a source that has changed since the measurement, each with this source.
 std::map<std::string, std::string> stale_ones(const Places& places) {
     const auto& root = places.root;
     const auto tests = firmware_and_tests(root);

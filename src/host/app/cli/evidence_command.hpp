@@ -11,9 +11,9 @@ struct EvidenceOptions {
     std::string out{"reports/out"};
     std::string verdicts;  ///< folder of test results; empty: the newest of build/{release,debug,coverage}/verdicts
     std::string coverage;  ///< measurement of tests/coverage; empty: build/coverage/coverage.json
-    std::string exhibits;  ///< folder of results of other tools; empty: build/exhibits
+    std::string exhibits;  ///< folder of exhibits, which are results of other tools; empty: build/exhibits
     std::string key;       ///< file of a private key that signs the manifest; empty: no signature
-    bool full{false};      ///< first makes the evidence that is absent or stale
+    bool full{false};      ///< first makes the evidence that is absent, or older than a change of its sources
     bool json{false};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `figures` command: draws the behaviour of the devices.
+// The `figures` command: draws plots of how the devices behave.
 #include "host/app/cli/figures_command.hpp"
 
 #include <fmt/format.h>

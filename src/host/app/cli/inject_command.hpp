@@ -19,12 +19,12 @@ struct InjectOptions {
     InjectionOptions campaign;
     bool json{false};
     bool is_shard{false};
-    std::string out{"build/inject"};  ///< folder of the files of shards
+    std::string out{"build/inject"};  ///< folder for the file of a shard (the part for one of several machines)
     /// folder with the files of all shards, which are merged instead of a run; empty: runs the campaign
     std::string merge;
 };
 
-/// Prints the result as a table or JSON. With `is_shard`, writes the result of the shard to a file in `out` and prints
+/// Prints the result as a table or JSON. With `is_shard`, writes the result of this part to a file in `out` and prints
 /// one line. Returns the exit status, which is always 0.
 int inject(const InjectOptions& options);
 

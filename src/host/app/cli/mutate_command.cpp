@@ -30,7 +30,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Removes the cells of shared rules that come with an installed canproof, because canproof's own tests cover them.
+/// Removes the cells (values in generated tables) of shared rules that come with an installed canproof, because
+/// canproof's own tests cover them.
 void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     const auto inherited = [&](const AlteredCell& cell) {
         return std::any_of(content.parts.begin(), content.parts.end(), [&](const Part& part) {
@@ -40,7 +41,7 @@ void drop_inherited(std::vector<AlteredCell>& cells, const Register& content) {
     cells.erase(std::remove_if(cells.begin(), cells.end(), inherited), cells.end());
 }
 
-/// Returns the cells of one item or of one device; without a subject, all cells of the project.
+/// Returns the cells of the item or device that the user names; without a name, all cells of the project.
 std::vector<AlteredCell> chosen_cells(std::vector<AlteredCell> cells, const Register& content,
                                       const std::string& subject) {
     drop_inherited(cells, content);
@@ -151,7 +152,8 @@ std::vector<MutationOutcome> judge(const MutateOptions& options, const std::file
         progress);
 }
 
-/// Judges one shard of `cells` and writes its outcomes for `--merge`. `count` has the same meaning as in judge().
+/// Judges one shard of `cells` (the part for one of several machines) and writes its outcomes for `--merge`. `count`
+/// has the same meaning as in judge().
 int judge_shard(const MutateOptions& options, const std::filesystem::path& programs,
                 const std::vector<AlteredCell>& cells, std::size_t count, const std::vector<SurvivorRecord>& records) {
     const std::string sources = source_hash(options.root);
@@ -171,7 +173,8 @@ int judge_shard(const MutateOptions& options, const std::filesystem::path& progr
     return 0;
 }
 
-/// Returns one line for each record of a survivor: the file, the line of the record, and `what`.
+/// Returns one line for each record of a survivor (an alteration that no test notices): the file, the line of the
+/// record, and `what`.
 std::vector<std::string> lines_about(const std::vector<const SurvivorRecord*>& records,
                                      const std::filesystem::path& file, const char* what) {
     std::vector<std::string> lines;
@@ -191,7 +194,7 @@ void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& opt
     }
 }
 
-/// Prints the survivors, the counts and the faults of the records as lines.
+/// Prints the alterations that no test noticed, the counts and the faults of the records as lines.
 void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
     for (const auto& fault : faults) {
         fmt::print("{}\n", fault);
@@ -200,7 +203,7 @@ void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<s
     print_counts(count_by_item(outcomes), code);
 }
 
-/// Returns the alterations that a run judges: those of the subject, or a sample of them.
+/// Returns the alterations that a run judges: those of the item or device that the user names, or a sample of them.
 std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std::vector<AlteredCell>& all) {
     auto cells = options.code
                      ? chosen_mutants(all, options.subject)

@@ -21,15 +21,16 @@ struct MutateOptions {
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
-    std::optional<Shard> shard{};  ///< judges only this part of a run and writes its outcomes below `programs`
+    /// judges only this shard (the part for one of several machines) and writes its outcomes below `programs`
+    std::optional<Shard> shard{};
     /// folder with the outcomes of all shards, which are merged instead of a new run; empty: runs the judgement
     std::string merge;
     bool json{false};  ///< the outcomes as JSON instead of lines
 };
 
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
-/// when a record matches no alteration, or when a record matches no survivor. A run with a subject or a sample does not
-/// check the last point. Returns 0 for a shard and for `kills`.
+/// when a record of a reason matches no alteration, or when it matches only alterations that a test notices. A run of a
+/// part of the alterations does not check the last point. Returns 0 for a shard and for `kills`.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

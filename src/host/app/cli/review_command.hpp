@@ -14,8 +14,10 @@ struct ReviewOptions {
     std::string by;
     std::string role;      ///< author (of the change) or independent
     std::string verdicts;  ///< folder of test results; empty: the newest of the project
-    bool mark{false};      ///< updates the marks of code and tests in existing reviews and adds no review
-    /// records that only the text of the items was read; marks the present code and tests, as `mark` does
+    /// computes the review marks (hashes of code and tests) of existing reviews again, and adds no review
+    bool mark{false};
+    /// records that only the text of the items was read; the review marks are those of the present code and tests, as
+    /// with `mark`
     bool wording{false};
     std::string date;  ///< YYYY-MM-DD; empty: today
 };

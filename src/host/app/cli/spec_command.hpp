@@ -23,8 +23,9 @@ struct StatementsOptions {
 };
 
 /// Prints the statements of a manual by section. Returns the exit status: 1 when a statement is open or a normative
-/// section has no statement. With `text`, prints instead the marks that the manual's text does not contain, and the
-/// text that no statement covers. Then returns 1 when one of the marks is not in the text.
+/// section has no statement. With `text`, prints instead the statements' passages that the manual's text does not
+/// contain (each named by its mark, a hash), and the text that no statement covers. Then returns 1 when a passage is
+/// not in the text.
 int list_statements(const StatementsOptions& options);
 
 }  // namespace canproof::host

@@ -67,7 +67,8 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
-/// Returns the next step with its command when evidence is stale; otherwise an empty text.
+/// Returns the next step with its command when evidence is older than a change of code or tests; otherwise an empty
+/// text.
 std::string next_step(const Impact& impact) {
     return impact.stale.empty()
                ? ""

@@ -18,7 +18,7 @@ struct VerdictChange {
 };
 
 /// Returns the items whose result differs between `before` and `after`. The result of an item is `passed` when all its
-/// tests passed, `failed` when one failed, and `none` when no test claims the item.
+/// tests passed, `failed` when one failed, and `none` when no test claims to show the item.
 std::vector<VerdictChange> verdict_changes(const Evidence& before, const Evidence& after);
 
 struct Impact {
@@ -30,11 +30,11 @@ struct Impact {
     bool empty() const { return items.empty() && files.empty() && verdicts.empty() && stale.empty(); }
 };
 
-/// Returns the changes as text: each changed item with its linked decisions, code and tests, each changed file with its
-/// items, the changed verdicts, and the stale items. The last line has the sums.
+/// Returns the changes as text: each changed item with its decisions, code and tests, each changed file with its items,
+/// the changed verdicts, and the items whose evidence is out of date. The last line has the sums.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
-/// Returns the changes as JSON, without the links of the items.
+/// Returns the changes as JSON, without the decisions, code and tests of the items.
 std::string impact_json(const Impact& impact);
 
 }  // namespace canproof::host

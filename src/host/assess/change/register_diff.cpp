@@ -132,8 +132,8 @@ void describe_all(const Items& items, const char* word, std::map<std::string, De
     }
 }
 
-/// Adds the statements of a manual. The key contains the mark of a statement's first passage instead of the statement's
-/// number: a new statement changes the numbers of those after it, but not the marks.
+/// Adds the statements of a manual. The key of a statement contains the mark (a hash) of its first passage in the
+/// manual, not its number: a new statement changes the numbers of the following statements, but not their marks.
 void describe_statements(const Manual& manual, std::map<std::string, DescribedItem>& all) {
     for (const Statement& statement : manual.statements) {
         const std::string mark = statement.marks.empty() ? "" : statement.marks.front().text();

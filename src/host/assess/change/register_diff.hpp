@@ -24,7 +24,8 @@ struct DescribedItem {
     std::string word;
     Facets facets;
 };
-/// Returns all items and decisions of a register by id, and the statements of its manuals by section and mark.
+/// Returns all items and decisions of a register by id, and the statements of its manuals by section and passage mark
+/// (a hash of the passage).
 std::map<std::string, DescribedItem> describe(const Register& content);
 
 /// Returns the differences in the order of the ids.

@@ -12,19 +12,19 @@
 
 namespace canproof::host {
 
-/// An item whose evidence is stale since a revision.
+/// An item whose evidence is out of date, because its code or a test has changed since a revision.
 struct WorkChange {
     std::string id;
     bool code{false};   ///< whether a function that implements the item differs
-    bool tests{false};  ///< whether the body of a test that claims the item differs
+    bool tests{false};  ///< whether the body of a test that claims to show the item differs
 };
 
-/// Returns the items whose marks (see ItemWork) differ, in the order of the ids. A change of comments or layout changes
-/// no mark.
+/// Returns the items whose review marks differ (hashes of code and tests, see ItemWork), in the order of the ids. A
+/// change of comments or layout changes no review mark.
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after);
 
-/// Returns the marks of code and tests at a revision, for the items of `content` and the tests in `verdicts`. Extracts
-/// the revision into a temporary folder. Throws InputError when this fails.
+/// Returns the review marks (hashes of code and tests) at a revision, for the items of `content` and the tests in
+/// `verdicts`. Extracts the revision into a temporary folder. Throws InputError when this fails.
 WorkByItem work_at(const std::filesystem::path& root, const std::string& revision,
                    const std::filesystem::path& verdicts, const Register& content);
 

@@ -15,7 +15,7 @@ namespace canproof::host {
 /// One failure mode of a signal or a message.
 struct FailureMode {
     std::vector<std::string> devices;
-    std::vector<std::string> signals;  ///< ids of signals; empty: `at` names the failing element
+    std::vector<std::string> signals;  ///< ids of the signals that fail; empty: `at` names the failing element
     std::string at;
     std::string mode;
     std::vector<std::string> detected;  ///< ids of the requirements that detect the failure

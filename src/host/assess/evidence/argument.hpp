@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The argument: the claims, the expected evidence and the tools of reports/argument.toml, and the techniques of the
-// standards of reports/techniques.
+// The argument of the evidence pack. reports/argument.toml has the claims, the evidence that each claim expects, and
+// the tools; reports/techniques has the techniques that the standards demand.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct Claim {
     std::string id;
     std::string parent;  ///< id of the claim above; empty: this is the top claim
     std::string text;
-    std::vector<std::string> evidence;  ///< keys of exhibits
-    std::string limits;                 ///< properties that the evidence does not show
+    std::vector<std::string> evidence;  ///< keys of the exhibits (results of tools) that support the claim
+    std::string limits;                 ///< limits of the claim: what the evidence does not show
 };
 
 /// An element of a complete pack, present or absent.

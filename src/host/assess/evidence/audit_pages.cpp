@@ -78,7 +78,8 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     if (found == input.evidence.verdicts.end()) {
         return "";
     }
-    std::map<std::string, std::vector<std::string>> lines;  // links to the tests, by the beginning of their line
+    // links to the tests of one line, by the text with which the line begins
+    std::map<std::string, std::vector<std::string>> lines;
     for (const auto& verdict : found->second) {
         const auto dot = verdict.test.find('.');
         const std::string suite = verdict.test.substr(0, dot);
@@ -95,7 +96,8 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     return text;
 }
 
-/// Returns how many altered table cells of an item the tests noticed; empty when the pack has no such count.
+/// Returns how many alterations of the item's generated table cells the tests noticed; empty when the pack has no such
+/// count.
 std::string mutants_of(const std::string& id, const PackInput& input) {
     if (!input.mutation.has_value() || input.mutation->items.count(id) == 0) {
         return "";
@@ -141,7 +143,8 @@ std::vector<std::string> item_row(const Part& part, const AuditedItem& audited, 
                 mutants_of(item.id, input)};
 }
 
-/// Returns the number of all items, and the numbers of the shown, suspect, open and failed items.
+/// Returns the number of all items, and how many of them are shown (their tests passed), suspect (changed since their
+/// review), open or failed.
 std::vector<std::string> count_cells(const std::vector<const AuditedItem*>& items) {
     auto counts = count_states(items);
     std::vector<std::string> cells{std::to_string(items.size())};

@@ -18,7 +18,8 @@ std::string service_title(const std::string& service);
 /// Returns the title of a device, or that of the rules that all devices share.
 std::string title_of(const Part& part);
 
-/// Returns the counts of items by part and service, the gaps and the suspects.
+/// Returns the counts of items by part and service, the gaps, and the suspects (items that have changed since their
+/// review).
 std::string audit_page(const PackInput& input);
 
 /// Returns the items of one part by service, with sources, code, tests and state; a reader can search and filter them.

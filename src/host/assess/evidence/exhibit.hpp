@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One exhibit of a pack: a statement about one kind of evidence, and the files that support it.
+// One exhibit of the evidence pack: the result of one tool or of one kind of test, and the files that support it.
 //
 // A tool with results for the pack writes a folder with `exhibit.json`:
 //   {"title": "…", "state": "holds" | "open", "says": "one sentence with figures",
@@ -9,8 +9,8 @@
 //    "figures": {"cells altered": "21,136"},   text or numbers, in this order
 //    "open": ["an open point"],                one sentence each
 //    "data": ["misra.sarif"]}                  files for import by other tools; also copied into the pack's data/
-// Only title, state and says are mandatory. The name of the folder is the key of the exhibit. All other files of the
-// folder are copied into the pack unchanged.
+// Only `title`, `state` and `says` are mandatory. The name of the folder is the key of the exhibit. All other files of
+// the folder are copied into the pack unchanged.
 #pragma once
 
 #include <filesystem>

@@ -61,7 +61,7 @@ struct Drawing {
     std::string words;  ///< description for readers who do not see the drawing
 };
 
-/// Returns title and label of an SVG file. A drawing without them gets the title of its exhibit.
+/// Returns title and label of an SVG file. A drawing without them gets the title of its exhibit (the result of a tool).
 Drawing drawing_in(const std::string& svg, const std::string& exhibit) {
     pugi::xml_document document;
     document.load_string(svg.c_str());
@@ -129,7 +129,7 @@ std::string framed_page(const Exhibit& exhibit, const PageFrame& frame) {
     for (auto depth = std::count(exhibit.page.begin(), exhibit.page.end(), '/'); depth > 0; --depth) {
         way_back += "../";
     }
-    // the links in the body begin at the exhibit's folder, so the page has no base
+    // relative links in the body begin at the exhibit's folder, so the page has no <base> element
     PageFrame own{frame.navigation, frame.origin};
     for (auto& entry : own.navigation) {
         entry.page.insert(0, way_back);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of an exhibit: generated, or the exhibit's own in the frame of the pack.
+// The page of an exhibit (the result of one tool): generated from its data, or written by the tool and put into the
+// frame of the pack.
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@ namespace canproof::host {
 
 /// Returns the body of the page of an exhibit without a page of its own as markup: figures, CSV tables, plots.
 std::string exhibit_page(const Exhibit& exhibit);
-/// Returns the exhibit's own page in the frame of the pack: the content of its `<main>` without the heading, after the
-/// state and the open points. Returns a page without `<main>` unchanged.
+/// Returns the page that the tool has written, in the frame of the pack: the content of its `<main>` without the
+/// heading, after the state and the open points. Returns a page without `<main>` unchanged.
 std::string framed_page(const Exhibit& exhibit, const PageFrame& frame);
 
 }  // namespace canproof::host

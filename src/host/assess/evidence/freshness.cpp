@@ -103,7 +103,7 @@ std::vector<std::string> socketcan_sources(const fs::path& root) {
 
 std::vector<std::string> exhibit_sources(const fs::path& root, const std::string& key) {
     static const std::map<std::string, std::vector<std::string>> more{
-        {"code-mutation", {"tests", "properties"}},  // a test notices a mutant
+        {"code-mutation", {"tests", "properties"}},  // the tests decide which mutants are noticed
         {"coupling", {"tests/coupling"}},
         {"fuzz", {"fuzz"}},
         {"growth", {"src/host/sim", "tests/bench"}},

@@ -16,7 +16,7 @@ std::string hazards_page(const PackInput& input);
 struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};
-    std::size_t open{0};         ///< failures with a preventing requirement that is not shown
+    std::size_t open{0};         ///< failures for which a preventing requirement is not shown by passed tests
     std::size_t unprevented{0};  ///< failures that nothing prevents, each with a reason
 };
 FailureCounts count_failures(const PackInput& input);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of altering generated cells as a page of the pack.
+// The page of the evidence pack with the results of mutation: cells (values in generated tables) were altered, one at a
+// time.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace canproof::host {
 
-/// Returns the body of the page as markup: each item with altered cells, and the survivors. `input.mutation` must have
-/// a value.
+/// Returns the body of the page as markup: each item with altered cells, and the survivors (alterations that no test
+/// noticed). `input.mutation` must have a value.
 std::string mutation_page(const PackInput& input);
 
 }  // namespace canproof::host

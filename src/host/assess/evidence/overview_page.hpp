@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns the title of an exhibit as markup, with a link to its page if it has one.
+/// Returns the title of an exhibit (the result of a tool) as markup, with a link to its page if it has one.
 std::string title_markup(const Exhibit& exhibit);
 /// Returns the body of the page as markup.
 std::string overview_page(const PackInput& input, const Exhibits& exhibits);

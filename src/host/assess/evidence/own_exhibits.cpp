@@ -27,7 +27,7 @@ Exhibit exhibit(const char* key, const char* title, const bool good, const std::
     return {key, title, state_of(good), says, page};
 }
 
-/// Returns an exhibit that holds when there are runs of this kind and all of them passed.
+/// Returns an exhibit for one kind of test. Its state is `holds` when tests of this kind ran and all of them passed.
 Exhibit runs_exhibit(const PackInput& input, const char* key, const char* kind, const char* title) {
     std::size_t runs = 0;
     std::size_t failed = 0;
@@ -87,7 +87,7 @@ Exhibit sections_exhibit(const PackInput& input) {
 }
 
 /// Returns an exhibit that holds when every manual has statements and every statement has an item or a reason. Returns
-/// nothing when no manual has statements. The audit, not this exhibit, judges whether the items are shown.
+/// nothing when no manual has statements. The audit, not this exhibit, judges whether passed tests show the items.
 std::optional<Exhibit> statements_exhibit(const PackInput& input) {
     std::size_t statements = 0;
     std::size_t bare = 0;

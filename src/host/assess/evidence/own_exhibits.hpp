@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exhibits of a pack by their key.
+// The exhibits of an evidence pack by their keys. An exhibit is the result of one tool or of one kind of test.
 #pragma once
 
 #include <map>

@@ -25,7 +25,7 @@ struct MeasuredCoverage {
     CoverageVerdict verdict;
 };
 
-/// The result of `canproof mutate` for the generated cells.
+/// The result of `canproof mutate` for the cells (values in generated tables).
 struct MeasuredMutation {
     CountsByItem items;
     std::string json;
@@ -42,8 +42,9 @@ struct PackInput {
     const Register* content{nullptr};
     Evidence evidence;
     std::vector<PartAudit> audits;
-    std::optional<Evidence> socketcan;                ///< result of the runs on CAN interfaces of a real kernel
-    std::optional<std::vector<std::string>> orphans;  ///< one sentence for each function or test without a requirement
+    std::optional<Evidence> socketcan;  ///< result of the runs on CAN interfaces of a real kernel
+    /// one sentence for each function or test that belongs to no requirement
+    std::optional<std::vector<std::string>> orphans;
     std::optional<MeasuredCoverage> coverage;
     std::optional<MeasuredMutation> mutation;
     std::optional<std::string> target;  ///< markup with the figures that were measured on the microcontroller
@@ -52,7 +53,7 @@ struct PackInput {
     std::map<std::string, std::string> newer;
     Argument argument;
     Analysis analysis;                           ///< content of reports/analysis
-    std::vector<Exhibit> exhibits;               ///< exhibits of other tools
+    std::vector<Exhibit> exhibits;               ///< exhibits: results of other tools
     std::map<std::string, Figure> figures;       ///< figures by file name, which begins with the device's name
     std::map<std::string, std::string> sources;  ///< text of each source that implements or tests an item, by its path
     Provenance provenance;

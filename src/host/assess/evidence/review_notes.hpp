@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notes on pages: who reviewed a decision, a hazard or the disposition of a section.
+// Notes on pages: who reviewed a decision, a hazard or the classification of a manual's section (normative or not).
 #pragma once
 
 #include <string>

@@ -34,7 +34,8 @@ std::vector<std::string> counts_row(const std::string& name, const ReviewCounts&
     return cells;
 }
 
-/// Returns the table of one kind, with a row for each part that has some and a row for all.
+/// Returns the table for one kind of reviewed things (items, decisions, hazards or sections). It has a row for each
+/// part with such things and a row for their sum.
 std::string counts_table(const PackInput& input, const ReviewState& state, const ReviewedKind kind, const char* title) {
     std::vector<std::vector<std::string>> rows;
     ReviewCounts all;

@@ -172,7 +172,8 @@ bool is_fuzzed(const CampaignState& state) {
     return state.phase != phases[0].name;
 }
 
-/// Fuzzes the targets of one shard and leaves the other phases to `--merge`. Returns the exit status.
+/// Fuzzes the targets of one shard (the part for one of several machines) and leaves the other phases to `--merge`.
+/// Returns the exit status.
 int run_shard(const CampaignContext& context) {
     if (!is_fuzzed(context.state)) {
         context.display.say(phases[0].name);

@@ -29,7 +29,7 @@ std::optional<std::uint64_t> edges_before(const std::optional<Night>& last, cons
     return last->edges.at(target);
 }
 
-/// Returns whether both campaigns had the same targets. Only then are their line counts comparable.
+/// Returns whether both campaigns had the same targets. Only then can their numbers of reached lines be compared.
 bool same_targets(const CampaignState& state, const Night& last) {
     return last.edges.size() == state.targets.size() &&
            std::all_of(state.targets.begin(), state.targets.end(),

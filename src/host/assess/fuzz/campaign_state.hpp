@@ -34,7 +34,7 @@ struct TargetRecord {
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }
     /// Returns the time in seconds, counted in this target's fuzzing time, at which it last reached a new edge.
     double last_gain() const;
-    /// Returns whether the second half of the target's time brought no new edge.
+    /// Returns whether the second half of the target's time reached no new edge (jump between two blocks of code).
     bool plateaued() const { return seconds > 0.0 && last_gain() < seconds / 2.0; }
 };
 
@@ -92,7 +92,7 @@ struct CampaignState {
     double seconds() const;
 };
 
-/// The figures of one finished campaign, for comparison.
+/// The figures of one finished campaign; the next campaign compares its own with them.
 struct Night {
     std::string started;
     double minutes{0.0};

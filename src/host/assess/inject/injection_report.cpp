@@ -59,7 +59,7 @@ Json head(const std::string& device, const InjectionOptions& options, const Inje
                 {"regions", json_of(campaign.regions)}};
 }
 
-/// The content of one shard's file.
+/// The content of the file of one shard (the part for one of several machines).
 struct ShardFile {
     Shard shard;
     std::string name;

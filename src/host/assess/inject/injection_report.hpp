@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of an injection campaign as a table, as JSON, and as the file of a shard.
+// The results of an injection campaign as a table, as JSON, and as the file of a shard (the part for one of several
+// machines).
 #pragma once
 
 #include <array>

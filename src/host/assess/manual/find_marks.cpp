@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::map<Mark, std::vector<std::size_t>>;
 
-/// The marks of one passage length, by the number that their hash represents.
+/// The passage marks with one passage length, by their hash as a number.
 using ByHash = std::map<std::uint64_t, Mark>;
 
 std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {

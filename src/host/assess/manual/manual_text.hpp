@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a manual in the form that marks use: its ASCII letters and digits with their positions.
+// The text of a manual in the form from which passage marks (hashes of passages) are computed: its ASCII letters and
+// digits with their positions.
 #pragma once
 
 #include <cstddef>

@@ -12,8 +12,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns, for each letter and digit of the text, whether it belongs to a passage with a mark. Sets the number of
-/// marks and the missing marks in `coverage`.
+/// Returns, for each letter and digit of the text, whether it belongs to a passage of a statement. Sets the number of
+/// passage marks, and the marks whose passages are missing, in `coverage`.
 std::vector<bool> covered_characters(const Manual& manual, const ManualText& text, TextCoverage& coverage) {
     std::set<Mark> marks;
     for (const Statement& statement : manual.statements) {

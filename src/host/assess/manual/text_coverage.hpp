@@ -17,7 +17,7 @@ struct UncoveredLine {
     std::string words;  ///< the first words that are not covered
 };
 
-/// Numbers of letters and digits: in total, and inside passages with a mark.
+/// Numbers of letters and digits: in total, and inside the passages of statements.
 struct CoveredCharacters {
     std::size_t all{0};
     std::size_t covered{0};
@@ -26,15 +26,15 @@ struct CoveredCharacters {
 
 struct TextCoverage {
     std::size_t marks{0};
-    std::vector<std::string> missing;      ///< `KEY:SECTION/N: MARK` of passages that the text does not contain
+    std::vector<std::string> missing;      ///< `KEY:SECTION/N: MARK` of each passage that the text does not contain
     std::vector<std::string> not_located;  ///< normative numbered sections whose heading the text does not contain
     std::vector<UncoveredLine> uncovered;
     CoveredCharacters normative;  ///< counts for the located normative sections, without headings and captions
     CoveredCharacters whole;
 };
 
-/// Compares the marks of the manual's statements with a text version of the manual. All text, tables and figures belong
-/// to the numbered section with the nearest heading above them.
+/// Compares the passages of the manual's statements, which their marks (hashes) identify, with a text version of the
+/// manual. All text, tables and figures belong to the numbered section with the nearest heading above them.
 TextCoverage cover_text(const Manual& manual, const std::string& text);
 
 }  // namespace canproof::host

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exhibit of the evidence pack for the mutants of code: figures by file, and each survivor with its reason.
+// The exhibit of the evidence pack about mutants of code: figures by file, and the reason for each survivor (a mutant
+// that no test notices).
 #pragma once
 
 #include <map>

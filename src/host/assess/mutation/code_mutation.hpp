@@ -47,7 +47,7 @@ struct CodeMutationSetup {
     std::filesystem::path program;
     std::filesystem::path folder;  ///< folder for the files that the program writes when it runs without a mutant
     unsigned jobs{2};
-    /// Returns whether a record explains why the mutant may survive. Slow tests run only with the others.
+    /// Returns whether a record explains why the mutant may survive. Slow tests do not run with such a mutant.
     std::function<bool(const AlteredCell&)> is_explained{[](const AlteredCell&) { return false; }};
 };
 

@@ -52,8 +52,8 @@ class Sources {
         }
     }
 
-    /// Adds the mutants of the function below a link, of the functions that it calls, and of the functions that these
-    /// call in their own file.
+    /// Adds the mutants of the function below a link (an implements<> assertion), of the functions that it calls, and
+    /// of the functions that these call in their own file.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
         const auto [first, last] = function_below(lines(file), link);
         Words called;

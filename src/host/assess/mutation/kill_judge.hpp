@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one test alone with mutants of the items that it claims, one after the other, until it has noticed one mutant of
-// each item or the time for the item is over.
+// Runs one test alone with mutants of the items that it claims to show, one after the other, until it has noticed
+// one mutant of each item or the time for the item is over.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct ItemMutants {
     std::vector<bool> at_startup;  ///< for each mutant of code, whether it changes a computation at program start
 };
 
-/// A test that claims items.
+/// A test, and the items that it claims to show.
 struct ClaimingTest {
     std::string name;
     std::string body;  ///< hash of its body
@@ -36,8 +36,9 @@ struct ClaimingTest {
 /// Owns the running test programs. Each thread has its own object.
 class KillJudge {
   public:
-    /// `programs` is the folder of canproof_tests, canproof_properties and code_mutants. `told` has the tests of
-    /// code_mutants by name. The object keeps references to `mutants` and `told`.
+    /// `programs` is the folder of canproof_tests, canproof_properties and code_mutants. `told` has the tests of the
+    /// program code_mutants by name, each with the mutants that it reaches. The object keeps references to `mutants`
+    /// and `told`.
     KillJudge(std::filesystem::path programs, const ItemMutants& mutants, const std::map<std::string, ToldTest>& told);
 
     /// Returns the items of which the test notices a mutant, and those that have no mutant.

@@ -57,7 +57,7 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
     return open;
 }
 
-/// Runs the programs with unaltered cells. Returns the evidence from the results.
+/// Runs the programs without an altered cell. Returns the evidence from the results.
 Evidence run_all_unaltered(const KillSetup& setup, const Register& content) {
     const auto verdicts = setup.programs / "verdicts" / "kills";
     std::filesystem::create_directories(verdicts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines which tests notice a mutant of the items that they claim. Each test runs alone with mutants of its items,
-// one after the other, until it has noticed one mutant of each item or the time for the item is over.
+// Determines which tests notice a mutant of the items that they claim to show. Each test runs alone with mutants
+// of its items, one after the other, until it has noticed one mutant of each item or the time for the item is over.
 #pragma once
 
 #include <cstddef>

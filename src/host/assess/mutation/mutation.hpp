@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation of generated cells: each cell is altered, and a test that claims the cell's item must fail.
+// Mutation of generated cells (values in generated tables): each cell is altered, and a test that claims to show the
+// cell's item must fail.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Numbers of alterations: of all, of noticed ones, and of survivors with a reason.
+/// Numbers of alterations: all of them, those that a test noticed, and survivors (not noticed) with a reason.
 struct MutationCount {
     std::size_t altered{0};
     std::size_t noticed{0};

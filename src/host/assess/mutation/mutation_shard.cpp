@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The content of one shard's file.
+/// The content of the file of one shard (the part for one of several machines).
 struct ReadShard {
     Shard shard;
     std::string name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation on several machines. Each machine judges a shard of the alterations, and one of them merges the outcomes.
-// The merged run writes the same files, byte for byte, as a run on one machine, provided that the tests ran in the same
-// order.
+// Mutation on several machines. Each machine judges a shard (a part) of the alterations, and one of them merges the
+// outcomes. The merged run writes the same files, byte for byte, as a run on one machine, provided that the tests ran
+// in the same order.
 #pragma once
 
 #include <filesystem>

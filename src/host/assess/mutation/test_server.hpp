@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A running test program whose cells can be altered. For each request, it alters a cell in a copy of its process and
-// runs tests there. See tests/mutation/main.cpp.
+// A running test program in which single cells (values in generated tables) can be altered. For each request, it alters
+// a cell in a copy of its process and runs tests there. See tests/mutation/main.cpp.
 #pragma once
 
 #include <sys/types.h>

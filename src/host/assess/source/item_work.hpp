@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks (short hashes) of the code and the tests of an item. A review records the marks, so that a later change is
+// Review marks of an item: short hashes of its code and of its tests. A review records them, so that a later change is
 // visible.
 #pragma once
 
@@ -13,27 +13,28 @@
 
 namespace canproof::host {
 
-/// The present marks, eight digits each: of the code that implements an item, and of the tests that show it. A mark is
-/// empty when the item has no code or no test.
+/// The present review marks, eight hexadecimal digits each: of the code that implements an item, and of the tests that
+/// show it. A mark is empty when the item has no code or no test.
 struct ItemWork {
     std::string code;
     std::string tests;
 };
 
-/// The marks of each item by its id. Items with neither code nor tests are left out.
+/// The review marks of each item by its id. Items with neither code nor tests are left out.
 using WorkByItem = std::map<std::string, ItemWork>;
 
-/// Computes marks of code and tests, eight digits each. A change of comments or layout does not change a mark. Each
-/// source is read once.
+/// Computes the review marks of code and tests. A change of comments or layout does not change them. Each source is
+/// read once.
 class WorkMarks {
   public:
     explicit WorkMarks(const std::filesystem::path& root) : root_{root}, bodies_{root} {}
 
-    /// Returns the mark of the functions below the links at these places (`src/…:line`), whatever the order of the
-    /// places. Returns an empty text when there is no place. Throws InputError for a source that cannot be read.
+    /// Returns the hash of the functions below the links (implements<> assertions) at these places (`src/…:line`),
+    /// whatever the order of the places. Returns an empty text when there is no place. Throws InputError for a source
+    /// that cannot be read.
     std::string of_code(const std::vector<std::string>& places);
 
-    /// Returns the mark of the bodies of these tests, each given as source and Suite.Name. The order of the tests and
+    /// Returns the hash of the bodies of these tests, each given as source and Suite.Name. The order of the tests and
     /// their number of instances have no influence. Returns an empty text when there is no test.
     std::string of_tests(const std::vector<std::pair<std::string, std::string>>& tests);
 

@@ -29,7 +29,8 @@ std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
 
 std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link) {
     std::size_t first = link == 0 ? lines.size() : link - 1;
-    // The line of the link can be a later line of its statement, so this loop goes to the statement's end.
+    // The static_assert may have several lines, and implements<> may be on any of them. This loop goes to the end of
+    // the static_assert.
     while (first < lines.size() && lines[first].find(';') == std::string::npos) {
         ++first;
     }

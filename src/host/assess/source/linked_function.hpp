@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the function to which a link of a requirement applies: the one directly below it.
+// Finds the function directly below a link, which is a static_assert with implements<> for a requirement.
 #pragma once
 
 #include <cstddef>

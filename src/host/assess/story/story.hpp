@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The story of one item, section, statement, file or test: everything that the audit links with it.
+// The story of one item, section, statement, file or test: everything that the audit knows to belong to it, from manual
+// to verdict.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,7 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< whether an item, section, statement or test of the story is not shown
+    bool open{false};  ///< whether passed tests do not show an item, section, statement or test of the story
 };
 
 class StoryTeller {

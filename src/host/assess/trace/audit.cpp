@@ -16,7 +16,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the kinds of passed runs that claim an id, and whether a run that claims it has failed.
+/// Returns the kinds of passed tests that claim to show an id, and whether a test that claims to show it has failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;
@@ -133,7 +133,7 @@ class PartAuditor {
         }
     }
 
-    /// Adds `words` and the reason as a suspect when the item or section `id` has no current review.
+    /// If the item or section `id` has no current review, adds `words` and the reason to the suspects.
     void add_suspect(const std::string& id, const std::string& words) {
         if (const std::string reason = reviews_.suspicion(id, {}); !reason.empty()) {
             audit_.suspects.push_back(words + reason);

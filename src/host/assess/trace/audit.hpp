@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The audit. It follows each manual section and statement to its requirement, decision, table or object, and from there
-// to code, test and verdict. It reports missing links.
+// to code, test and verdict. It reports every step that is missing.
 #pragma once
 
 #include <map>
@@ -19,8 +19,8 @@ struct AuditedItem {
     std::string word;                   ///< kind of the item: requirement, object, table …
     std::string kind;                   ///< kind of a requirement: functional, range …; empty for other items
     std::vector<std::string> demanded;  ///< kinds of verification that the requirements register demands
-    std::vector<std::string> missing;   ///< demanded kinds of verification without a passed run
-    bool failed{false};                 ///< whether a test that claims the item has failed
+    std::vector<std::string> missing;   ///< demanded kinds of verification without a passed test of that kind
+    bool failed{false};                 ///< whether a test that claims to show the item has failed
     /// whether the item needs code, but no code in src/ implements it or names the code generated from it
     bool without_code{false};
     std::vector<std::string> decisions;  ///< ids of the decisions that affect the item
@@ -28,7 +28,8 @@ struct AuditedItem {
     std::string suspect;
 
     bool open() const { return failed || without_code || !missing.empty(); }
-    /// Returns the first that applies of `failed`, `open`, `suspect` and `shown`.
+    /// Returns the first of these that applies: `failed` (a test failed), `open` (something is missing), `suspect`
+    /// (changed since its review), `shown`.
     std::string status() const;
 };
 

@@ -101,8 +101,8 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
     return all;
 }
 
-/// Computes the marks of code and tests for each item of the register. An item that a shared item implements (`by`) has
-/// the mark of the shared item's code.
+/// Computes the review marks (hashes of code and tests) for each item of the register. For an item that a shared item
+/// implements (`by`), the code is that of the shared item.
 WorkByItem work_of_items(const std::filesystem::path& root, const Register& content, const Evidence& evidence) {
     WorkMarks marks{root};
     std::map<std::string, std::string> by;

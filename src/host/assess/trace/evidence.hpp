@@ -40,7 +40,7 @@ struct TestCase {
     double seconds{0.0};
     /// source relative to the project's folder; empty when the runner does not report it
     std::string file{};
-    std::vector<std::string> items{};  ///< ids that the case claims to show
+    std::vector<std::string> items{};  ///< ids that the test case claims to show
 };
 
 struct Evidence {
@@ -49,12 +49,12 @@ struct Evidence {
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
     /// by id: places where code names what is generated from the item
     std::map<std::string, std::vector<std::string>> used;
-    /// marks of the code and tests that a review of each item covers
+    /// review marks: hashes of the code and tests that a review of each item covers
     WorkByItem work;
     std::vector<TestRun> runs;
     /// files of the firmware that belong to no requirement, directly or by inclusion
     std::vector<std::string> untraced;
-    std::vector<std::string> misplaced;  ///< badly placed links, one sentence each
+    std::vector<std::string> misplaced;  ///< badly placed links (implements<> assertions), one sentence each
     std::size_t tests{0};
     std::size_t failed{0};
 };
@@ -66,8 +66,9 @@ std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 /// Reads the verdicts in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
-/// Reads the XML of the test programs and scans src/ for implements<>. A test case claims to show a requirement by an
-/// XML property with the name of the requirement. Throws InputError when there are no verdicts.
+/// Reads the XML of the test programs and scans src/ for implements<>. For each requirement that a
+/// test case claims to show, it has an XML property with the requirement's name. Throws InputError when there are no
+/// verdicts.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

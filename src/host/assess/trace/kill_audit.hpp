@@ -15,12 +15,13 @@ struct KillAudit {
     std::size_t shown{0};                ///< number of items with a passed test that notices a mutant of the item
     std::vector<std::string> unnoticed;  ///< items whose tests are all judged and notice no mutant of the item
     std::vector<std::string> immutable;  ///< items without mutants
-    /// items that are not shown, but have a test whose present form no mutation run has judged
+    /// items that no test is known to show, but that have a test which no mutation run has judged in its present form
     std::vector<std::string> unjudged;
     std::vector<std::string> changed;  ///< tests whose body has changed since they were judged
-    std::vector<std::string> never;    ///< tests with claims that no mutation run has judged
-    std::vector<std::string> idle;     ///< tests that notice no mutant of any item that they claim
-    /// one sentence for each item that the record shows but the present tests do not, and for each lost test
+    std::vector<std::string> never;    ///< tests that claim to show items and that no mutation run has judged
+    std::vector<std::string> idle;     ///< tests that notice no mutant of any item that they claim to show
+    /// one sentence for each item that only the recorded tests show, not the present ones, and for each test that is
+    /// gone
     std::vector<std::string> regressions;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of which tests notice a mutant of the items that they claim. It is the file reports/kills.csv, which
-// `canproof mutate --kills` writes.
+// Records which tests notice a mutant of the items that they claim to show. The record is the file
+// reports/kills.csv, which `canproof mutate --kills` writes.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,11 @@ namespace canproof::host {
 
 /// The result of the mutation runs for one test.
 struct KillLine {
-    std::string body;                          ///< hash of the test's body when it was judged
-    std::vector<std::string> kills;            ///< claimed items of which the test notices a mutant, sorted by id
-    std::vector<std::string> without_mutants;  ///< claimed items that have no mutants, sorted by id
+    std::string body;  ///< hash of the test's body when it was judged
+    /// items that the test claims to show and of which it notices a mutant, sorted by id
+    std::vector<std::string> kills;
+    /// items that the test claims to show and that have no mutants, sorted by id
+    std::vector<std::string> without_mutants;
 };
 
 /// The results by the test's name, Suite.Name.

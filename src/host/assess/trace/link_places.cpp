@@ -35,8 +35,8 @@ std::size_t links_of(const std::string& line) {
     return count;
 }
 
-/// Returns whether the line below a link can implement something. Empty lines, the start or end of a block, access
-/// specifiers, aliases and similar code cannot.
+/// Returns whether the line below a link (an implements<> assertion) can implement something. Empty lines, the start or
+/// end of a block, access specifiers, aliases and similar code cannot.
 bool can_do(const std::string& code) {
     static const std::array<std::string, 12> others{{"}", "{", "#", "namespace ", "using ", "friend ", "public:",
                                                      "protected:", "private:", "case ", "default:", "break;"}};

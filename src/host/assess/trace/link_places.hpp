@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the places of links from code to the register: directly above the implementing code, and few in one place.
+// Checks the places of links, the implements<> assertions that name requirements: each is directly above the
+// implementing code, and few are in one place.
 #pragma once
 
 #include <cstddef>

@@ -44,8 +44,8 @@ ItemWork work_of(const std::string& id, const WorkByItem& work) {
     return found == work.end() ? ItemWork{} : found->second;
 }
 
-/// Returns the line of a review, `ITEM CODE TESTS`, with `-` for a missing mark. Returns only ITEM when both marks are
-/// missing.
+/// Returns the line of a review, `ITEM CODE TESTS`, where each word is a hash and `-` stands for no code or no tests.
+/// Returns only ITEM when there is neither.
 std::string marks_of(const std::string& item, const std::string& code, const std::string& tests) {
     if (code.empty() && tests.empty()) {
         return item;
@@ -241,7 +241,8 @@ std::set<std::string> unreviewed(const Register& content, const Part& part, cons
 }
 
 std::string reader_words(const Review& review) {
-    const std::string role = " (author of the change)";  // a part of some names, which the words below repeat
+    // some names contain these words; the text below adds them itself
+    const std::string role = " (author of the change)";
     const auto at = review.role == "author" ? review.by.find(role) : std::string::npos;
     const std::string by = at == std::string::npos ? review.by : std::string{review.by}.erase(at, role.size());
     return fmt::format("{} by {}{}", review.date, by,

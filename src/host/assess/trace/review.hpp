@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reviews: whether an item with its code and tests, or the disposition of a manual section, still has the form in which
-// someone reviewed it.
+// Reviews: whether an item with its code and tests, or the classification of a manual's section, still has the form in
+// which someone reviewed it.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ struct ReviewSession {
     std::string date;  ///< 2026-11-21
     std::string by;
     std::string role;  ///< author or independent
-    /// only the text of the items was read; the marks of code and tests are those of the present code
+    /// only the text of the items was read; the recorded hashes of code and tests are those of the present code
     bool wording{false};
 };
 
@@ -26,7 +26,7 @@ struct ReviewSession {
 struct IndependentReview {
     enum class Covers { nothing, text, whole };
 
-    const Review* review{nullptr};  ///< null: no independent reader has reviewed the item
+    const Review* review{nullptr};  ///< nullptr: no independent reader has reviewed the item
     Covers covers{Covers::nothing};
     std::string change;  ///< reason why the review has expired; empty when it has not
 };
@@ -65,9 +65,9 @@ class ReviewState {
 std::string write_reviews(const Register& content, const Part& part, const std::set<std::string>& ids,
                           const ReviewSession& session, const WorkByItem& work);
 
-/// Returns the text of reviews.toml with new marks of code and tests for each review of an item or decision
-/// that is itself unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A new mark does
-/// not mean that someone has read the code.
+/// Returns the text of reviews.toml with the present review marks (hashes of code and tests) for each review of an item
+/// or decision that is itself unchanged. `date` is the date of the new marks. Reviewer, review date and role stay. A
+/// new mark does not mean that someone has read the code.
 std::string write_marked_reviews(const Register& content, const Part& part, const std::string& date,
                                  const WorkByItem& work);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of a manual's statements: which items cover each statement, and whether they are shown.
+// The audit of a manual's statements: which items cover each statement, and whether passed tests show these items.
 #pragma once
 
 #include <map>

@@ -13,7 +13,8 @@
 
 namespace canproof::host {
 
-/// The direction of a frame in a log: T for the program that wrote the log, R for others.
+/// The letter at the end of a log line (`candump -x`): T for a frame of the program that wrote the log, R for a frame
+/// of others.
 enum class LogMark : std::uint8_t { none, transmitted, received };
 
 struct LoggedFrame {
@@ -26,7 +27,7 @@ struct LoggedFrame {
     bool coded{false};
 };
 
-/// Parses one line of a log. The line may end with the mark T or R of `candump -L -x`. Throws InputError with `where`
+/// Parses one line of a log. The line may end with the letter T or R of `candump -L -x`. Throws InputError with `where`
 /// ("file:line") for any other line.
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where);
 /// The numbers of unusual lines in a log.

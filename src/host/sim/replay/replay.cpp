@@ -228,7 +228,8 @@ class Player {
     std::uint64_t shift_{0};
     OutputChanges outputs_;
     OwnFrames own_;
-    std::deque<LoggedFrame> held_;  ///< frames that the device has sent and a log with marks has not contained yet
+    /// frames that the device has sent, and that a log with T and R has not contained yet
+    std::deque<LoggedFrame> held_;
 };
 
 }  // namespace

@@ -40,9 +40,9 @@ constexpr Duration longest_silence = milliseconds(3600000);
 /// time, stimuli come before frames. An overdue event happens at the present time, so time never decreases. Stimuli up
 /// to the start are applied before power-on; frames before the start are left out.
 ///
-/// The device does not receive its own frames. If the log marks the sender of each frame, the device's frames are
-/// written in the order and with the times of the log. (On a bus, waiting frames are sent in the order of their
-/// identifiers.) Otherwise they are written when the device sends them.
+/// The device does not receive its own frames. If the lines of the log end with T or R, which tells the sender of each
+/// frame, the device's frames are written in the order and with the times of the log. (On a bus, waiting frames are
+/// sent in the order of their identifiers.) Otherwise they are written when the device sends them.
 ///
 /// Writes the device's frames to `frames_out` and, unless it is nullptr, changes of outputs as `seconds,signal,value`
 /// to `outputs_out`. Throws InputError for a signal that the device does not have, and for an end before the start.

@@ -17,7 +17,8 @@ enum class LogFormat : std::uint8_t {
     pcapng,   ///< for Wireshark: like pcap, and with the direction of each frame; SavvyCAN does not read this link type
 };
 
-/// Returns the format for the name of a file. `marks` is the option for marks in a candump log.
+/// Returns the format for the name of a file. `marks`: the user has requested T or R at the end of each line of a
+/// candump log.
 LogFormat log_format(const std::string& path, bool marks);
 
 class FrameLog {

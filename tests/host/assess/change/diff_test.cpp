@@ -175,7 +175,7 @@ TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
     EXPECT_TRUE(changes[0].code && !changes[0].tests);
     EXPECT_EQ(changes[1].id, "C");
     EXPECT_TRUE(!changes[1].code && changes[1].tests);
-    EXPECT_EQ(changes[2].id, "D");  // its link and its tests are gone
+    EXPECT_EQ(changes[2].id, "D");  // the deleted lines contained the item's implements<> and its tests
     EXPECT_TRUE(changes[2].code && changes[2].tests);
 }
 

@@ -197,7 +197,7 @@ TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     verdict.gaps.clear();
     verdict.unused.push_back({"a.cpp", "branch", "a", "cannot be", 1});
     EXPECT_FALSE(verdict.holds());
-    // The measurement of the fixture: two conditions, none of them shown.
+    // The measurement of the fixture: two conditions, neither of which is shown to decide alone.
     EXPECT_EQ(judge_coverage(read(), {}).conditions.total, 2U);
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }

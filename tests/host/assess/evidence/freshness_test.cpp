@@ -70,7 +70,7 @@ TEST(Freshness, FreshMeasurementStaysFreshWhileContentsAreUnchanged) {
     EXPECT_EQ(changed(), "");
     fs::remove(root / "spec/a.toml");
     EXPECT_EQ(changed(), "spec/a.toml");
-    // Another measurement has no record: the times decide.
+    // There is no record for another measurement, so the times of the files decide.
     write(root / "spec/a.toml", "two", std::chrono::seconds{1});
     write(measured, "other figures", std::chrono::seconds{10});
     EXPECT_EQ(changed(), "spec/a.toml");
@@ -103,7 +103,7 @@ TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
 TEST(Freshness, ExhibitDependsOnWhatItsToolReads) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_exhibits";
-    // the exhibits that a change of this file makes stale; all others stay fresh
+    // the exhibits that are out of date after a change of this file; all others stay up to date
     const std::vector<std::pair<const char*, std::vector<std::string>>> cases{
         {"misra/deviations.toml", {"misra"}},
         {"misra/reviews.toml", {"misra"}},

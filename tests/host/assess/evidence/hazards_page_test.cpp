@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of hazards: each failure with the requirement that prevents it, and whether that is shown in this build.
+// The page of hazards: each failure with the requirement that prevents it, and whether passed tests show this
+// requirement.
 #include "host/assess/evidence/hazards_page.hpp"
 
 #include <gmock/gmock.h>

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A device with the items D-A-001 and D-A-002, which are shown unless a test changes that.
+/// A device with the items D-A-001 and D-A-002, which passed tests show unless a test case changes that.
 class ManualPage : public testing::Test {
   protected:
     ManualPage() {

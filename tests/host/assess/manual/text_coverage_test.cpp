@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks found in the text of a manual, sections found by their headings, and text that no statement covers. The text is
-// invented; no manual is quoted.
+// Passages found in the text of a manual by their marks (hashes), sections found by their headings, and text that no
+// statement covers. The text is invented; no manual is quoted.
 #include "host/assess/manual/text_coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -73,7 +73,7 @@ std::vector<std::string> told(const TextCoverage& coverage) {
 
 TEST(ManualTextMarks, MarksAreFoundAcrossLinesAndAtEachPlace) {
     const ManualText text{"The lamp is\ngreen; the *lamp* is GREEN."};
-    // Letters before: "Thelampisgreen" has 14; "the" begins at 14, "lamp" at 3 and 17.
+    // Numbers of letters before each passage: "Thelampisgreen" has 14; "the" begins at 14, "lamp" at 3 and 17.
     EXPECT_THAT(find_marks(text, {mark_of("the lamp is green"), mark_of("lamp is"), mark_of("red")}),
                 ElementsAre(Pair(mark_of("lamp is"), ElementsAre(3U, 17U)),
                             Pair(mark_of("the lamp is green"), ElementsAre(0U, 14U))));

@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Seven mutants: five that a test of one of three kinds or a crash reveals, and two survivors, with and without a
-/// claim.
+/// Seven mutants. A failed test of one of three kinds or a crash reveals five of them. Two survive: one of an item that
+/// a test names in verifies<>, and one of an item that no test names.
 std::vector<MutationOutcome> seven_outcomes() {
     const auto cell = [](std::size_t number, const char* change) {
         return AlteredCell{10 + number, "src/firmware/canopen/nmt.cpp", "f(), line " + std::to_string(number), change};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks (hashes) of the code and the tests of an item: a mark changes with the content and with nothing else.
+// Review marks of an item, which are hashes of its code and its tests: a mark changes with the content and with nothing
+// else.
 #include "host/assess/source/item_work.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit of statements: a small manual, items that are shown or not, and the report on each statement.
+// The audit of statements: a small manual, items with and without passed tests, and the report on each statement.
 #include "host/assess/trace/statement_audit.hpp"
 
 #include <gmock/gmock.h>
@@ -44,7 +44,8 @@ Statement statement(const std::string& section, unsigned number, std::vector<std
     return one;
 }
 
-/// Manual M: sections 1 (which describes 6411h) and 2 are normative, 3 is not. Everything is covered and shown.
+/// Manual M: sections 1 (which describes 6411h) and 2 are normative, 3 is not. Items cover every statement, and passed
+/// tests show every item.
 class AuditOfStatements : public testing::Test {
   protected:
     AuditOfStatements() {

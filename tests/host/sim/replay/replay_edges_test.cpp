@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of a device during a replay, and their times: start, end, silences, marks and equal times, with limits tested
-// to one microsecond.
+// Calls of a device during a replay, and their times: start, end, silences, lines with T or R, and equal times, with
+// limits tested to one microsecond.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -46,7 +46,8 @@ struct TestRun {
     std::unique_ptr<RunSession> session;
 };
 
-/// Returns the frames of a log without their times: those with this mark, or all of them if the mark is empty.
+/// Returns the frames of a log without their times: those whose line ends with `mark` (T or R), or all of them if
+/// `mark` is empty.
 std::vector<std::string> frames_of(const std::string& log, const std::string& mark) {
     std::istringstream lines{log};
     std::vector<std::string> frames;
@@ -120,7 +121,7 @@ TEST(RunSession, LogOfSeveralDevicesReplaysForEachOfThem) {
 
 TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
     // Heartbeats every 5 ms and requests in quick succession: an answer (580h + node) overtakes a heartbeat (700h +
-    // node) that waits for the bus. The replay of a log with marks has the same order and the same times.
+    // node) that waits for the bus. The replay of a log with T and R has the same order and the same times.
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4", "ax188001@20"}};
     for (const char* node : {"603", "604", "614"}) {
         run.put(10000, node + std::string{"#2B17100005000000"});
@@ -145,8 +146,8 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
         }
         const std::string again = replayed(device, node, run.log.str());
         EXPECT_EQ(again.substr(0, own.size()), own) << device << "@" << node;
-        // Without marks, the replay writes the frames in the order of the device: the same frames, some in another
-        // order.
+        // Without T and R in the log, the replay writes the frames in the order of the device: the same frames, some in
+        // another order.
         std::string plain = run.log.str();
         plain.erase(std::remove_if(plain.begin(), plain.end(), [](char one) { return one == 'T' || one == 'R'; }),
                     plain.end());
