@@ -62,10 +62,12 @@ function(canproof_add_firmware)
   add_library(canproof_options INTERFACE)
   target_include_directories(canproof_options INTERFACE ${CANPROOF_HOME}/src)
   target_compile_features(canproof_options INTERFACE cxx_std_17)
-  include(${CANPROOF_HOME}/src/firmware/CMakeLists.txt)  # a subfolder cannot be added so late
+  # add_subdirectory() is not possible at the end of a folder, so the file is included
+  include(${CANPROOF_HOME}/src/firmware/CMakeLists.txt)
 endfunction()
 
-# The names exist from here on. What they stand for is added by canproof_project(), or at the end of this folder.
+# Defines the names of the libraries now, so that targets can use them. canproof_project(), or the end of this folder,
+# adds what they contain.
 foreach(layer base canopen blocks)
   if(NOT TARGET canproof::${layer})
     add_library(canproof::${layer} INTERFACE IMPORTED)

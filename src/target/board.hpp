@@ -35,7 +35,7 @@ class MappedMemory final : public NonVolatileMemory {
         }
         return inside;
     }
-    /// Returns true: in FRAM a written byte is permanent.
+    /// Returns true and does nothing else, because each byte written to FRAM is permanent.
     bool commit() override { return true; }
 
   private:
@@ -82,8 +82,8 @@ inline void put(Mailbox& box, const Frame& frame) {
     box.full = 1U;
 }
 
-/// The RAM of the protocol layer and of the values, in bytes. src/target/footprint cannot read it from other parts of
-/// an image.
+/// The RAM of the protocol layer and of the values, in bytes. The image contains these numbers for
+/// src/target/footprint, which cannot find them elsewhere in it.
 struct Footprint {
     std::uint32_t node;
     std::uint32_t values;
@@ -103,7 +103,7 @@ template <typename Device, typename Inputs, typename Outputs>
     };
     device.power_on(board.inputs, now());
     for (;;) {
-        asm volatile("" ::: "memory");  // the contents of the window change from outside
+        asm volatile("" ::: "memory");  // the board changes the contents of the window between two passes
         device.set_inputs(board.inputs, now());
         if (board.received.full != 0U) {
             device.receive(take(board.received), now());

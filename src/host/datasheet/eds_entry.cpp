@@ -296,7 +296,7 @@ void set_length(Entry& entry) {
 }  // namespace
 
 void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) {
-    entry.default_place.line = given.line;  // in the same file as the entry
+    entry.default_place.line = given.line;  // the default is in the same file as the entry, so only the line changes
     const std::string_view type{entry.type};
     if (type == "DOMAIN") {
         return;

@@ -57,7 +57,8 @@ inline void make_lower_case(char* begin, std::size_t count) {
     const auto lower_eight = [](char* at) {
         const std::uint64_t word = load(at);
         const std::uint64_t capitals = at_least(word, 'A') & ~at_least(word, 'Z' + 1) & ~word;
-        const std::uint64_t lower = word | (capitals >> 2U);  // 80h becomes 20h, by which the two cases differ
+        // shifts 80h to 20h, the bit in which small and capital letters differ
+        const std::uint64_t lower = word | (capitals >> 2U);
         std::memcpy(at, &lower, size);
     };
     if (count < size) {
@@ -67,7 +68,7 @@ inline void make_lower_case(char* begin, std::size_t count) {
     for (std::size_t at = 0; at + size < count; at += size) {
         lower_eight(begin + at);
     }
-    lower_eight(begin + count - size);  // overlaps the characters before it, unless `count` is a multiple of `size`
+    lower_eight(begin + count - size);  // the last eight characters, some of which may be converted twice
 }
 
 }  // namespace canproof::host

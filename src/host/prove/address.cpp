@@ -105,7 +105,7 @@ class Reader {
                 if (is_false(when)) {
                     continue;
                 }
-                if (a.object && b.object) {  // the sum of two addresses is not an address
+                if (a.object && b.object) {  // a sum of two addresses points to no object
                     all.push_back({when, std::nullopt, offset});
                 } else {
                     all.push_back({when, a.object ? a.object : b.object, offset});

@@ -146,7 +146,8 @@ std::shared_ptr<const CellContents> CellContents::unknown(std::uint64_t size, co
 }
 
 Term CellContents::read(const Term& offset, unsigned bytes, const Reach& reach) const {
-    if (cells_.size() < bytes) {  // cannot happen on a proven path: the obligation of this access has failed
+    // The object is smaller than the access, so the obligation of this access has failed. The result does not matter.
+    if (cells_.size() < bytes) {
         return constant(offset.ctx(), 0, byte_width * bytes);
     }
     if (const auto at = number(offset)) {
@@ -216,7 +217,8 @@ ContentsPointer CellContents::copied_in_words(const Term& offset, const CellCont
     if (source.cells_.size() < count || cells_.size() < count) {
         return shared_from_this();
     }
-    std::set<std::uint64_t> starts{0};  // offsets at which a word begins at any of the places that `from` may be
+    // offsets in the source at which a stored word begins, for each value that `from` may have
+    std::set<std::uint64_t> starts{0};
     const Places places{from, source.cells_.size() - count, {}};
     for (std::size_t at = places.first(); at <= places.last(); at += places.step()) {
         for (std::uint64_t i = 1; i < count; ++i) {

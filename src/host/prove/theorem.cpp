@@ -61,7 +61,7 @@ std::vector<Term> small_memory(Proof& proof) {
     return all;
 }
 
-/// Returns whether some values reach the end of a case.
+/// Returns whether some values of the inputs reach the end of a case.
 Answer reaches_end(Proof& proof, const std::optional<Return>& end) {
     return end ? proof.solver.satisfiable(end->state.path, 1000 * proof.limits.seconds) : Answer::no;
 }

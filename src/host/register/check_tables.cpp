@@ -13,7 +13,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of inputs. The check makes one nested call for each input.
+/// Greatest number of inputs of a table. The check calls itself once for each input, so this bounds its depth.
 constexpr std::size_t most_inputs = 32;
 /// Greatest number of steps of the check. No table of the register needs a tenth of it.
 constexpr std::size_t most_steps = 4000000;
@@ -176,7 +176,7 @@ class TableCheck {
         for (const auto& [words, first] : pieces_[i]) {
             steps_ += rows.size() + 1;
             if (told_ >= 5 || steps_ > most_steps) {
-                return;  // a table with one gap usually has many; five in the report suffice
+                return;  // reports at most five gaps or overlaps, because a table with one of them usually has many
             }
             std::vector<std::size_t> left;
             for (const std::size_t row : rows) {

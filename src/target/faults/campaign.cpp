@@ -18,17 +18,17 @@ namespace canproof::faults {
 
 namespace {
 
-/// The order from the script: where QEMU's loader puts it.
+/// The order for this run of the emulator: the script `run` makes it, and QEMU's loader puts it into memory.
 struct Order {
     std::uint32_t passes;
     std::uint32_t with_tests;
     std::uint32_t events;
     std::uint32_t faults;
-    std::uint32_t skip;  ///< faults of an earlier run of the emulator
+    std::uint32_t skip;  ///< number of the first faults that an earlier run of the emulator has already judged
 };
 enum class Kind : std::uint32_t { ram, core_register, program_counter, flash };
 struct Fault {
-    std::uint32_t time;  ///< in ticks since power-on, of all passes; see ticks_before()
+    std::uint32_t time;  ///< time of the fault in ticks since power-on, added up over all passes; see ticks_before()
     Kind kind;
     std::uint32_t place;
     std::uint32_t bit;
@@ -44,11 +44,13 @@ const Fault* faults() {
     return reinterpret_cast<const Fault*>(faults_address);
 }
 
-constexpr std::uint32_t most_further_passes = 50000;  ///< two rounds of the tests of RAM and flash fit in these
-constexpr std::uint32_t hangs_after = 500000;         ///< in ticks: 625,000 instructions in one pass
-constexpr std::uint32_t retry_after = 16;             ///< in ticks, when the interrupt met the harness
+constexpr std::uint32_t most_further_passes = 50000;  ///< enough passes for two rounds of the tests of RAM and flash
+/// ticks (625,000 instructions) after which a pass counts as hanging
+constexpr std::uint32_t hangs_after = 500000;
+/// ticks until the fault is tried again, when the interrupt came while the harness ran
+constexpr std::uint32_t retry_after = 16;
 
-/// The present run. It is not on a stack, because an exception leaves every function.
+/// The run in progress. It is a global object, because an exception leaves every function without a return.
 struct Run {
     const Fault* fault;
     std::uint32_t pass;
@@ -229,7 +231,8 @@ void report(End end) {
     ++next_fault;
 }
 
-/// Returns whether the state is compared after this pass: often at first, because most states soon equal the record.
+/// Returns whether the state of the device is compared with the record after this pass. The comparisons are frequent at
+/// first, because most faulty states soon equal the record again.
 bool compares_state() {
     const std::uint32_t since = run.pass - run.fault_pass;
     return run.injected && run.fault->kind != Kind::flash && ((since & (since - 1U)) == 0U || (since % 32U) == 0U);
@@ -280,7 +283,7 @@ End run_tests() {
             end = run_tests();
         }
         if (!run.injected && pass >= order().passes) {
-            run.fault_pass = pass;  // after the last instruction of the workload
+            run.fault_pass = pass;  // the fault was due after the last instruction of the workload
         }
         report(end);
     }

@@ -30,18 +30,18 @@ constexpr std::size_t most_ram = 32768;
 constexpr std::size_t most_vectors = 1024;
 constexpr std::size_t most_image = 114688;
 
-/// The state of the harness from pass to pass.
+/// The data that the harness keeps from pass to pass.
 struct Memory {
     std::uint32_t next_event;
-    std::uint32_t inputs;  ///< number of the event with the present inputs
+    std::uint32_t inputs;  ///< number of the event that set the present inputs
     std::uint32_t bit_rate;
 };
 struct RecordedPass {
-    std::uint32_t ticks_before;  ///< of all passes before, with their waiting
+    std::uint32_t ticks_before;  ///< ticks of all earlier passes, with the time in which they waited
     std::uint32_t ticks;         ///< of its instructions
     std::uint32_t sum;
     std::uint32_t first_frame;
-    std::uint32_t outputs;  ///< number of the recorded outputs
+    std::uint32_t outputs;  ///< number of the outputs in the record
 };
 
 const Event* events;
@@ -257,7 +257,7 @@ void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks) {
         frame_passes[frame_count] = pass;
         frames[frame_count++] = sent[i];
     }
-    if (pass == 1U) {  // a fault needs a pass before it
+    if (pass == 1U) {  // a fault can only begin after a complete pass
         kept_pass = 2U;
         kept_memory = memory;
         copy_bytes(kept_ram, ram_begin, variable_bytes());

@@ -96,7 +96,7 @@ class DeviceSubject final : public Subject {
         std::size_t place = 0;
         for_each_input(inputs, [&](const char*, auto& input) {
             const double value = event.values[place++];
-            if (value == value) {  // not a number: the default
+            if (value == value) {  // an input that is NaN keeps its default
                 input = static_cast<std::decay_t<decltype(input)>>(value);
             }
         });
@@ -141,7 +141,7 @@ class DeviceSubject final : public Subject {
     RamMemory<MemorySize> memory_;
     TransmitQueue queue_;
     Device device_{memory_, queue_, FactoryData{}};
-    // From here on: main loop and self-tests.
+    // The members from here on belong to the main loop and the self-tests.
     stm32f405::SelfTests tests_{target::image_memory(), capture_registers(), 84};
     Board<Inputs, Outputs> board_;
     Can can_;

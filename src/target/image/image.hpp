@@ -39,7 +39,8 @@ class DeviceImage {
         wiring_.start();
         is_wired_ = true;
         memory_.open();
-        static_cast<void>(memory_.prepare());  // when this fails, a commit has to erase, or reports a failure
+        // without this erased sector, a later commit erases it itself, or reports the failure
+        static_cast<void>(memory_.prepare());
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
                                                    chip_.time, chip_.watchdog, tests_};
         loop.power_on(chip_.source == stm32f405::ClockSource::crystal);

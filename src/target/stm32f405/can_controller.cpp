@@ -67,7 +67,7 @@ void CanController::advance(const Instant now) noexcept {
             break;
         case Phase::off:
         default:
-            break;  // the controller does nothing until the next bit rate is set
+            break;  // the controller stays off the bus until the next call of set_bit_rate()
     }
 }
 

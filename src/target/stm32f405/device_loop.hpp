@@ -44,7 +44,7 @@ class DeviceLoop {
     void power_on(const bool may_join) noexcept {
         may_join_ = may_join;
         static_assert(implements<req::CO_WATCHDOG_001>);
-        static_cast<void>(watchdog_.start());  // continues even if the period was not set
+        static_cast<void>(watchdog_.start());  // the device also runs when the watchdog has not accepted its period
         failed_ = tests_.start(time_.now());
         if (failed_ == SelfTest::none) {
             const Instant now = time_.now();
@@ -133,7 +133,9 @@ class DeviceLoop {
                 device_.advance(now);
             }
             copy_.keep(device_.outputs());
-            device_state_.keep();  // until the next computation only constant functions of the device run
+            // the state stays constant until the next computation: until then only const functions of the device are
+            // called
+            device_state_.keep();
         }
         flow_.note(Step::device);
     }

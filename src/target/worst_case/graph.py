@@ -28,8 +28,8 @@ class Block:
 class Loop:
     header: int
     blocks: set
-    back: list        # edges to the header from within
-    inner: set = dataclasses.field(default_factory=set)  # blocks of loops within
+    back: list        # edges from the loop's blocks back to its header
+    inner: set = dataclasses.field(default_factory=set)  # blocks that belong to loops within this loop
 
     def entries(self, graph):
         return [edge for edge in graph.edges() if edge.target == self.header and edge.source not in self.blocks]

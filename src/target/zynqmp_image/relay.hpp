@@ -45,7 +45,7 @@ class Relay {
         }
         switch (command.kind()) {
             case bridge::Kind::power_on:
-                clock_.sleep(take_time_and_inputs(command, inputs_));  // meanwhile the device has no power
+                clock_.sleep(take_time_and_inputs(command, inputs_));  // until this time the device has no power
                 power_on();
                 break;
             case bridge::Kind::set_inputs:
@@ -149,7 +149,7 @@ class Relay {
     zynqmp::Can device_can_{device_registers_, zynqmp::can_clock_hz};
     zynqmp::Can host_can_{zynqmp::registers_at<zynqmp::CanRegisters>(zynqmp::can1_address), zynqmp::can_clock_hz};
     TransmitQueue queue_;      ///< frames of the device
-    TransmitQueue admitted_;   ///< the one of them that may go to the bus
+    TransmitQueue admitted_;   ///< the one frame of the device that may go to the bus now
     TransmitQueue from_host_;  ///< frames of the host for the bus
     TransmitQueue no_frames_;
     TransmitQueue to_host_;  ///< frames that CAN1 has received, until the host has sent them on its bus

@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-/// Lets SIGUSR1 interrupt system calls of this process, as long as an object of this class lives.
+/// While an object of this class exists, SIGUSR1 interrupts the system calls of this process.
 class InterruptingSignal {
   public:
     InterruptingSignal() {

@@ -61,7 +61,7 @@ TEST(ConformHistogram, HistogramOmitsDistantLimits) {
 
 TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     const Histogram histogram = histogram_of({{7, 7, 7}, {}, {}});
-    EXPECT_EQ(histogram.counts[20], 3U);  // the middle of the bin from 6.5 to 7.5
+    EXPECT_EQ(histogram.counts[20], 3U);  // the bin in the middle, from 6.5 to 7.5
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
@@ -76,7 +76,7 @@ TEST(ConformMeasured, GreatestLimitOfTheAddedTimesIsKept) {
 
 TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     const Frame frame = parse_frame("605#4000100000000000", "test");
-    const std::uint64_t bits = frame_bits(frame) + 3U;  // and the bits of the intermission
+    const std::uint64_t bits = frame_bits(frame) + 3U;  // bits of the frame and of the intermission after it
     BusUse use;
     use.add({Instant{100}, frame, true});
     use.add({Instant{1200000}, frame, false});
@@ -85,8 +85,9 @@ TEST(ConformBusUse, FramesAreAddedUpAndTheBusiestSecondIsFound) {
     EXPECT_EQ(use.frames(), 4U);
     EXPECT_EQ(use.own_frames(), 2U);
     EXPECT_EQ(use.bits(), 4U * bits);
-    EXPECT_EQ(use.busiest_second(), 3U * bits);  // from 1.2 s to 2.0 s
-    use.add({Instant{2999999}, frame, false});   // 1.999999 s is a whole second earlier
+    EXPECT_EQ(use.busiest_second(), 3U * bits);  // the three frames that end from 1.2 s to 2.0 s
+    // the frame at 1.999999 s is a whole second older, so it no longer counts
+    use.add({Instant{2999999}, frame, false});
     EXPECT_EQ(use.busiest_second(), 3U * bits);
 }
 

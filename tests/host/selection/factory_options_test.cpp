@@ -87,7 +87,7 @@ TEST(FactoryData, OptionsSetOffsetGainDateAndHardwareVersionOfTheCbx) {
     EXPECT_EQ(entry_of(chosen, 0x2404, 4), 0x7FFFU);
     EXPECT_EQ(entry_of(chosen, 0x2405, 2) & 0xFFFFU, 0xFFFFU);
     EXPECT_EQ(entry_of(chosen, 0x1F52, 1), 11286U);
-    EXPECT_EQ(entry_of(chosen, 0x1F52, 2), 0x05265C00U);  // 7.12.2: a day of 86,400,000 ms
+    EXPECT_EQ(entry_of(chosen, 0x1F52, 2), 0x05265C00U);  // 7.12.2: the largest time of day, 86,400,000 ms
     EXPECT_EQ(entry_of(chosen, 0x1009, 0), 0x30312E31U);  // "1.10", least significant byte first
 }
 
@@ -127,7 +127,7 @@ TEST(FactoryData, OptionSetsTheAngleRangeOfTheInclinometer) {
     EXPECT_EQ(pitch_at_minus_10({}), -10);
     EXPECT_EQ(pitch_at_minus_10({"angle_range=180"}), -10);
     EXPECT_EQ(pitch_at_minus_10({"angle_range=360"}), 350);
-    EXPECT_EQ(pitch_at_minus_10({"angle_range=90"}), 10);  // the distance from level
+    EXPECT_EQ(pitch_at_minus_10({"angle_range=90"}), 10);  // this range shows only the distance from level
     EXPECT_THAT(refusal("ax060805", {"angle_range=270"}), HasSubstr("180, 360, 90"));
 }
 

@@ -9,8 +9,10 @@ namespace canproof::host {
 
 namespace {
 
-constexpr Duration settled = milliseconds(2000);        // longer than any pause of CiA 303-3
-constexpr Duration between_groups = milliseconds(800);  // the flashes of one group start 400 ms apart
+// no change for this time: a steady state, because every pause of CiA 303-3 is shorter
+constexpr Duration settled = milliseconds(2000);
+// a longer dark time separates two groups; the flashes of one group start 400 ms apart
+constexpr Duration between_groups = milliseconds(800);
 constexpr int most_flashes = 4;
 constexpr Duration slowest_flicker = milliseconds(150);
 

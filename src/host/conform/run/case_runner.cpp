@@ -338,7 +338,7 @@ void CaseRunner::save_parameters() {
 void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     link_.stop_producing();
     link_.set_traffic(0.0, false);
-    link_.end_watches();  // a watch would take frames from the restore steps
+    link_.end_watches();  // a running watch would receive frames that the restore steps wait for
     sdo_.allow_unasked(true);
     if (result.verdict != Verdict::skipped && !one.restore.empty()) {
         Context context{link_, sdo_, sheet_, book_.procedures, journal_};

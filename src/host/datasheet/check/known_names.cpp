@@ -109,7 +109,7 @@ std::string known_section(const std::string& name) {
         return found->second.name;
     }
     if (lower == "devicecommissioning") {
-        return name;  // files often contain the correct spelling; CiA 306 writes it with one m
+        return name;  // CiA 306 writes one m, but files often contain the correct spelling, so it is accepted
     }
     if (const auto object = eds_object_name(name)) {
         const std::string digits = name.substr(0, 4);
@@ -134,7 +134,7 @@ std::string known_key(const std::string& section, std::string_view key) {
     }
     const auto object = eds_object_name(section);
     if (!object) {
-        return std::string{key};  // another rule reports the unknown section
+        return std::string{key};  // the section is unknown, which another rule reports
     }
     const bool compact = object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
     return in_words(compact ? compact_keys : object_keys, key);

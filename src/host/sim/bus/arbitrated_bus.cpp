@@ -156,7 +156,7 @@ void ArbitratedBus::look_at(Port& port, Nanoseconds now) {
     rates_differ_ = rates_differ_ || port.node->bit_rate() != port.rate;
     readers_.set(port.number, port.node->filters());
     if (running_ && running_->port == &port) {
-        return;  // complete() and break_off() make the bus inspect this port again after the transmission
+        return;  // the end of the transmission makes the bus inspect this port again: complete() or break_off()
     }
     const Frame* const next = port.next();
     if (next != nullptr && !waiting_.has(port.number)) {
@@ -377,7 +377,7 @@ Instant ArbitratedBus::next_deadline() const {
     for (const auto& [rank, number] : waiting_.places()) {
         next = earliest(next, may_start(ports_.at(number)));
         if (next <= instant_of(idle_from_)) {
-            return next;  // no other port can start before this time
+            return next;  // the bus is idle from here on, so no other port can start earlier
         }
     }
     return next;

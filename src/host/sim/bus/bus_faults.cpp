@@ -20,7 +20,7 @@ namespace {
 }
 
 double rate_of(const std::string& text, const std::string& word) {
-    constexpr double highest = 0.9;  // at a higher rate a frame hardly ever succeeds
+    constexpr double highest = 0.9;  // at a higher rate hardly any frame gets through
     char* end = nullptr;
     const double rate = std::strtod(text.c_str(), &end);
     if (text.empty() || *end != '\0' || !(rate >= 0.0) || rate > highest) {

@@ -23,7 +23,7 @@ std::vector<can_filter> kernel_filters(const std::vector<AcceptanceFilter>& filt
 
 /// The information of an error frame about the controller.
 struct ControllerNews {
-    std::optional<CanState> state;  ///< new state; nothing: the state has not changed
+    std::optional<CanState> state;  ///< new state of the controller; without a value the state has not changed
     bool overrun{false};
 };
 

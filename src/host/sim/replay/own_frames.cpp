@@ -6,7 +6,8 @@
 namespace canproof::host {
 
 std::size_t OwnFrames::Hash::operator()(const Content& one) const {
-    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;  // an odd number in which half of the bits are set
+    // a multiplier of the hash: an odd number, half of whose bits are set
+    constexpr std::uint64_t spread = 0x9E3779B97F4A7C15U;
     const std::uint64_t head = (std::uint64_t{one.id} << 32U) | one.form;
     return std::hash<std::uint64_t>{}((one.data * spread) ^ (head * spread >> 1U));
 }

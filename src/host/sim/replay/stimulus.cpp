@@ -36,7 +36,7 @@ std::vector<Stimulus> read_stimuli(std::istream& in, const std::string& name) {
         }
         const std::string where = lines.where();
         const auto first = line.find(',');
-        // npos + 1 is 0, so that without a first comma there is no second one either
+        // Without a first comma `first` is npos, and npos + 1 is 0: the search then finds no second comma either.
         const auto second = line.find(',', first + 1);
         if (second == std::string::npos) {
             throw InputError{

@@ -126,7 +126,7 @@ void RunSession::stimulate(Instant at) {
         const auto point = one.signal.rfind('.');
         if (point == std::string::npos) {
             for (auto& node : nodes_) {
-                // returns false for a device without this input, which is no fault
+                // a device without this input ignores the stimulus
                 node->set_input(one.signal, one.value, at);
             }
             continue;

@@ -19,8 +19,8 @@ bool core_registers_hold() noexcept;
 /// Calls ram_march(first, count, background) on another stack, which ends at `stack_end`, and returns its result.
 bool core_march_on(Register* first, std::uint32_t count, std::uint32_t background, Register* stack_end) noexcept;
 
-/// Adds `count` words from an address that is a multiple of four to a checksum: for each word, turns the checksum left
-/// by one bit and adds the word.
+/// Adds `count` words from an address that is a multiple of four to a checksum: for each word, rotates the checksum
+/// left by one bit and adds the word.
 std::uint32_t core_sum(std::uint32_t sum, const std::uint8_t* words, std::uint32_t count) noexcept;
 
 /// Tests at most ram_slice words of RAM from `first` on by March C-; see ram_check.hpp.

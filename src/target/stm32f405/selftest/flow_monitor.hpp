@@ -14,8 +14,8 @@ class FlowMonitor {
   public:
     void note(const Step step) noexcept { signature_ = add(signature_, step); }
 
-    /// Ends a pass. Returns whether each step was noted once and in its order since the pass before. After a pass that
-    /// was wrong the next ones are wrong too.
+    /// Ends a pass. Returns whether each step was noted exactly once and in the right order since the last call. After
+    /// one wrong pass, all later passes count as wrong too.
     bool end() noexcept {
         const bool is_right = signature_ == after_a_pass();
         signature_ = is_right ? start : ~after_a_pass();

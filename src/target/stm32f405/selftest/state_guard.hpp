@@ -14,8 +14,8 @@ ByteView object_bytes(const Object& object) noexcept {
     return ByteView{reinterpret_cast<const std::uint8_t*>(&object), sizeof(Object)};
 }
 
-/// The checksum turns by one bit and adds the next word, 32 bits each. Each step has an inverse, so one changed word
-/// always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
+/// For each word of 32 bits, the checksum is rotated by one bit and the word is added. Each step has an inverse, so one
+/// changed word always changes the checksum. Two changed words cancel each other out in one of 2^32 cases.
 class StateGuard {
   public:
     /// `object` consists of whole words.
@@ -24,7 +24,7 @@ class StateGuard {
     void keep() noexcept { complement_ = ~sum(); }
     /// Returns whether the object is as it was at the last keep().
     bool matches() const noexcept { return complement_ == ~sum(); }
-    /// Returns the checksum of the present object.
+    /// Returns the checksum of the object as it is now.
     std::uint32_t sum() const noexcept;
 
   private:

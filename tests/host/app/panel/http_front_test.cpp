@@ -131,7 +131,8 @@ TEST_F(HttpFrontEnd, SlowRequestEndsAtItsDeadline) {
 }
 
 TEST_F(HttpFrontEnd, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
-    answer.body = std::string(32U * 1024U * 1024U, 'x');  // more than the kernel buffers
+    // a response longer than the buffers of the kernel, so that it cannot be sent at once
+    answer.body = std::string(32U * 1024U * 1024U, 'x');
     const TcpClient deaf{front.port()};
     deaf.say(plain_get);
     ASSERT_TRUE(until([&] { return asked == 1; }));
@@ -146,7 +147,8 @@ TEST_F(HttpFrontEnd, ClientThatDoesNotReadIsDisconnectedAtItsDeadline) {
 TEST_F(HttpFrontEnd, ClientThatNeverClosesIsDisconnectedAtItsDeadline) {
     TcpClient stays{front.port()};
     stays.say(plain_get);
-    ASSERT_TRUE(until([&] { return stays.ended(); }));  // the client has received all and does not close its side
+    // the client has received the whole response, but does not close the connection
+    ASSERT_TRUE(until([&] { return stays.ended(); }));
     EXPECT_THAT(stays.heard(), EndsWith("hello"));
     EXPECT_EQ(front.connections(), 1U);
     now = now + HttpFront::close_limit;

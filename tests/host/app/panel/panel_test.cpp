@@ -326,7 +326,7 @@ TEST(Panel, SimulationThatFallsBehindIsReported_AndRequestsAreAnswered) {
     const auto before = bench.get("/api/state").at("now").get<std::uint64_t>();
     ASSERT_EQ(bench.send("703#R"), 200);
     EXPECT_LT(bench.get("/api/state").at("now").get<std::uint64_t>(),
-              before + 100000U);  // less than all due work was done
+              before + 100000U);  // one turn has handled only a part of the due work
     bench.slow_down(Duration{});
     bench.run_until(2000);
     EXPECT_EQ(bench.get("/api/state").at("bus").at("lag_us"), 0);

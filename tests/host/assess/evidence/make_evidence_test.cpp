@@ -45,7 +45,7 @@ TEST(MakeEvidence, AbsentOrStaleEvidenceIsSelectedWhenItHasACommand) {
                       {"fuzz", exhibit("fuzz", State::stale)},
                       {"misra", exhibit("misra", State::open)},
                       {"target", exhibit("target", State::absent)}};
-    // misra is measured and open: measuring it again would not help. scale is absent.
+    // The result of misra is open but up to date, so measuring it again would not help. That of scale is absent.
     EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("fuzz", "scale"));
     exhibits["tests"].state = State::stale;
     EXPECT_THAT(keys_of(makeable(argument, exhibits)), ElementsAre("coverage", "fuzz", "scale"));

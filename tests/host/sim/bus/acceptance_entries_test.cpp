@@ -88,13 +88,14 @@ TEST(AcceptanceEntries, SyncGuardingAndTimeIdentifiersAreAcceptedWithoutTheirFla
                                   {0x1012, variable(0x1012, 0xC0000101)}})),
               (Names{"000", "7E5", "705", "605", "081", "707", "101"}));
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x20010081)}})).back(), "00010081");
-    EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x00010081)}})).back(), "081");  // bit 29 is not set
+    // bit 29 is clear, so the identifier has 11 bits: 081h
+    EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x00010081)}})).back(), "081");
 }
 
 TEST(AcceptanceEntries, SharedIdentifierHasOneFilterPerFormat) {
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x80)}})),
               (Names{"000", "7E5", "705", "605", "080"}));
-    // an 11-bit and a 29-bit identifier of the same value need two filters
+    // the same number as an 11-bit and as a 29-bit identifier needs two filters
     EXPECT_EQ(names(filters_with({{0x1005, variable(0x1005, 0x80)}, {0x1012, variable(0x1012, 0x20000080)}})),
               (Names{"000", "7E5", "705", "605", "080", "00000080"}));
 }

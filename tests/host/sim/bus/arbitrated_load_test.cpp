@@ -44,8 +44,8 @@ TEST_F(BusLoad, LoadOfARunningFrameCountsFromItsStart) {
     run_until(bus, Instant{0}, Instant{100});
     a.send("703#05");
     bus.advance(Instant{100});
-    EXPECT_DOUBLE_EQ(load_at(0), 0.0);    // no time has passed
-    EXPECT_DOUBLE_EQ(load_at(100), 0.0);  // the frame begins now
+    EXPECT_DOUBLE_EQ(load_at(0), 0.0);    // at time 0 no time has passed
+    EXPECT_DOUBLE_EQ(load_at(100), 0.0);  // the frame begins at 100 us
     EXPECT_NEAR(load_at(200), 0.5, exact);
     EXPECT_NEAR(load_at(400), 0.75, exact);
 }
@@ -115,7 +115,7 @@ TEST(BusBitRate, BitTimeIsRoundedToTheNearestNanosecond) {
     run_until(bus, Instant{0}, Instant{100000});
     const std::uint64_t bits = frame_bits(parse_frame("703#05", "test"));
     const std::uint64_t frame_ns = (bits * 1000000000U + 150000U) / 300000U;
-    const std::uint64_t all_ns = 2U * frame_ns + 10000U;  // 3 bits of intermission are 10 us
+    const std::uint64_t all_ns = 2U * frame_ns + 10000U;  // two frames, and 3 bits of intermission, which take 10 us
     EXPECT_EQ(b.heard.front(), fmt::format("{} 703#05", (frame_ns + 999U) / 1000U));
     EXPECT_EQ(b.heard.back(), fmt::format("{} 703#05", (all_ns + 999U) / 1000U));
 }
@@ -139,7 +139,7 @@ TEST_F(BusLoad, BitRateOfTheNodesReplacesThatOfTheBus) {
     EXPECT_EQ(bus.report(Instant{100}).bit_rate, 500000U);
     a.send("703#05");
     run_until(bus, Instant{100}, Instant{10000});
-    EXPECT_EQ(b.heard.size(), 1U);  // b has no bit rate of its own
+    EXPECT_EQ(b.heard.size(), 1U);  // node b has no bit rate of its own, so it receives at any rate
 }
 
 TEST_F(BusLoad, BitRateDoesNotChangeDuringAFrame) {
@@ -171,7 +171,8 @@ TEST_F(BusLoad, NoDeadlineIsSetWhileNoNodeMaySend) {
     a.send("703#05");
     a.rate = 250000;
     bus.advance(Instant{0});
-    EXPECT_EQ(bus.next_deadline(), never);  // on a tie the bus keeps 125 kbit/s, and a is not received
+    // one vote each: the bus keeps 125 kbit/s, so the frame of a, at 250 kbit/s, is not sent
+    EXPECT_EQ(bus.next_deadline(), never);
     a.rate = 125000;
     EXPECT_EQ(bus.next_deadline(), Instant{0});
 }

@@ -173,10 +173,10 @@ TEST(ArbitratedRules, EachBusOffStateEndsByTheBitRateOfItsBegin) {
         bus.attach(*node);
     }
     bus.advance(Instant{0});
-    bus.switch_off(a, Instant{0});  // for 1408 bits of 8 us
+    bus.switch_off(a, Instant{0});  // node a is bus-off for 1408 bits, at 8 us per bit
     a.rate = b.rate = c.rate = 1000000;
     bus.advance(Instant{100});
-    bus.switch_off(b, Instant{200});  // for 1408 bits of 1 us
+    bus.switch_off(b, Instant{200});  // node b is bus-off for 1408 bits, now at 1 us per bit
     bus.advance(Instant{1608});
     EXPECT_THAT(b.states, ElementsAre("200 3", "1608 0"));
     EXPECT_THAT(a.states, ElementsAre("0 3"));

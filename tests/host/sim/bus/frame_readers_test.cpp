@@ -71,7 +71,8 @@ TEST(FrameReaders, ExtendedIdentifiersAreDistinguished) {
 TEST(FrameReaders, ExtendedFilterWithTheMaskOfABaseIdentifierReadsSeveralIdentifiers) {
     FrameReaders readers;
     readers.set(1, {{0x705, 0x7FF, true}});
-    EXPECT_THAT(readers.of(frame_of("1FFFFF05#")), ElementsAre(1U));  // the lowest 11 bits are 705h
+    // the filter compares the lowest 11 bits, which are 705h
+    EXPECT_THAT(readers.of(frame_of("1FFFFF05#")), ElementsAre(1U));
     EXPECT_THAT(readers.of(frame_of("1FFFFF06#")), IsEmpty());
     EXPECT_THAT(readers.of(frame_of("705#")), IsEmpty());
 }

@@ -96,7 +96,8 @@ TEST_F(SocketCan, InterfaceDownAndUpIsBusOffAndRecovery) {
     system.fail(first, ENETDOWN);
     step(10);
     EXPECT_THAT(notices, ElementsAre("vcan0 is down; waiting for it"));
-    EXPECT_THAT(bus->watches(), IsEmpty());  // the next look at the interface is the only deadline
+    // no descriptor is watched; the only deadline is the next search for the interface
+    EXPECT_THAT(bus->watches(), IsEmpty());
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);
     step(100000);
     EXPECT_EQ(bus->next_deadline().us, now.us + 100000);

@@ -179,7 +179,8 @@ TEST_F(SocketCan, LossIsReportedOnlyForTheSocketThatLostFrames) {
 }
 
 TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {
-    system.first_roomy = first;  // the monitor has a small buffer
+    // only the sockets from `first` on get the requested buffer; that of the monitor is small
+    system.first_roomy = first;
     start();
     system.arrive(first, "603#40", system.realtime_us, 1);
     step(10);

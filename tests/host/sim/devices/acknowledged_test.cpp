@@ -116,7 +116,8 @@ TEST_P(AcknowledgedByLss, LssStoreRefusedByTheMemoryGivesError2) {
 TEST_P(AcknowledgedByLss, StoredNodeIdOf200IsIgnored) {
     verifies<req::CO_LSS_066>();
     const std::string name = GetParam();
-    const bool is_generic = name == "generic";  // the generic device has the given node-ID as shipped
+    // the generic device starts with the given node-ID 3, the others with 127
+    const bool is_generic = name == "generic";
     EXPECT_EQ(LssStore{device->memory()}.store({200, 20000}), LssError::none);
     device->power_on(Instant{});
     EXPECT_EQ(sent(), Frames{is_generic ? "703#00" : "77F#00"});  // 127 as shipped

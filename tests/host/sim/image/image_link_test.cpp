@@ -79,7 +79,7 @@ TEST(ImageMessage, ReadOrWritePastTheEndMakesTheMessageInvalid) {
 
     Message empty{Kind::commit};
     empty.filled();
-    EXPECT_FALSE(empty.is_sound());  // it was never sent: its length is 0
+    EXPECT_FALSE(empty.is_sound());  // the length of a message that was never sent is 0
     empty = Message{Kind::commit};
     static_cast<void>(empty.sent());
     empty.filled();

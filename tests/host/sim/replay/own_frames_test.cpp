@@ -100,9 +100,11 @@ TEST(OwnFrames, UnmatchedFramesAreRemovedAfterAMinute) {
     own.sent(frame("703#7F"), Instant{0});
     own.sent(frame("703#7F"), Instant{1000000});
     own.sent(frame("703#05"), Instant{1000000});
-    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000000}));   // the first frame, one minute old
-    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000001}));   // the second frame; the first has matched already
-    EXPECT_FALSE(own.match(frame("703#05"), Instant{61000001}));  // one minute and one microsecond old
+    // matches the first frame, which is almost one minute old
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000000}));
+    // matches the second frame, because the first has matched already
+    EXPECT_TRUE(own.match(frame("703#7F"), Instant{60000001}));
+    EXPECT_FALSE(own.match(frame("703#05"), Instant{61000001}));  // the frame is 60.000001 s old, more than one minute
 }
 
 }  // namespace canproof::host

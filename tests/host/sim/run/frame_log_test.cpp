@@ -61,7 +61,7 @@ TEST(FrameLog, LogIsWantedWithAStreamOnlyAndIgnoresFramesWithoutOne) {
         FrameLog none{nullptr, format};
         EXPECT_FALSE(none.is_wanted());
         none.begin("can0");
-        none.write({}, true);  // an access to the missing stream would end the program
+        none.write({}, true);  // must not access the stream, which does not exist here
     }
 }
 

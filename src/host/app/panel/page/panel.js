@@ -40,7 +40,8 @@ async function start() {
   const log = new FrameLog();
   let [changes, frames, notices] = [0, 0, 0];
 
-  /** Shows the channels without a recorded change: their values have been constant since before the record. */
+  /** Shows the channels of which no change is recorded: their values have not changed since before the oldest
+  record. */
   function seed(state) {
     const changed = new Set(state.changes.map(([, channel]) => channel));
     const values = state.devices.flatMap((device) => device.values);
@@ -49,7 +50,7 @@ async function start() {
 
   async function follow() {
     const state = await get(`/api/state?changes=${changes}&frames=${frames}`);
-    // another run: its numbers start again at 0
+    // the program was started again: its numbers begin at 0 again
     if (state.next_change < changes || state.next_frame < frames) return location.reload();
     heard(state.now);
     if (changes === 0) seed(state);
