@@ -19,8 +19,8 @@ constexpr SdoStates uploading{static_cast<std::size_t>(State::block_uploading), 
 
 constexpr std::size_t most = generated::canopen::sdo_block_queued;  ///< most segments that leave at once
 
-/// The theorem about an upload is decided for each number of segments that the sub-block has `left`, and for each
-/// number of segments of the value from this place on; both go up to the most that leave at once.
+/// Splits the theorem about an upload into one case for each number of segments that the sub-block has `left` and each
+/// number of segments that the value still has. Both numbers go up to the most that leave at once.
 void split(const Served& node, const std::size_t left, const std::size_t from) {
     const std::size_t more = each(most + 1U);
     const std::size_t full = each(most + 1U);
