@@ -29,7 +29,7 @@ class SourceHash : public testing::Test {
     canproof::test::ScratchFolder folder;
 };
 
-TEST_F(SourceHash, ChangesWithNameContentAndNumberOfSources) {
+TEST_F(SourceHash, HashChangesWithNameContentAndNumberOfSources) {
     const std::string first = hash();
     write("", "src/a.cpp", "int b;");
     EXPECT_NE(hash(), first);

@@ -83,12 +83,12 @@ TEST(RegisterAdvice, StatementWhoseItemsCiteAnotherPlaceIsReported) {
             "add the place to the source of one item, or name an item that has this source"));
 }
 
-TEST(RegisterAdvice, ObjectCountsForTheSectionThatDescribesIt) {
+TEST(RegisterAdvice, ObjectAndTheSectionThatDescribesItCountAsOnePlace) {
     EXPECT_THAT(advice_on_statement("2000h", "covered = [\"AO4-R-1\"]\n", "M1:1"), IsEmpty());
     EXPECT_THAT(advice_on_statement("1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3 2000h"), IsEmpty());
 }
 
-TEST(RegisterAdvice, SectionCountsForItsSubsection) {
+TEST(RegisterAdvice, CitedSectionIncludesItsSubsections) {
     EXPECT_THAT(advice_on_statement("2.1", "covered = [\"AO4-R-1\"]\n", "M1:Table 3"), testing::SizeIs(1));
     SpecFiles files = with(items_file, requirement("It shall blink.", "M1:2"));
     files[manual_file] += "[[section]]\nref = \"2\"\ntitle = \"t\"\ndisposition = \"normative\"\n";

@@ -104,7 +104,7 @@ TEST(DecisionTopics, ReasonToDifferFromOtherDevicesDoesNotOverrideASharedRequire
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but the shared CO-R-1"));
 }
 
-TEST(DecisionTopics, OverrideExplainsADifferenceFromADeviceThatFollowsTheSharedRequirement) {
+TEST(DecisionTopics, DeviceThatOverridesASharedRequirementMayDifferFromADeviceThatFollowsIt) {
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", overrides), of_all("any"))), "");
     EXPECT_THAT(all_faults(loaded(of_box("none", overrides), of_lid("some", overrides), of_all("any"))),
                 HasSubstr("INC-R-1 chooses some for topic heartbeat.range, but AO4-R-1"))

@@ -18,8 +18,8 @@ struct AuditOptions {
     bool json{false};
 };
 
-/// Prints the audit. Returns the exit status. It is 1 when an item is not proven by a passed test, has changed since its
-/// review or has a failed test, or when something else is open. It is always 0 for a list of conditions of use.
+/// Prints the audit. Returns the exit status. It is 1 when an item is not proven by a passed test, has changed since
+/// its review or has a failed test, or when something else is open. It is always 0 for a list of conditions of use.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

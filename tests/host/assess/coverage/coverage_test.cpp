@@ -202,7 +202,7 @@ TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }
 
-TEST_F(Coverage, RecordOfAFileMatchesInNoFileWhoseNameOnlyBeginsAlike) {
+TEST_F(Coverage, RecordOfAFileMatchesNoFileWithALongerName) {
     const auto open = [this](const std::string& file) {
         return judge_coverage(read(), {CoverageRecord{file, "branch", "a", "reason", 1}}).open();
     };

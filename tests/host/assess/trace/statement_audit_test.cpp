@@ -122,7 +122,7 @@ TEST_F(AuditOfStatements, NormativeSectionWithoutStatementsIsNamed) {
     EXPECT_FALSE(audits()[0].sections[1].covered);
 }
 
-TEST_F(AuditOfStatements, StatementAboutAnObjectCountsForTheSectionOfTheObject) {
+TEST_F(AuditOfStatements, StatementAboutAnObjectBelongsToTheSectionOfTheObject) {
     statements().erase(statements().begin());
     EXPECT_THAT(gaps(), IsEmpty());
     const auto sections = by_section(content.manuals[0], audits()[0].statements);
@@ -158,7 +158,7 @@ TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
     EXPECT_EQ(count_statements(audits()[0])["shown"], 1U);
 }
 
-TEST_F(AuditOfStatements, SharedRulesOfAnotherProjectCountAsShown) {
+TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfThePackageIsShown) {
     Part shared;
     shared.name = "canopen";
     shared.inherited = true;

@@ -163,7 +163,7 @@ TEST(ArbitratedRules, NodeThatReturnsToTheBusTakesPartInTheArbitration) {
     EXPECT_THAT(a.heard, ElementsAre(fmt::format("{} 703#05", first + (3 + length_of("703#05")) * 8)));
 }
 
-TEST(ArbitratedRules, EachBusOffStateEndsByTheBitRateOfItsBegin) {
+TEST(ArbitratedRules, DurationOfBusOffFollowsTheBitRateAtItsStart) {
     ArbitratedBus bus{"inproc", 125000, {}};
     PlainNode a{"a"};
     PlainNode b{"b"};
@@ -209,7 +209,7 @@ TEST(ArbitratedRules, BusOffIsReportedToANodeWithAnOverrunToo) {
     EXPECT_THAT(bench.node.states, ElementsAre(fmt::format("{} 3", bench.now.us)));
 }
 
-TEST(ArbitratedRules, EveryReceivedFrameTakesOneReceiveErrorBack) {
+TEST(ArbitratedRules, EachReceivedFrameReducesTheReceiveErrorCounterByOne) {
     ErrorBench bench;
     bench.pass_errors(95);
     bench.pass_frames(95);
@@ -236,7 +236,7 @@ TEST(ArbitratedRules, DisconnectedNodeCountsNoErrors) {
     EXPECT_THAT(fast.states, IsEmpty());
 }
 
-TEST(ArbitratedRules, FrameThatAReceiverLosesTakesNoReceiveErrorBack) {
+TEST(ArbitratedRules, FrameThatAReceiverLosesDoesNotReduceItsErrorCounter) {
     ErrorBench bench{BusFaultRates{0.0, 0.5, 0.0, 1}};
     bench.pass_errors(95);
     bench.pass_frames(40);

@@ -24,7 +24,7 @@ FaultConfinement after(unsigned transmit_failures, unsigned receive_failures) {
 
 }  // namespace
 
-TEST(FaultConfinement, FailedTransmissionCountsEightAndBrokenReceptionOne) {
+TEST(FaultConfinement, FailedTransmissionAdds8AndFailedReceptionAdds1ToItsErrorCounter) {
     EXPECT_EQ(after(1, 0).transmit_errors(), 8U);
     EXPECT_EQ(after(1, 0).receive_errors(), 0U);
     EXPECT_EQ(after(0, 1).receive_errors(), 1U);
@@ -33,7 +33,7 @@ TEST(FaultConfinement, FailedTransmissionCountsEightAndBrokenReceptionOne) {
     EXPECT_EQ(after(3, 5).receive_errors(), 5U);
 }
 
-TEST(FaultConfinement, EachSuccessfulFrameCountsOneDownToZero) {
+TEST(FaultConfinement, EachSuccessfulFrameReducesItsErrorCounterByOneDownToZero) {
     FaultConfinement one = after(1, 2);
     one.transmitted();
     EXPECT_EQ(one.transmit_errors(), 7U);

@@ -68,7 +68,7 @@ TEST(FrameReaders, ExtendedIdentifiersAreDistinguished) {
     EXPECT_THAT(readers.of(frame_of("000#")), IsEmpty());
 }
 
-TEST(FrameReaders, ExtendedFilterWithTheMaskOfABaseIdentifierReadsSeveralIdentifiers) {
+TEST(FrameReaders, ExtendedFilterWithAn11BitMaskAcceptsSeveralIdentifiers) {
     FrameReaders readers;
     readers.set(1, {{0x705, 0x7FF, true}});
     // the filter compares the lowest 11 bits, which are 705h

@@ -37,14 +37,14 @@ TEST(FrameText, CharactersNextToTheHexadecimalDigitsInAsciiAreRefused) {
     }
 }
 
-TEST(FrameText, ByteAfterAFaultyByteDoesNotHideTheFault) {
+TEST(FrameText, InvalidByteIsRefusedEvenWhenAValidByteFollows) {
     FrameText read;
     for (const char* const wrong : {"123#GG11", "123#0G11", "123#110G22"}) {
         EXPECT_NE(read_frame_text(wrong, read), std::nullopt) << wrong;
     }
 }
 
-TEST(FrameText, TextLeavesNothingOfThePreviousOne) {
+TEST(FrameText, NewTextReplacesEveryFieldOfThePreviousText) {
     FrameText read;
     ASSERT_EQ(read_frame_text("00000123#R2", read), std::nullopt);
     ASSERT_EQ(read_frame_text("124#11", read), std::nullopt);

@@ -166,7 +166,7 @@ TEST_F(SocketCan, LossesOfANodeAreCountedAndReportedOncePerSecond) {
     EXPECT_EQ(bus->report(now).lost, 0U);
 }
 
-TEST_F(SocketCan, TimeOfTheRunDoesNotPassUnreadFrames) {
+TEST_F(SocketCan, RunTimeDoesNotAdvanceBeyondFramesThatAreStillUnread) {
     start();
     for (std::uint64_t i = 0; i < 5000; ++i) {
         system.arrive(monitor, "603#40", 5000001 + i);

@@ -101,7 +101,7 @@ TEST_F(SocketCan, NothingIsReadWhileTheInterfaceIsDown) {
     EXPECT_THAT(a.heard, SizeIs(1));
 }
 
-TEST_F(SocketCan, NearlyEqualClocksKeepTheirOffset) {
+TEST_F(SocketCan, FrameTimeIsCorrectedByAClockOffsetOf20Milliseconds) {
     system.realtime_us = 1020000;  // the real time is 20 ms ahead of the run time
     start();
     system.arrive(first, "603#40", 1020010);

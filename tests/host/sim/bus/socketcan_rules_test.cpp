@@ -87,7 +87,7 @@ TEST_F(SocketCan, SendDuringAMomentaryInterfaceLossIsRetried) {
     }
 }
 
-TEST_F(SocketCan, WaitingFrameIsSentAfterItsPauseNotOnReception) {
+TEST_F(SocketCan, RefusedFrameIsRetriedAfterItsPauseAndNotWhenAFrameArrives) {
     start();
     a.send("703#05");
     system.sockets[first].send_answers = {ENOBUFS, ENOBUFS};

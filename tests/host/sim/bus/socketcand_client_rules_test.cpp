@@ -126,7 +126,7 @@ TEST_F(ScriptedBus, NextFrameFollowsAfterTheBitTimesOfThePreviousFrameRoundedUp)
     EXPECT_EQ(bus->report(now).bit_rate, 300000U);
 }
 
-TEST_F(ScriptedBus, BitTimesOfWholeMicrosecondsAreNotRoundedAndASmallRestIs) {
+TEST_F(ScriptedBus, FrameTimeIsRoundedUpUnlessItIsAWholeNumberOfMicroseconds) {
     for (const auto& [bit_rate, us] : {std::pair{125000U, bits_of("703#05") * 8U},
                                        std::pair{999999U, bits_of("703#05") + 1U},  // a bit lasts 1.000001 us
                                        // 58 bits last 467.0000081 us: 58,000,000 = 467 × 124,197 + 1
@@ -320,7 +320,7 @@ TEST_F(ScriptedBus, GreetingThatHasArrivedIsAnsweredByTheFirstPoll) {
     EXPECT_EQ(server.heard(), "< open vcan0 >");
 }
 
-TEST_F(ScriptedBus, FrameThatArrivedBeforeTheTimeOfTheBusIsDueAtThatTime) {
+TEST_F(ScriptedBus, FrameWithAnArrivalTimeBeforeTheBusTimeIsDueAtOnce) {
     join();
     bus->use_clock([] { return Instant{1000000}; });
     now = Instant{3600000000U};

@@ -175,7 +175,7 @@ TEST_F(SocketcandServerRules, CommandMayArriveByteByByte) {
     EXPECT_TRUE(until([&] { return client.heard() == joined; }));
 }
 
-TEST_F(SocketcandServerRules, TextIsReadOnlyWhenEarlierTextHasBeenPassedOn) {
+TEST_F(SocketcandServerRules, TextIsNotReadWhileEarlierTextOfTheClientWaits) {
     TcpClient client{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == 1; }));
     const int descriptor = bus.watches().back().descriptor;
@@ -205,7 +205,7 @@ TEST_F(SocketcandServerRules, TextIsNotPassedOnBeforeItsTimeOfArrival) {
     EXPECT_TRUE(until([&] { return client.heard() == "< hi >< echo >"; }));
 }
 
-TEST_F(SocketcandServerRules, TextThatArrivedBeforeTheTimeOfTheBusIsDueAtThatTime) {
+TEST_F(SocketcandServerRules, TextWithAnArrivalTimeBeforeTheBusTimeIsDueAtOnce) {
     now = Instant{1000000};
     bus.use_clock([] { return Instant{1000000}; });
     TcpClient client{bus.port()};
@@ -284,7 +284,7 @@ TEST_F(SocketcandServerRules, TextForAResetConnectionIsDiscarded) {
     EXPECT_EQ(bus.clients(), 1U);
 }
 
-TEST_F(SocketcandServerRules, OnlyAClientThatHasNotOpenedTheBusGivesItsPlace) {
+TEST_F(SocketcandServerRules, OnlyAClientThatHasNotOpenedTheBusIsClosedForANewClient) {
     const auto clients = clients_that(join, SocketcandBus::most_clients - 1);
     TcpClient idle{bus.port()};
     ASSERT_TRUE(until([&] { return bus.clients() == SocketcandBus::most_clients; }));
