@@ -47,8 +47,9 @@ class LimitIndex {
     static constexpr std::size_t no_entry = SIZE_MAX;
 
     std::vector<EntryRef> entries_;
-    std::vector<std::size_t> owners_;                ///< by byte of the image: number of the entry
-    std::vector<std::vector<std::size_t>> limited_;  ///< by entry: numbers of the entries that it limits
+    std::vector<std::size_t> owners_;  ///< for each byte of the image, the number of its entry
+    /// for each entry, the numbers of the entries whose limits it sets
+    std::vector<std::vector<std::size_t>> limited_;
 };
 
 class LimitWatch {

@@ -140,7 +140,7 @@ class Node {
         say(0);
     }
     /// Sets the life time. Running guarding continues with the new time; otherwise it waits for the next request. 0
-    /// ends its error.
+    /// ends the error of life guarding.
     bool write_life_time(unsigned guard_ms, unsigned factor) {
         guard_ms_ = guard_ms;
         life_factor_ = factor;

@@ -20,7 +20,7 @@ class Fleet {
             devices_.back()->power_on(now_);
         }
         if (operational) {
-            Frame start = data_frame(0x000, 2);  // to all nodes
+            Frame start = data_frame(0x000, 2);  // a command to all nodes
             start.data[0] = 0x01;
             receive(start);
         }

@@ -117,7 +117,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // it is not active: 1001h reads 00h
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // the error is not active: 1001h reads 00h
 }
 
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {

@@ -25,7 +25,7 @@ TEST_F(LifeGuarding, RunningLifeGuardingEndsWithAReset) {
     for (const char* reset : {"000#8103", "000#8203"}) {
         write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
         write("603#2F0D100001000000");  // 100Dh life time factor: 1
-        write("603#2310100173617665");  // both are stored
+        write("603#2310100173617665");  // stores both values
         EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
         EXPECT_TRUE(pass(50).empty());
         EXPECT_EQ(send(reset), (Frames{"703#00"}));

@@ -50,7 +50,7 @@ TEST_F(Lss, NewNodeIdIsPendingUntilResetCommunication) {
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},  // inquiry: the active node-ID is still 5
           {"605#4000180100000000", {"585#4300180185010000"}},  // the COB-ID of TPDO1 is 180h + 5
           {"605#4014100000000000", {"585#4314100085000000"}},  // COB-ID EMCY is 80h + 5
-          {"7E5#0400000000000000", {}},                        // no reset without a command
+          {"7E5#0400000000000000", {}},                        // a new node-ID alone causes no reset
           {"605#4014100000000000", {"585#4314100085000000"}},
           {"60A#4014100000000000", {}},
           {"000#820A", {}},  // the node does not have node-ID 0Ah yet, so it ignores this reset
@@ -285,7 +285,7 @@ TEST_F(Lss, PowerOnEndsTheSwitchDelays) {
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}}, {"7E5#1564000000000000", {}}});
     pass(50);
-    device->power_on({5, 125000}, now);  // the same device, switched off and on
+    device->power_on({5, 125000}, now);  // the same device is switched off and on
     EXPECT_EQ(sent(), (Frames{"705#00"}));
     EXPECT_EQ(pass(200), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
@@ -336,7 +336,7 @@ TEST_F(Lss, ResetNodeStartsWithTheStoredConfiguration) {
     talk({{"7E5#1120000000000000", {"7E4#1100000000000000"}},
           {"7E5#1300020000000000", {"7E4#1300000000000000"}},
           {"7E5#1700000000000000", {"7E4#1700000000000000"}},
-          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // no longer stored
+          {"7E5#1121000000000000", {"7E4#1100000000000000"}},  // this node-ID is not stored
           {"7E5#1300030000000000", {"7E4#1300000000000000"}},
           {"000#8105", {"720#00"}}});
     EXPECT_EQ(bit_rate(), 500000U);

@@ -24,7 +24,7 @@ TEST_F(Lss, IdentifyRemoteSlaveIsAnsweredByASlaveWithinTheRanges) {
     verifies<req::CO_LSS_042, req::CO_E_LSS_ANSWER>();
     talk({{"7E5#465F000000000000", {}},
           {"7E5#47010302AA000000", {}},
-          {"7E5#4802000100000000", {}},  // both bounds equal its revision
+          {"7E5#4802000100000000", {}},  // both bounds equal the revision number of the slave
           {"7E5#4902000100000000", {}},
           {"7E5#4A21112620000000", {}},
           {"7E5#4B21112620000000", {"7E4#4F00000000000000"}}});
@@ -156,8 +156,8 @@ TEST_F(Unconfigured, FastscanConfirmsTheFourNumbersOfTheAddress) {
           {"7E5#515E000000010000", yes},
           {"7E5#515E000000000000", {}},   // the last bit is 1
           {"7E5#515F000000000000", yes},  // all bits match, and the scan stays at this number
-          {"7E5#51010302AA000101", {}},   // not selected yet
-          {"7E5#515F000000000001", yes},  // confirmed, product code next
+          {"7E5#51010302AA000101", {}},   // no answer: the product code is not selected yet
+          {"7E5#515F000000000001", yes},  // the vendor-ID is confirmed; the product code is next
           {"7E5#515F000000000001", {}},   // the vendor-ID is confirmed already
           {"7E5#51000000001F0101", {}},   // AA020301h: bit 31 is 1
           {"7E5#51000000801F0101", yes},
@@ -250,7 +250,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
           {"7E5#51010302AA000102", yes},
           {"7E5#5102000100000203", yes},
           {"7E5#51FFFFFFFF800203", yes},  // with bit check 128 the other fields have no meaning
-          {"7E5#5121112620000300", {}},   // the scan is at the vendor-ID
+          {"7E5#5121112620000300", {}},   // no answer: bit check 128 has restarted the scan at the vendor-ID
           {"7E5#515F000000000003", yes},
           {"7E5#5121112620000300", yes}});
     EXPECT_FALSE(is_configuring());  // product code and revision are cleared

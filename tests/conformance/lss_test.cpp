@@ -49,16 +49,18 @@ TEST_F(Lss, SwitchStateSelectiveWithWrongMissingOrMisplacedNumbersSelectsNoSlave
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#4203000100000000", {}},  // another revision number
+                                                     // the slave has another revision number
+                                                     {"7E5#4203000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
-                                                     {"7E5#4320112620000000", {}}},  // another serial number
-                                                    {{"7E5#41010302AA000000", {}},   // no vendor-ID
+                                                     // the slave has another serial number
+                                                     {"7E5#4320112620000000", {}}},
+                                                    {{"7E5#41010302AA000000", {}},  // the vendor-ID is missing
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
-                                                    {{"7E5#405F000000000000", {}},  // one number left out
+                                                    {{"7E5#405F000000000000", {}},  // the revision number is missing
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},  // two numbers in the wrong order
@@ -67,7 +69,7 @@ TEST_F(Lss, SwitchStateSelectiveWithWrongMissingOrMisplacedNumbersSelectsNoSlave
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     {"7E5#41010302AA000000", {}},  // one number twice
+                                                     {"7E5#41010302AA000000", {}},  // the product code comes twice
                                                      {"7E5#4202000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#4321112620000000", {}}}};  // the last number alone

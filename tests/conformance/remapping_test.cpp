@@ -254,7 +254,7 @@ TEST_P(Remapping, InhibitTimeIsLockedWhileThePdoIsValid) {
         {parameter("03"), "FFFF", ""},
         {parameter("01"), valid(), ""},
         {parameter("03"), "0000", present_state},
-        {parameter("03"), "FFFF", present_state},  // not even the value that it has
+        {parameter("03"), "FFFF", present_state},  // even a write of the present value is refused
     });
 }
 
@@ -273,7 +273,7 @@ TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
     verifies<req::CO_PDO_024, req::CO_PDO_058>();
     talk(*this, {
                     {"605#2F00180601000000", {"585#8000180622000008"}},
-                    {"605#2F00180600000000", {"585#8000180622000008"}},  // not even the value that it has
+                    {"605#2F00180600000000", {"585#8000180622000008"}},  // even a write of the present value is refused
                     {"605#2300180185010080", {"585#6000180100000000"}},
                     {"605#2F001806F0000000", {"585#6000180600000000"}},
                     {"605#2F001806F1000000", {"585#8000180631000906"}},  // this slave limits the entry to 240

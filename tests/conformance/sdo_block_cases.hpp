@@ -24,7 +24,7 @@ class SdoBlock : public testing::Test, public SlaveBench {
     Frames all_segments(const std::string& request) {
         Frames frames = send(request);
         for (const auto& later : pass(0)) {
-            frames.push_back(later.substr(2));  // without "0:"
+            frames.push_back(later.substr(2));  // removes the time "0:"
         }
         return frames;
     }

@@ -99,7 +99,7 @@ TEST_F(SdoBlock, LostUploadSegmentsAreSentAgain) {
                     {"605#A201010000000000", {block_end("585", bytes)}},
                     {"605#A100000000000000", {}},
                 });
-    EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // no unused byte
+    EXPECT_EQ(block_end("585", bytes).substr(0, 6), "585#C1");  // the last segment has no unused byte
 }
 
 TEST_F(SdoBlock, RepeatedSegmentCountsOnceInTheCrc) {
@@ -162,7 +162,7 @@ TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
                     // threshold 8 is below the size, 0 means never
                     {"605#A40024007F080000", {"585#C600240009000000"}},
                     {"605#A40024007F000000", {"585#C600240009000000"}},
-                    // one to four bytes: expedited
+                    // values of one to four bytes are sent expedited
                     {"605#A40010007F040000", {"585#4300100078563412"}},
                     {"605#A40010007F030000", {"585#C600100004000000"}},
                     {"605#A40122007FFF0000", {"585#4F01220002000000"}},

@@ -87,7 +87,7 @@ TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
     verifies<req::CO_SDO_006, req::CO_E_ABORT>();
     EXPECT_EQ(send("603#E000100000000000"), (Frames{"583#8000100001000405"}));
     EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // this device offers no block upload
-    EXPECT_EQ(send("603#C200100000000000"), (Frames{"583#8000100001000405"}));  // and no block download
+    EXPECT_EQ(send("603#C200100000000000"), (Frames{"583#8000100001000405"}));  // this device offers no block download
     EXPECT_EQ(send("603#0011223344556677"), (Frames{"583#8000000001000405"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#8000000001000405"}));
     send("603#4008100000000000");
@@ -126,7 +126,7 @@ TEST_F(Sdo, DownloadsOfWrongLengthAreRefused) {
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));
     // Three bytes are announced, instead of two.
     EXPECT_EQ(send("603#2117100003000000"), (Frames{"583#8017100012000706"}));
-    send("603#2117100001000000");  // one byte announced, two sent
+    send("603#2117100001000000");  // announces one byte, but sends two
     EXPECT_EQ(send("603#0BE8030000000000"), (Frames{"583#8017100010000706"}));
     send("603#2017100000000000");
     EXPECT_EQ(send("603#01E8030000000000"), (Frames{"583#8017100012000706"}));  // seven bytes for an entry of two

@@ -191,7 +191,7 @@ TEST(DeviceLoop, InputsAreReadOnceInAMillisecond) {
     unit.run(5);
     for (int i = 0; i < 50; ++i) {
         int reads = 0;
-        for (int pass = 0; pass < 10; ++pass) {  // of 100 µs
+        for (int pass = 0; pass < 10; ++pass) {  // a pass takes 100 µs
             unit.board.on_read = [&reads] { ++reads; };
             unit.run(1);
         }

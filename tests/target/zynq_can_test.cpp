@@ -108,7 +108,7 @@ TEST(ZynqBitTiming, RateBelowThePrescalersRangeKeepsTheNodeOffTheBus) {
         EXPECT_EQ(bench.can.state(), CanState::bus_off);
         EXPECT_EQ(bench.model.receive(data_frame(0x80, 0)), ZynqCanModel::Taken::filtered);
         bench.can.advance(bench.queue, Instant{9000000});
-        EXPECT_EQ(bench.model.resets(), 2U);  // it is not reset again
+        EXPECT_EQ(bench.model.resets(), 2U);  // the controller is not reset again
         bench.join(250000, Instant{9000000});
         EXPECT_TRUE(bench.can.is_on_bus());
         EXPECT_EQ(bench.can.state(), CanState::error_active);

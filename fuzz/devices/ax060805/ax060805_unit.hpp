@@ -12,7 +12,7 @@ struct Ax060805Unit {
     using Inputs = ax060805::Inputs;
     using FactoryData = ax060805::FactoryData;
     static constexpr std::size_t memory_size = 4096;
-    static constexpr std::uint8_t bus_node = 6;  ///< its node-ID on the bus of bus_fuzz.cpp
+    static constexpr std::uint8_t bus_node = 6;  ///< node-ID of this device on the bus of bus_fuzz.cpp
     static constexpr bool has_lss = true;
     static constexpr std::uint8_t answers_remote = 0;
 

@@ -12,7 +12,7 @@ struct Ax130751Unit {
     using Inputs = ax130751::Inputs;
     using FactoryData = ax130751::FactoryData;
     static constexpr std::size_t memory_size = 8192;
-    static constexpr std::uint8_t bus_node = 4;  ///< its node-ID on the bus of bus_fuzz.cpp
+    static constexpr std::uint8_t bus_node = 4;  ///< node-ID of this device on the bus of bus_fuzz.cpp
     static constexpr bool has_lss = true;
     static constexpr std::uint8_t answers_remote = 0;
 

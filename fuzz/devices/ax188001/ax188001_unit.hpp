@@ -14,7 +14,7 @@ struct Ax188001Unit {
     using Inputs = ax188001::Inputs;
     using FactoryData = ax188001::FactoryData;
     static constexpr std::size_t memory_size = 1024;
-    static constexpr std::uint8_t bus_node = 5;  ///< its node-ID on the bus of bus_fuzz.cpp
+    static constexpr std::uint8_t bus_node = 5;  ///< node-ID of this device on the bus of bus_fuzz.cpp
     static constexpr bool has_lss = true;
     static constexpr std::uint8_t answers_remote = 0;
 

@@ -16,7 +16,7 @@ class CbxAo412Unit {
     using Inputs = cbx_ao412::Inputs;
     using FactoryData = cbx_ao412::FactoryData;
     static constexpr std::size_t memory_size = 1024;
-    static constexpr std::uint8_t bus_node = 3;  ///< its node-ID on the bus of bus_fuzz.cpp
+    static constexpr std::uint8_t bus_node = 3;  ///< node-ID of this device on the bus of bus_fuzz.cpp
     static constexpr bool has_lss = false;
     /// Bit n: RPDO n + 1 answers remote frames; only RPDO2 does (7.7.2).
     static constexpr std::uint8_t answers_remote = 0x02;

@@ -82,7 +82,7 @@ inline void write_some(ModelPair& pair, const Focus& focus) {
     pair.write(index, sub, some_value(index, sub));
 }
 
-/// Gives the extra values different ranges and digits.
+/// Gives the extra received values (2500h) different ranges and numbers of decimal digits.
 inline void wire_extras(ModelPair& pair) {
     for (int n = 1; n <= 6; ++n) {
         pair.write(0x2502, n, n % 3);

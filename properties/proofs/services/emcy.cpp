@@ -141,7 +141,7 @@ void at_most_two_messages_of_an_error_wait() {
     assume((error < max_errors) && !node.emcy.enabled_);
     assume(is_consistent(node.emcy, node.dictionary.objects));
     std::size_t before{0U};
-    bool alternates{true};  // of two waiting messages one reports the beginning and the other the end of the error
+    bool alternates{true};  // when two messages wait, one reports the beginning and the other the end of the error
     bool newest{false};
     for (std::size_t i = 0U; i < 4U; ++i) {
         const bool own = (i < node.emcy.pending_count_) && (node.emcy.pending_[i].error == error);

@@ -26,7 +26,7 @@ constexpr std::size_t magic_at = 0U;
 constexpr std::size_t layout_at = 4U;
 constexpr std::size_t sequence_at = 8U;
 constexpr std::size_t groups_at = 12U;
-constexpr std::size_t node_ids_at = 13U;  // one for each group
+constexpr std::size_t node_ids_at = 13U;  // one node-ID for each group
 
 template <std::size_t at, std::size_t size>
 std::uint32_t number_at(const std::array<std::uint8_t, size>& bytes) noexcept {

@@ -174,7 +174,7 @@ class SdoServer {
     sdo::NamedObject object_{};
     std::uint8_t toggle_{0U};
     bool has_size_{false};       ///< the client announced the size of its download
-    std::size_t announced_{0U};  ///< that size
+    std::size_t announced_{0U};  ///< size that the client has announced
     std::size_t done_{0U};       ///< bytes transferred in segments
     MutableBytes place_{};       ///< where a download is collected
     ByteView value_{};           ///< the value that an upload sends

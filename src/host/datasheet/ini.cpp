@@ -131,8 +131,8 @@ class SectionSorter {
         sorted_ = std::move(kept);
     }
 
-    std::array<Order, 16> orders_;  ///< of the last section with that number of values
-    Order long_order_;              ///< of the last section with more values
+    std::array<Order, 16> orders_;  ///< element n: order of the keys in the last section with n values
+    Order long_order_;              ///< order of the keys in the last section with more values
     std::vector<Value> sorted_;
     std::vector<IniRepetition> repeated_;
 };

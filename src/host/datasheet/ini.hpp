@@ -25,7 +25,7 @@ struct IniValue {
 };
 
 struct IniSection {
-    std::string name;  ///< as written
+    std::string name;  ///< the name as it is written in the file
     unsigned line{0};
     std::vector<std::pair<std::string_view, IniValue>> values;  ///< ascending by key; the keys are in lower case
 

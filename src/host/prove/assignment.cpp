@@ -171,7 +171,7 @@ Bits Assignment::divided(const Node& node) const {
                             node.kind == Z3_OP_BSREM_I;
     const SignedBits left = as_signed(a, node.width);
     const SignedBits right = as_signed(b, node.width);
-    if (b == 0) {  // as SMT-LIB defines it
+    if (b == 0) {  // SMT-LIB defines the result of a division by 0
         return wants_rest ? a : cut(is_signed && left < 0 ? Bits{1} : ~Bits{0}, node.width);
     }
     if (!is_signed) {

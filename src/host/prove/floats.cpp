@@ -250,7 +250,7 @@ Term Floats::resized_number(const Term& from, unsigned width) {
 std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
     const unsigned bits = width_of(integer);
     const Layout layout = layout_of(width);
-    if (bits <= layout.fraction + 1) {  // without rounding
+    if (bits <= layout.fraction + 1) {  // every such number is exact, without rounding
         const z3::sort sort = context_.fpa_sort(layout.exponent, layout.fraction + 1);
         return number_of("of_integer", {integer}, width, [&](const auto& inputs) {
             return Term{context_, Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_), inputs[0].bits, sort)};
@@ -342,7 +342,8 @@ std::optional<Term> Floats::computed(llvm::Intrinsic::ID function, const llvm::T
     const Term& a = arguments[0];
     const Term& b = arguments[1];
     const Term first = function == llvm::Intrinsic::minnum ? is_below(a, b) : is_below(b, a);
-    const Term either = order_of(a) == order_of(b) && as_truth(fresh_(1));  // of -0 and +0, one of the two
+    // when the operands are -0 and +0, either of them
+    const Term either = order_of(a) == order_of(b) && as_truth(fresh_(1));
     return choose(is_nan(a), b, choose(is_nan(b), a, choose((first || either).simplify(), a, b)));
 }
 

@@ -14,7 +14,7 @@ namespace canproof::host {
 
 /// A device to run, and the description of its signals.
 struct ChosenDevice {
-    std::string name;  ///< as the user wrote it: NAME or NAME@NODE
+    std::string name;  ///< name of the device as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
     const Part* part{nullptr};  ///< part of the requirements register or of the EDS; valid as long as `device`
     std::uint32_t bit_rate{0};  ///< bit/s as shipped

@@ -38,7 +38,7 @@ struct Memory {
 };
 struct RecordedPass {
     std::uint32_t ticks_before;  ///< ticks of all earlier passes, with the time in which they waited
-    std::uint32_t ticks;         ///< of its instructions
+    std::uint32_t ticks;         ///< ticks that the instructions of this pass take
     std::uint32_t sum;
     std::uint32_t first_frame;
     std::uint32_t outputs;  ///< number of the outputs in the record

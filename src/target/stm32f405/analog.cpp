@@ -34,7 +34,7 @@ constexpr float most_counts = 65535.0F;
 
 constexpr float between(const float value, const float least, const float most) noexcept {
     if (!(value > least)) {
-        return least;  // also for NaN
+        return least;  // NaN gives the lowest value too
     }
     return (value < most) ? value : most;
 }

@@ -101,7 +101,7 @@ void CanController::configure() noexcept {
     registers_.filters[0U].mask.write(idr::extended);
     registers_.filters[0U].identifier.write(0U);
     registers_.filters_used.write(first_filter);
-    registers_.mode.write(0U);  // neither loop-back nor sleep nor snoop
+    registers_.mode.write(0U);  // 0 is the normal mode: no loop-back, sleep or snoop mode
     registers_.software_reset.write(srr::enable);
 }
 

@@ -220,7 +220,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110, 0x00004200}));
     heat(25.0F);
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
-    fail_accelerometer(false);  // its entry was removed from the list
+    fail_accelerometer(false);  // the entry of the accelerometer error was removed from the list
     EXPECT_EQ(listed(), (List{0x80318130, 0x00008250, 0x00008110}));
     EXPECT_EQ(read(0x1003, 4), 0U);
 }

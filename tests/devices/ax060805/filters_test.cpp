@@ -170,7 +170,7 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     pass(30);
     EXPECT_EQ(pitch(), 2000);  // no third sample
     write(0x2051, 1, 8, 2);
-    EXPECT_EQ(pitch(), 2000);  // no third sample was taken
+    EXPECT_EQ(pitch(), 2000);  // no third sample was taken in the meantime
 }
 
 TEST_F(Filters, MovingAverageIsTheMeanOfFourSamples) {

@@ -209,8 +209,8 @@ TEST_F(Ax130751Dictionary, ExtraReceivedValueObjectsMatchTheManual) {
     check({
         {0x2500, 6, i16, Access::rw, {0}, none, none, Map::both, false},
         {0x2502, 6, u8, Access::rw, {1}, 0, 4},
-        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most 2522h
-        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least 2520h (EC Scaling 1 PV)
+        {0x2520, 6, i16, Access::rw, {0}, -32768, 0},  // at most the value of 2522h
+        {0x2522, 6, i16, Access::rw, {0}, 0, 32767},   // at least the value of 2520h (EC Scaling 1 PV)
     });
     set(0x2522, 4, 300);
     EXPECT_EQ(writing(0x2520, 4, 300), AbortCode::none);
@@ -333,8 +333,8 @@ TEST_F(Ax130751Dictionary, DiagnosticObjectsMatchTheManual) {
     check({
         {0x5020, 0, real, Access::ro, {0}, none, none, Map::tpdo},
         {0x5021, 0, u8, Access::rw, {1}, 0, 1},
-        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // at most 5023h (Over Voltage Threshold)
-        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // at least 5022h (Under Voltage Threshold)
+        {0x5022, 0, u8, Access::rw, {8}, 0, 35},   // at most the value of 5023h (Over Voltage Threshold)
+        {0x5023, 0, u8, Access::rw, {35}, 8, 36},  // at least the value of 5022h (Under Voltage Threshold)
         {0x5024, 0, u8, Access::rw, {5}, 1, 30},
         {0x5025, 0, u8, Access::rw, {1}, 0, 1},
         {0x5030, 0, real, Access::ro, {0}, none, none, Map::tpdo},

@@ -75,7 +75,7 @@ TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     const std::vector<Position> positions{
         {0, 0.0, 10.0},    // full backward
         {125, 0.0, 6.5},   // half way between 100 and 30 %
-        {250, 0.0, 3.0},   // where the slopes meet
+        {250, 0.0, 3.0},   // the point where the slopes meet
         {350, 0.0, 1.5},   // half way between 30 and 0 %
         {450, 0.0, 0.0},   // the deadband begins
         {500, 0.0, 0.0},   // centre

@@ -208,7 +208,7 @@ TEST_F(Ax130751Logic, TableWithoutASourceGivesNoPercentage) {
     verifies<req::AOR_LOGIC_007, req::AOR_LOGIC_008>();
     set8(0x3300, 1, 1);
     connect_table(1, 1);
-    set16(0x3017, 1, -100);  // its limits: -100 to 100
+    set16(0x3017, 1, -100);  // limits of table 1: -100 to 100
     extra(1, 50);
     EXPECT_EQ(selected(1), 1);
     EXPECT_EQ(output(1), 750);

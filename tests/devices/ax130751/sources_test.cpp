@@ -72,7 +72,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     EXPECT_EQ(tenths(1, 3), 10);
     EXPECT_EQ(tenths(2, 1), 10);
     for (int number = 1; number <= 6; ++number) {
-        set16(0x2500, number, 100 + number);  // one digit by default
+        set16(0x2500, number, 100 + number);  // one decimal digit by default
         EXPECT_EQ(tenths(1, 3 + number), 100 + number);
     }
     for (int table = 2; table <= 10; ++table) {
@@ -176,7 +176,7 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(2, 1, 0, 100);
     set16(0x2522, 4, 450);
     set16(0x2520, 4, -50);
-    expect_limits(1, 7, -500, 4500);  // one digit
+    expect_limits(1, 7, -500, 4500);  // limits with one decimal digit
     set16(0x2522, 6, 300);
     set16(0x2520, 6, 20);
     expect_limits(1, 9, 200, 3000);

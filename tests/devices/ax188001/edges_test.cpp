@@ -154,7 +154,8 @@ TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     }
 }
 
-/// The cold junction adds any voltage to a reading: 0.05 uV on either side of the margin.
+/// The temperature of the cold junction adds a small voltage to a reading. So the test can set a voltage 0.05 uV below
+/// or above the margin.
 TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV

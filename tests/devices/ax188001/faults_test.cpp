@@ -127,7 +127,7 @@ TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
     inputs.supply = 8.5F;
-    set_inputs();  // at 0; read at 165
+    set_inputs();  // the inputs change at 0 ms and are read at 165 ms
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010320000000"}));
 }
 
@@ -136,7 +136,7 @@ TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // below 110, but not below 85
+    inputs.cpu_temperature = 100.0F;  // below the set threshold 110, but not below the clear threshold 85
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }

@@ -12,7 +12,7 @@ namespace canproof::test {
 struct Polynomial {
     long double from;
     long double to;
-    std::vector<long double> coefficients;  ///< of x^0, x^1, x^2 …
+    std::vector<long double> coefficients;  ///< coefficients of x^0, x^1, x^2 …
 
     long double at(long double x) const {
         long double sum = 0.0L;

@@ -91,7 +91,8 @@ TEST_F(Ax188001Resets, EachActiveChannelFaultPreventsTheSelfStart) {
     }
 }
 
-/// 1029h:2 is for faults of the channels, 1029h:3 for those of the unit. The other sub-index demands the opposite.
+/// 1029h:2 sets the reaction to faults of the channels, 1029h:3 to faults of the unit. The test gives the two the
+/// opposite reaction, so that a mistaken sub-index is noticed.
 TEST_F(Ax188001Resets, LastingFaultObeysTheErrorBehaviourOfItsOwnClass) {
     verifies<req::TCS_START_005, req::TCS_ERR_010, req::TCS_T_REACTION>();
     const auto begin = [this](int fault) {

@@ -74,7 +74,7 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     EXPECT_EQ(pass(5000), Frames{});
     power_on();
     pass(500);
-    send("000#0205");  // for another node: a master is present
+    send("000#0205");  // a command for another node also shows that a master is present
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));

@@ -83,7 +83,7 @@ TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
     verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
-    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);  // not valid: its mapping can be changed
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);  // TPDO1 is not valid now, so its mapping can be changed
     const auto parameters = every_parameter();
     std::map<std::pair<int, int>, Parameter> last;
     for (const auto& one : parameters) {

@@ -21,7 +21,7 @@ TEST_F(Startup, NodeIdComesFromTheTwoSwitches) {
     inputs.switch_high = 0;
     inputs.switch_low = 1;
     set_inputs();
-    EXPECT_EQ(send("67F#4000100000000000").size(), 1U);  // not before the next power-on
+    EXPECT_EQ(send("67F#4000100000000000").size(), 1U);  // the node-ID changes only at the next power-on
     EXPECT_TRUE(send("601#4000100000000000").empty());
     EXPECT_EQ(power_on(), (Frames{"701#00"}));
 }

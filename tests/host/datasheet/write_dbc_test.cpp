@@ -165,7 +165,7 @@ class DbcReader {
 
     /// Checks that signals are within the frame and share no bits unless the multiplexer selects one of them.
     void check_places(const Message& message) {
-        std::map<std::string, std::set<unsigned>> used;  // by switch value
+        std::map<std::string, std::set<unsigned>> used;  // for each multiplexer value, the bits that are used
         for (const auto& [name, signal] : message.signals) {
             const bool switched = signal.multiplex.size() > 1;
             for (unsigned bit = signal.start; bit < signal.start + signal.length; ++bit) {

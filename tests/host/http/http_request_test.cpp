@@ -76,7 +76,7 @@ TEST(HttpRequest, LinesAndHeadAreBounded) {
     const auto line_of = [](std::size_t length) { return "GET /" + std::string(length - 14, 'a') + " HTTP/1.1"; };
     EXPECT_EQ(status(line_of(2048) + "\r\n\r\n"), 0);
     EXPECT_EQ(status(line_of(2049) + "\r\n\r\n"), 414);
-    EXPECT_EQ(status(std::string(2049, 'a')), 414);  // before its end was received
+    EXPECT_EQ(status(std::string(2049, 'a')), 414);  // refused before the end of the line was received
     const auto header_of = [](std::size_t length) { return "X: " + std::string(length - 3, 'a') + "\r\n"; };
     EXPECT_EQ(status(start + header_of(8192) + "\r\n"), 0);
     EXPECT_EQ(status(start + header_of(8193) + "\r\n"), 431);

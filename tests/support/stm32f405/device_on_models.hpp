@@ -82,7 +82,7 @@ struct Unit {
         for (std::uint32_t i = 0; i < passes; ++i) {
             chips.timer.at(0x24) += 100;
             chips.capture.pass(100);
-            can.drain();  // as the interrupt does
+            can.drain();  // does the work of the receive interrupt
             loop.pass();
             chips.watchdog.pass(0.1);
             if (const auto frame = chips.can.transmit()) {

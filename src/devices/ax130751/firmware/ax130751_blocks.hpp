@@ -27,7 +27,7 @@ class TableBlock {
     LookupTable table_{};
     // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each change of point 1, calls
     // reread().
-    LookupConfig config_{};  ///< as last read
+    LookupConfig config_{};  ///< the configuration as it was last read
     LookupLimits limits_{};  ///< limits of its output, for other blocks
     bool is_read_{false};
     SignalState state_{SignalState::not_available};

@@ -124,7 +124,7 @@ TEST(BinaryFunctions, ComparisonsFollowTable10) {
 TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
     verifies<req::INC_BIN_004, req::INC_T10>();
     EXPECT_EQ(result(14, 0.0F, 0.0F), 0.0F);
-    EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // both 0 as integers
+    EXPECT_EQ(result(14, 0.9F, -1.0F), 0.0F);  // both inputs are 0 as integers
     EXPECT_EQ(result(14, 0.0F, 2.0F), 1.0F);
     EXPECT_EQ(result(14, 4.0F, 0.0F), 1.0F);
     EXPECT_EQ(result(15, 4.0F, 0.5F), 0.0F);

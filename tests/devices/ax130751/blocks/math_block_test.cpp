@@ -61,7 +61,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
         EXPECT_EQ(apply_operator(number, 0.6, 0.6), row.equal) << row.number;
         EXPECT_EQ(apply_operator(number, 0.6, 0.4), row.greater) << row.number;
     }
-    // both false
+    // both inputs are false
     EXPECT_EQ(apply_operator(6, 0.4, 0.4), 0.0);
     EXPECT_EQ(apply_operator(7, 0.4, 0.4), 1.0);
     EXPECT_EQ(apply_operator(8, 0.4, 0.4), 0.0);
@@ -194,7 +194,7 @@ TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
     // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
-    // with a gain of 1 it is 0: 0 + 0 + 0.9
+    // with a gain of 1 the result is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
 }
 

@@ -95,7 +95,7 @@ std::vector<std::string> words(const std::vector<CoverageGap>& gaps) {
 
 TEST_F(Coverage, UnreachedCodeIsListedWithItsText) {
     const auto files = read();
-    ASSERT_THAT(files, SizeIs(1));  // only the firmware
+    ASSERT_THAT(files, SizeIs(1));  // only the firmware is measured
     EXPECT_EQ(files[0].file, "src/firmware/base/one.cpp");
     EXPECT_THAT(words(files[0].gaps),
                 ElementsAre("2 condition a: not shown to decide alone", "2 condition b: not shown to decide alone",

@@ -180,7 +180,7 @@ TEST_F(Campaign, CampaignComparesWithThePreviousCampaign) {
 
 TEST_F(Campaign, InterruptedCampaignWritesAReport_AndTheSameCommandContinuesIt) {
     add_target("a", "");
-    add_target("b", R"(mkfifo "$first.never"; read nothing < "$first.never")");  // until it gets SIGINT
+    add_target("b", R"(mkfifo "$first.never"; read nothing < "$first.never")");  // waits until it gets SIGINT
     const auto b_has_begun = [&] { return fs::exists(folder / "corpus" / "b.never"); };
     EXPECT_EQ(run(b_has_begun), 130);
     const auto told = report();

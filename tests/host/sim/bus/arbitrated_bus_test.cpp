@@ -316,7 +316,7 @@ TEST_F(ArbitratedBusTest, ErrorCountersLeadToWarningErrorPassiveAndBusOff) {
     EXPECT_EQ(one.receive_errors(), 119U);
     one.switch_off();
     one.recover();
-    EXPECT_EQ(one.state(), CanState::error_active);  // both counters start at 0 again
+    EXPECT_EQ(one.state(), CanState::error_active);  // both error counters start at 0 again
     EXPECT_EQ(one.receive_errors(), 0U);
 }
 

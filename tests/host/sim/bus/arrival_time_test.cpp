@@ -18,7 +18,8 @@ namespace canproof::host::test {
 namespace {
 
 constexpr int longest_wait_ms = 5000;  // reached only in a broken test
-constexpr int comparisons = 100;       // of the run's clock with the real time: one of them is exact
+// number of comparisons of the run's clock with the real time, of which one is exact
+constexpr int comparisons = 100;
 
 /// A socket that sends to itself until the kernel stamps what arrives. The kernel begins to stamp some time after the
 /// first socket asks for it; before that, the stamp is the time of reading. The kernel continues as long as this socket

@@ -122,7 +122,7 @@ TEST(Delivery, CorruptedFrameOfANodeThatReportsItsChangesIsNotSentAfterBusOff) {
     const Instant end = bus.next_deadline();
     bus.advance(end);
     ASSERT_EQ(bus.report(end).errors, 1U);
-    bus.switch_off(a, end);  // between the error frame and the repetition
+    bus.switch_off(a, end);  // node a goes bus-off between the error frame and the repetition
     run_until(bus, end, Instant{1000000});
     EXPECT_THAT(a.states, SizeIs(2));  // bus-off and its end
     EXPECT_EQ(bus.report(Instant{1000000}).frames, 0U);

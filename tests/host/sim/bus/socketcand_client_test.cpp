@@ -61,7 +61,7 @@ TEST_F(SocketcandClientText, FrameMayArriveInPieces) {
 }
 
 TEST_F(SocketcandClientText, OtherMessagesAreSkipped) {
-    hear("< frame 703 1.0 05 >");  // before the client has joined
+    hear("< frame 703 1.0 05 >");  // a frame before the client has joined
     join();
     for (const char* odd : {"< frame >", "< frame 703 >", "< frame 800 1.0 05 >", "< frame 703 1.0 0 >",
                             "< frame 703 1.0 xy >", "< frame 703 1.0 010203040506070809 >", "< stat 1 2 3 4 >", "<>",

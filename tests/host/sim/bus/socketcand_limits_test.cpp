@@ -104,7 +104,7 @@ TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     EXPECT_TRUE(too_long);
     EXPECT_EQ(take_command(input, 10, too_long), " b ");  // the next command is read
     EXPECT_FALSE(too_long);
-    input = "<" + std::string(9, 'a');  // without a closing bracket, at the limit
+    input = "<" + std::string(9, 'a');  // a text of the largest length, without a closing bracket
     EXPECT_EQ(take_command(input, 10, too_long), std::nullopt);
     EXPECT_FALSE(too_long);
     input += "a";

@@ -99,7 +99,7 @@ TEST(ImageLink, InvalidGreetingIsRefused) {
                                      10})),
               misunderstood);
     EXPECT_EQ(why(saying(std::string{"\xff\xff", 2})), misunderstood);  // longer than any message
-    EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // without a kind
+    EXPECT_EQ(why(saying(std::string{"\x00\x00", 2})), misunderstood);  // a message without a kind
 }
 
 TEST(ImageLink, EndOfTheImageIsReported) {

@@ -133,7 +133,7 @@ TEST_F(ReplayEdges, SilenceOfAnHourIsPlayedAndLongerSilenceIsShortened) {
     play(shortened, "(1.000000) can0 080#\n(3602.999999) can0 300#\n(3604.000000) can0 300#01\n");
     EXPECT_THAT(shortened.told, ElementsAre("0.000000 on", "1.000000 080#", "3601.000000 300#", "3602.000001 300#01"));
     EXPECT_THAT(notices, ElementsAre("nothing happens before 3602.999999; the replay leaves out 1 s"));
-    EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // in the time of the log
+    EXPECT_EQ(frames, "(3602.999999) can0 301#\n(3604.000000) can0 301#01\n");  // the times are those of the log
 }
 
 TEST_F(ReplayEdges, SilenceIsShortenedInALogThatStartsLater) {
