@@ -99,7 +99,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_EQ(report.results[1].why, "the slave stopped answering in some");
 }
 
-TEST(ConformRun, ReturnFromALoopEndsTheNameOfItsIteration) {
+TEST(ConformRun, LoopVariableOfAProcedureEndsWithAReturnFromTheLoop) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
     VirtualTarget target{sound_slave(), 5};
@@ -126,7 +126,7 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
 }
 
 // Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
-TEST(ConformRun, WatchKeepsTheValuesThatItsDataHadWhenItBegan) {
+TEST(ConformRun, WatchComparesWithTheVariableValuesOfItsStart) {
     const CaseResult changed = run_steps_on_slave(
         "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
         "check $hb.count == 10 \"ten\"");

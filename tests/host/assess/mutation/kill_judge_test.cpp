@@ -56,7 +56,7 @@ class KillTrial : public testing::Test {
 
 }  // namespace
 
-TEST_F(KillTrial, AlteredCellOfARunningProgramCounts) {
+TEST_F(KillTrial, TestThatNoticesACellAlteredInARunningProgramKillsIt) {
     mutants.cells["AO4-A-1"] = {unnoticed};
     EXPECT_THAT(judge().kills, IsEmpty());
     mutants.cells["AO4-A-1"] = {unnoticed, at_run};
@@ -65,20 +65,20 @@ TEST_F(KillTrial, AlteredCellOfARunningProgramCounts) {
     EXPECT_EQ(judge().body, "hash");
 }
 
-TEST_F(KillTrial, CellThatIsReadAtProgramStartOnlyCounts) {
+TEST_F(KillTrial, TestThatNoticesACellReadOnlyAtProgramStartKillsIt) {
     mutants.cells["AO4-A-1"] = {unnoticed, at_start};
     EXPECT_THAT(judge().kills, ElementsAre("AO4-A-1"));
     EXPECT_THAT(judge(true).kills, ElementsAre("AO4-A-1"));
 }
 
-TEST_F(KillTrial, MutantOfCodeCountsWhenTheTestReachesIt) {
+TEST_F(KillTrial, MutantOfCodeIsKilledOnlyByATestThatReachesIt) {
     mutants.code["AO4-A-1"] = {at_run};
     EXPECT_THAT(judge().kills, ElementsAre("AO4-A-1"));
     told["Suite.Test"].mutants = {unnoticed};
     EXPECT_THAT(judge().kills, IsEmpty());
 }
 
-TEST_F(KillTrial, MutantOfCodeThatRunsAtProgramStartCounts) {
+TEST_F(KillTrial, MutantOfCodeThatRunsAtProgramStartIsKilledToo) {
     mutants.code["AO4-A-1"] = {unnoticed, at_start};
     EXPECT_THAT(judge().kills, IsEmpty());
     mutants.at_startup[at_start] = true;

@@ -208,7 +208,7 @@ TEST(Review, CurrentReviewsAreCountedByRole) {
     EXPECT_EQ(edited.expired, 1U);
 }
 
-TEST(Review, AuthorsReviewLeavesAnIndependentReviewBesideIt) {
+TEST(Review, AuthorsReviewKeepsAnEarlierIndependentReview) {
     const Register first = read("a", "b", "");
     const Register reader = read("a", "b", after(first, by_reader));
     const Register both =
@@ -229,7 +229,7 @@ TEST(Review, AuthorsReviewLeavesAnIndependentReviewBesideIt) {
     EXPECT_EQ(counts.not_independent, 1U) << "AO4-R-2";
 }
 
-TEST(Review, IndependentReviewStaysBesideTheNextReviewOfTheAuthorToo) {
+TEST(Review, IndependentReviewIsKeptUntilTheNextIndependentReview) {
     const Register reader = read("a", "b", after(read("a", "b", ""), by_reader));
     const Register once = read("a", "b", after(reader, by_author));
     EXPECT_EQ(independent_words(independent_of(once), once.part("box")->reviews.at("AO4-R-1")),
@@ -261,7 +261,7 @@ TEST(Review, IndependentReviewExpiresWhenItsTestsChange_AndCoversTheTextOnlyAfte
     EXPECT_EQ(counts_of(marked, ReviewedKind::item, now).independent_text, 1U);
 }
 
-TEST(Review, SecondReviewOfTheSameRoleBesideTheOtherIsAFault) {
+TEST(Review, TwoReviewsOfOneItemInTheSameRoleAreAFault) {
     const auto block = [](const char* role) {
         return fmt::format(
             "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\nrole = \"{}\"\n[review.items]\nAO4-R-1 = \"0\"\n", role);

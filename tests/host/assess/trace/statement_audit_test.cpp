@@ -130,7 +130,7 @@ TEST_F(AuditOfStatements, StatementAboutAnObjectBelongsToTheSectionOfTheObject) 
     EXPECT_THAT(sections.at("2"), ElementsAre(1U, 2U));
 }
 
-TEST_F(AuditOfStatements, SectionWithStatementsNeedsNoItemThatNamesIt) {
+TEST_F(AuditOfStatements, SectionWhoseStatementsAreCoveredNeedsNoItemThatNamesIt) {
     // No item has section 2 as its source; its statements are covered by a decision and a reason.
     EXPECT_THAT(audits()[0].sections[1].covered_by, IsEmpty());
     EXPECT_TRUE(audits()[0].sections[1].covered);

@@ -148,7 +148,7 @@ TEST(CandumpReader, EmptyLinesAndErrorFramesAreSkippedAndErrorFramesCounted) {
     EXPECT_EQ(reader.counts().error_frames, 2U);
 }
 
-TEST(CandumpReader, ErrorFrameIsPartOfTheTimeOrder) {
+TEST(CandumpReader, FrameWithATimeBeforeAnErrorFrameIsRefused) {
     std::istringstream in{"(2.0) can0 20000004#\n(1.0) can0 080#\n"};
     EXPECT_THROW(read_candump_log(in, "log"), InputError);
     std::istringstream equal{"(2.0) can0 080#\n(2.0) can0 081#\n"};

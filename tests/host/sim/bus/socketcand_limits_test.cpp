@@ -285,7 +285,7 @@ TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
     EXPECT_EQ(client.output().front(), ' ');  // the first character was removed
 }
 
-TEST(SocketcandClientLimits, LatestServerErrorIsKeptAndIsARefusalBeforeJoiningOnly) {
+TEST(SocketcandClientLimits, LatestServerErrorIsKept_AndCountsAsARefusalOnlyBeforeJoining) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     EXPECT_FALSE(client.is_refused());
     client.take("< hi >< error >");
