@@ -209,8 +209,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE,
              req::CO_K_SDO_BLOCK_QUEUED>();
-    // One piece at a time: the microcontroller has no memory for the whole value beside those of the slave and the
-    // answers.
+    // One piece at a time: the microcontroller has no memory for the whole value in addition to those of the slave and
+    // the answers.
     const auto piece = [](std::size_t from, std::size_t size) {
         Bytes bytes(size);
         for (std::size_t i = 0; i < size; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments beside those of
+// A test program that can alter the cells of its tables. `canproof mutate` runs it. Arguments in addition to those of
 // GoogleTest:
 //   --cells   prints `number TAB item TAB cell TAB change` for each alteration
 //   --serve   reads lines `number TAB seconds TAB filter`. For each line, a forked copy of this process alters the cell

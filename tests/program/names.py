@@ -151,7 +151,7 @@ def keywords():
 
 
 def images():
-    """Checks that a missing ARM image, and --arm beside another slave or bus, are refused."""
+    """Checks that a missing ARM image, and --arm together with another slave or a bus, are refused."""
     for words, why in ((("run", "--arm", "no.elf"), "there is no image no.elf"), (("conform", "--arm", "no.elf"), "there is no image no.elf"),
                        (("conform", "--arm", "no.elf", "--bus", "socketcan:can0"), "--arm runs the slave in virtual time"),
                        (("run", "--arm", "no.elf", "no-device"), "there is no device `no-device`"),

@@ -25,8 +25,8 @@ constexpr bool is_valid(const std::uint32_t entry) noexcept {
 bool is_restricted(std::uint32_t identifier) noexcept;
 
 /// Checks a new value of 1005h COB-ID SYNC or 1014h COB-ID EMCY. Returns 06090030h unless `wanted` holds only bits of
-/// `flags` beside an unrestricted 11-bit identifier. Returns 08000022h when `wanted` changes the identifier of an
-/// object in use, unless `wanted` also sets bit 31 and `flags` permits this bit. Returns AbortCode::none otherwise.
+/// `flags` in addition to an unrestricted 11-bit identifier. Returns 08000022h when `wanted` changes the identifier of
+/// an object in use, unless `wanted` also sets bit 31 and `flags` permits this bit. Returns AbortCode::none otherwise.
 AbortCode check_change(std::uint32_t current, std::uint32_t wanted, std::uint32_t flags, bool in_use) noexcept;
 
 }  // namespace canproof::cob_id

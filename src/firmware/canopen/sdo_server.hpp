@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SDO server: expedited, segmented and block transfer in both directions (CiA 301, 7.2.4). Each request gets at most
-// one answer. Beside the answers, the server sends only the segments of a block upload, and an abort frame when a
-// transfer times out.
+// one answer. In addition to the answers, the server sends only the segments of a block upload, and an abort frame when
+// a transfer times out.
 #pragma once
 
 #include <array>

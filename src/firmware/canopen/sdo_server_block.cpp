@@ -11,7 +11,7 @@ namespace {
 using generated::canopen::sdo_block_size;
 using sdo::BlockUploadCommand;
 
-// Fields of block requests beside index and sub-index.
+// Fields of block requests other than index and sub-index.
 constexpr std::size_t block_size_position = 4U;
 constexpr std::size_t switch_threshold_position = 5U;
 constexpr std::size_t crc_position = 1U;
