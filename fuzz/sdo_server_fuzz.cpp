@@ -2,7 +2,7 @@
 // Sends SDO requests of any bytes, in any order and at any times: expedited, segmented and block transfer of numbers,
 // strings and DOMAINs. Compares every answer with that of a naive server. Input: records of nine bytes. The first byte
 // is a time step before the request, in units of 16 ms; the other eight are the request. A record whose first byte is
-// E0h or more stands for several requests of a client that follows the protocol: see Obedient.
+// E0h or more stands for several requests of a client that follows the protocol: see `Obedient`.
 #include <cstdlib>
 #include <iostream>
 

@@ -31,6 +31,9 @@ EXAMPLES = (
     ("a.cpp", "// A sign stands for a number; the machine stands still. It stands above.\n", ["1: comment: `stands`; write is"]),
     ("a.md", "The boards are ours.\n", ["1: prose: `ours`"]),
     ("a.cpp", "// The device lends memory to all who ask.\n", ["1: comment: `lends`"]),
+    ("a.cpp", "// Requests of an obedient client.\n", ["1: comment: `obedient`; write that follows the protocol"]),
+    ("a.md", "The test was seen red.\n", ["1: prose: `seen red`; write seen to fail"]),
+    ("a.cpp", "TEST(Clock, ComparisonIsGoodEnough) {\n", ["1: test name: `Good Enough`"]),
     # Names, parts of words, strings of a program.
     ("a.cpp", "// `held` and \"told\" are names; amend, threshold and re-mend are other words.\n", []),
     ("a.cpp", 'const char* a = "it is told // told";\n', []),
