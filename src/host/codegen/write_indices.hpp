@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns a constant for the index of each object of a device, or of each standard object of the shared part.
+/// Returns a constant for the index of each object of a device, or of each standard object of the shared rules.
 std::string write_indices(const Part& part);
 
 }  // namespace canproof::host

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The LSS part of the profile, and the table of bit rates to which this part refers.
+/// The LSS settings of the profile, and the table of bit rates to which they refer.
 struct LssWords {
     std::string rates;
     std::string profile;

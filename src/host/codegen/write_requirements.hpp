@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns a C++ type for each id of the part that is in force, so that code and tests can name the id.
+/// Returns a C++ type for each id in force of a device, or of the shared rules, so that code and tests can name the id.
 std::string write_requirements(const Register& content, const Part& part);
 
 }  // namespace canproof::host

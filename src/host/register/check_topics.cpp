@@ -18,7 +18,7 @@ struct Given {
     const Answer* answer;
 };
 
-/// The answer of one part, a device or the shared part, to a topic.
+/// The answer of a device, or of the shared rules, to a topic.
 struct Stand {
     const Part* part;
     std::vector<Given> items;  ///< items that give an answer, at least one

@@ -27,7 +27,8 @@ std::string fingerprint(const Hazard& hazard);
 /// influence.
 std::string fingerprint(const Section& section);
 
-/// Returns the fingerprint of each item, decision and hazard of the part by id, as reviews.toml contains it.
+/// Returns the fingerprint of each item, decision and hazard of a device (or of the shared rules) by id, as
+/// reviews.toml contains it.
 std::map<std::string, std::string> fingerprints(const Part& part);
 /// Returns the fingerprint of each section of the manual by id: the manual's key, a colon and the section, as in
 /// `AX188001:3.2.8`.

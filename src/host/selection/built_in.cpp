@@ -46,7 +46,8 @@ const Register& device_files() {
     return content;
 }
 
-/// Returns the part of one device. Reads the files of this device alone, because most runs use one device of the four.
+/// Returns the register's description of one device. Reads the files of this device alone, because most runs use one
+/// device of the four.
 const Part& device_part(const std::string& name) {
     static std::map<std::string, std::optional<Register>> read;
     const auto [known, unread] = read.try_emplace(name);
@@ -57,7 +58,7 @@ const Part& device_part(const std::string& name) {
     return *(known->second ? *known->second : built_in_register()).part(name);
 }
 
-/// Returns whether the part is a device with this name or part number.
+/// Returns whether this is a device (not the shared rules) with this name or part number.
 bool is_called(const Part& part, const std::string& name) {
     const auto& numbers = part.info.part_numbers;
     return part.is_device() && (part.name == name || std::any_of(numbers.begin(), numbers.end(),

@@ -131,7 +131,7 @@ TEST_F(Generated, PoolsHaveLittleEndianValuesOneEntryPerLine) {
     EXPECT_THAT(text, HasSubstr("inline constexpr std::size_t image_size = 28U;"));
 }
 
-TEST_F(Generated, FieldsNameTheEntriesOfTheImage) {
+TEST_F(Generated, FieldConstantsHaveTheOffsetsOfTheirEntries) {
     const std::string text = write_objects(box());
     EXPECT_THAT(text, HasSubstr("inline constexpr Field<std::uint8_t> o1001_error_register{0U};  // AO4-OD-1001\n"
                                 "inline constexpr Field<std::uint32_t> o1014_cob_id_emcy{1U};  // AO4-OD-1014\n"

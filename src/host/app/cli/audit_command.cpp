@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints how the statements of a part's manual are covered.
+/// Prints how the statements of a device's manual are covered.
 void print_statements(const PartAudit& audit) {
     if (audit.part->info.manual.empty()) {
         return;
@@ -141,7 +141,7 @@ void print_conditions(const std::vector<ConditionOfUse>& conditions, const bool 
     fmt::print("{} condition(s) of use\n", conditions.size());
 }
 
-/// Returns the audits of the device and of the shared part. Returns all audits when `device` is empty.
+/// Returns the audits of the device and of the shared rules (spec/canopen). Returns all audits when `device` is empty.
 std::vector<PartAudit> parts_for(std::vector<PartAudit> audits, const std::string& device) {
     const auto other = [&](const PartAudit& one) {
         return !device.empty() && one.part->is_device() && one.part->name != device;

@@ -50,7 +50,8 @@ void check(const ReviewOptions& options) {
     }
 }
 
-/// Returns the items and sections of the part to record: all that need a review if the user named the part or gave
+/// Returns the items and sections of a device (or of the shared rules) to record: all that need a review if the user
+/// named the part or gave
 /// --all, otherwise the named ones. Removes each found name from `names`.
 std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
                                 const ReviewOptions& options, std::set<std::string>& names) {

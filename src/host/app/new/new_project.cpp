@@ -80,7 +80,7 @@ std::string quotable(const std::string& text) {
     return out;
 }
 
-/// Returns the first entry of an object; nullptr when the part does not have the object.
+/// Returns the first entry of an object; nullptr when the device does not have the object.
 const Entry* first_entry(const Part& part, unsigned index) {
     const auto found = std::find_if(part.objects.begin(), part.objects.end(), [index](const Object& object) {
         return object.index == index && !object.entries.empty();

@@ -18,7 +18,7 @@ struct ErrorRow {
     std::vector<std::pair<std::string, std::string>> others;
 };
 
-/// Returns all rows of the part's tables of errors, in the order of the register.
+/// Returns all rows of the device's tables of errors, in the order of the register.
 std::vector<ErrorRow> errors_of(const Register& content, const Part& part);
 
 }  // namespace canproof::host

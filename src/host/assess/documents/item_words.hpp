@@ -18,7 +18,7 @@ std::string table_words(const Table& table);
 /// Returns names, direction, type, unit, range and the value at power-on.
 std::string signal_words(const Signal& signal);
 
-/// Returns the description of the part's item with this id. Returns an empty text for requirements and decisions,
+/// Returns the description of the device's item with this id. Returns an empty text for requirements and decisions,
 /// because their own text is complete.
 std::string item_words(const Part& part, const std::string& id);
 

@@ -14,7 +14,7 @@ std::string joined_or(const std::vector<std::string>& words, const std::string& 
 /// Returns the range with its unit: `-40 … 85 °C`. Returns an empty text for a signal without a minimum or without a
 /// maximum.
 std::string range_of(const Signal& signal);
-/// Returns the part's requirements of this kind that are in force, as rows of id, text and sources.
+/// Returns the device's requirements of this kind that are in force, as rows of id, text and sources.
 std::vector<std::vector<std::string>> requirement_rows(const Part& part, const std::string& kind);
 /// Returns title, publisher, revision and date of the device's manual; only its name when the register does not
 /// describe the manual.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit as pages: one for each part of the register with its items by service, and one page that links to these
-// pages.
+// The audit as pages: one for each device and one for the shared rules, with their items by service, and one page that
+// links to these pages.
 #pragma once
 
 #include <string>

@@ -21,7 +21,8 @@ constexpr std::array<const char*, 3> severities{"high", "medium", "low"};
 
 using DecisionsByTopic = std::map<std::string, std::vector<const Decision*>>;
 
-/// Returns the decisions of a part by topic, which is the name of their file in the register without `_decisions`.
+/// Returns the decisions of a device, or of the shared rules, by topic, which is the name of their file in the register
+/// without `_decisions`.
 DecisionsByTopic by_topic(const Part& part) {
     const std::string ending = "_decisions";
     DecisionsByTopic topics;

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns `audit-NAME.html`, the page of a part's items.
+/// Returns `audit-NAME.html`, the page with the items of a device or of the shared rules.
 std::string audit_page_name(const Part& part);
 
 /// Returns the places of all items, decisions and hazards of the pack: `audit-cbx-ao412.html#AO4-AOUT-002`.

@@ -217,7 +217,7 @@ class ReqifWriter {
         return name;
     }
 
-    /// Writes the normative sections of the part's manual.
+    /// Writes the normative sections of the device's manual.
     static void write_sections(pugi::xml_node objects, const PartAudit& audit) {
         for (const auto& one : audit.sections) {
             auto node = identified(objects, "SPEC-OBJECT", section_name(audit, *one.section), one.section->ref);

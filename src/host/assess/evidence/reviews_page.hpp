@@ -17,7 +17,8 @@ std::map<ReviewedKind, ReviewCounts> count_all_reviews(const PackInput& input);
 /// read, and for how many such a review has expired or is missing.
 std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts);
 
-/// Returns the body of the page: the counts of each part, and each independent review that has expired.
+/// Returns the body of the page: the counts of each device and of the shared rules, and each independent review that
+/// has expired.
 std::string reviews_page(const PackInput& input);
 
 }  // namespace canproof::host

@@ -60,8 +60,8 @@ struct PartAudit {
     std::vector<std::string> suspects;         ///< one sentence each
 };
 
-/// Audits one part: a device with its manual, or the shared part, which has no manual of its own. `part` must belong to
-/// `content` and must not be a shared part that comes with an installed canproof.
+/// Audits one part of the register: a device with its manual, or the shared rules, which have no manual of their own.
+/// `part` must belong to `content` and must not be a shared part that comes with an installed canproof.
 PartAudit audit_part(const Register& content, const Part& part, const Evidence& evidence);
 /// Audits all parts of the project in the order of the register. Leaves out shared rules that come with an installed
 /// canproof, because canproof's own audit covers them.

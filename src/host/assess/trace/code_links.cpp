@@ -55,7 +55,7 @@ std::vector<std::string> includes_of(const fs::path& file) {
     return all;
 }
 
-/// The ids of the items to which each generated name of a part belongs.
+/// The ids of the items to which each generated name of a device belongs.
 using Names = std::map<std::string, std::vector<std::string>>;
 
 /// Adds the items that the firmware uses only through two generated names: the tables of errors with their enumerations

@@ -15,7 +15,8 @@ namespace {
 
 using Prints = std::map<std::string, std::string>;
 
-/// Returns the fingerprints of the part's items, decisions and hazards that are in force, by id.
+/// Returns the fingerprints of the items, decisions and hazards of a part (a device, or the shared rules) that are in
+/// force, by id.
 Prints prints_in_force(const Part& part) {
     auto prints = fingerprints(part);
     for (const auto& requirement : part.requirements) {

@@ -79,7 +79,8 @@ std::string reader_words(const Review& review);
 /// counts. Returns an empty text when the independent review is the one that the page shows.
 std::string independent_words(const IndependentReview& independent, const Review& shown);
 
-/// Returns the ids of the part's items, decisions and hazards that are in force, and of the sections of its manual.
+/// Returns the ids of the items, decisions and hazards of a part (a device, or the shared rules) that are in force, and
+/// of the sections of its manual.
 std::set<std::string> reviewable(const Register& content, const Part& part);
 /// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
 /// disposition.

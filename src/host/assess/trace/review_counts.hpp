@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts who has read the items of a part in their present form: the author of the change, or an independent reader.
+// Counts who has read the items of a device, or of the shared rules, in their present form: the author of the change,
+// or an independent reader.
 #pragma once
 
 #include <cstddef>

@@ -42,7 +42,7 @@ ConformSheet read_sheet(const std::string& text, const std::string& name, std::u
 /// Returns the data sheet of a device in a requirements register. Writes the device as an EDS and reads that. The
 /// node-ID is that of the register.
 ConformSheet sheet_of(const Register& content, const Part& part);
-/// Returns the data sheet of a part that belongs to no register.
+/// Returns the data sheet of a device description (`Part`) that belongs to no register.
 ConformSheet sheet_of(const Part& part);
 
 /// Returns the size in bytes of the entry's type. For a type of variable size, returns the length of the entry or of

@@ -31,7 +31,7 @@ Requirement requirement(const std::string& id, const std::string& source, std::v
     return one;
 }
 
-/// Reviews all items of the part and all sections of the manual, as `canproof spec review` records it.
+/// Reviews all items of the device and all sections of its manual, as `canproof spec review` records it.
 void review(Part& part, const Manual& manual) {
     part.reviews.clear();
     for (const auto& prints : {fingerprints(part), fingerprints(manual)}) {

@@ -56,7 +56,7 @@ TEST_F(PaceOfARun, RunThatKeepsUpFinishesInOneTurn) {
     EXPECT_EQ(pace.summary(), "");
 }
 
-TEST_F(PaceOfARun, TurnEndsAfterItsTimeWithWorkLeft) {
+TEST_F(PaceOfARun, TurnEndsAfterItsTimeAlthoughWorkIsLeft) {
     clock = Instant{5000000};
     cost = milliseconds(5);  // far more than the millisecond that a step advances
     turn();
