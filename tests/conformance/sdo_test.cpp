@@ -270,7 +270,8 @@ TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
 TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
     verifies<req::CO_SDO_003, req::CO_SDO_010>();
     talk(*this, {
-                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},  // bytes 4 to 7 have no size
+                    // bytes 4 to 7 are no size, because the size bit is 0
+                    {"605#20002300FFFFFFFF", {"585#6000230000000000"}},
                     {"605#0D78000000000000", {"585#2000000000000000"}},  // "x", last
                     {"605#4000230000000000", {"585#4F00230078000000"}},
                 });

@@ -186,7 +186,7 @@ TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
     set8(0x3021, 0, 4);
     EXPECT_EQ(write_x(2, 4, 36), "");
     set8(0x3020, 0, supply_source);
-    set8(0x3023, 0, 1);  // tenths of a volt
+    set8(0x3023, 0, 1);  // the value counts tenths of a volt
     EXPECT_EQ(write_x(2, 4, 36), "06090032") << "3.6 V";
 }
 

@@ -272,7 +272,7 @@ class Rewriter(Statements):
         return "0" if ZERO.fullmatch(self.source(core)) else None
 
     def moves_nothing(self, condition, values):
-        """Returns whether a comparison chooses between values that are equal when its operands are: `a < b ? a : b`."""
+        """Returns whether a comparison chooses between values that are equal when its operands are equal: `a < b ? a : b`."""
         core = self.core(condition)
         operation = self.operator_of(core)
         if not operation or operation[0] not in COMPARISONS:

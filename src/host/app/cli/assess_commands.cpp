@@ -38,12 +38,14 @@ class FuzzCommand : Command {
         command->add_option("--out", options_.out, "folder of the report")->capture_default_str();
         command->add_option("--jobs", options_.jobs, "parallel processes; default: all cores");
         command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
-        command->add_option("--build", options_.build, "build with libFuzzer and sanitizers")->capture_default_str();
+        command->add_option("--build", options_.build, "folder of the build with libFuzzer and sanitizers")
+            ->capture_default_str();
         command
             ->add_option("--replay-build", options_.replay_build,
-                         "build without libFuzzer and sanitizers, for valgrind and frame logs")
+                         "folder of the build without libFuzzer and sanitizers, for valgrind and frame logs")
             ->capture_default_str();
-        command->add_option("--coverage-build", options_.coverage_build, "build for coverage")->capture_default_str();
+        command->add_option("--coverage-build", options_.coverage_build, "folder of the build for coverage")
+            ->capture_default_str();
         command->add_option("--land", options_.land,
                             "findings become regression tests in TARGET below this folder; default: the target's own "
                             "corpus; '' for none");

@@ -12,7 +12,7 @@ namespace canproof::host {
 struct InjectOptions {
     std::string root{"."};
     std::string device;
-    std::string log;  ///< frames to the device; empty: the device's workload below `root`
+    std::string log;  ///< candump log of the frames to the device; empty: the device's workload below `root`
     /// file with changes of the device's inputs; if `log` is empty, the file of the workload is used instead
     std::string stimulus;
     std::optional<std::string> node;

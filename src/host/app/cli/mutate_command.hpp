@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct MutateOptions {
     std::string root{"."};
-    std::string programs;  ///< folder; empty: build/mutation below `root`
+    std::string programs;  ///< folder of the test programs; empty: build/mutation below `root`
     std::string subject;   ///< device or id; for mutants of code a part of a file's path; empty: everything
     bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
     /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
