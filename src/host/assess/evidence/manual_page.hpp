@@ -11,13 +11,13 @@ namespace canproof::host {
 
 /// Returns the state of a section:
 /// - `proven`;
-/// - `not proven`: items cover the section, and no passed test shows one of them;
+/// - `not proven`: items cover the section, and at least one of them is not shown by a passed test;
 /// - `uncovered`: the section has no statement, or a statement with neither an item nor a reason;
 /// - `explained`: each statement of the section has a reason instead of an item;
-/// - `informative` or `condition of use`: the section is not normative, and each of its statements has a reason. In a
-manual without statements, the items that name the section as their source decide.std::string section_state(
-                               const Section&section, const std::vector<const AuditedStatement*>&statements,
-                               const std::vector<std::string>&item_states, bool counts_by_section);
+/// - `informative` or `condition of use`: the section is not normative, and each of its statements has a reason.
+/// In a manual without statements, the items that name the section as their source decide.
+std::string section_state(const Section& section, const std::vector<const AuditedStatement*>& statements,
+                          const std::vector<std::string>& item_states, bool counts_by_section);
 
 /// Returns the name of the page's file: `manual-cbx-ao412.html`.
 std::string manual_page_name(const Part& part);
