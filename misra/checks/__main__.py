@@ -79,7 +79,7 @@ def check(build, output, as_json):
     units, headers = scope(generated)
     progress.step(f"checking {len(units)} units and {len(headers)} headers of the firmware ({seeds} seeds seen, {unseen} unseen)")
     with tempfile.TemporaryDirectory() as graphs:
-        found = find(rules, units, headers, generated, graphs, faults)
+        found = find(rules, units, headers, generated, graphs, faults, together=True)
         progress.step("call graph, stack, symbols, layers")
         if ROOT != HOME:  # the stack of a device includes that of the shared firmware
             shared = sorted((HOME / "src" / "firmware").rglob("*.cpp"))

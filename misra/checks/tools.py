@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tools and parses their outputs: clang-query, clang-tidy (with clang's warnings and analyzer), cppcheck, g++."""
 import concurrent.futures
+import hashlib
+import itertools
 import os
 import pathlib
 import re
@@ -26,16 +28,45 @@ def language(files):
     return [*LANGUAGE, *([f"-I{ROOT}/src"] if elsewhere else [])]
 
 
-def query(rules, files, generated, scratch, faults):
+def run_query(rules, files, generated, scratch, faults):
+    """Runs all matchers over files. Returns the findings, and the compiler's errors as (path, message)."""
     status, output = run_cached(["clang-query-19", "-f", "@script@", *map(str, files), "--", *language(files), f"-I{generated}"],
                                 files, generated, script="\n".join(rules.matchers) + "\n", scratch=scratch)
     if status != 0:
         wrong = re.findall(r"^\d+:\d+: .*$", output, re.MULTILINE)  # errors in a matcher
         faults.add("clang-query-19 failed:\n" + "\n".join(wrong or [output[-2000:]]))
-    for error in re.findall(r"^.*\berror: .*$", output, re.MULTILINE):
-        faults.add("under clang-query: " + error)
-    for path, line, rule in re.findall(r'^([^\s:]+):(\d+):\d+: note: "([\d.]+)" binds here$', output, re.MULTILINE):
-        yield Finding(rule, short_path(HOME / path, generated), int(line))
+    found = [Finding(rule, short_path(HOME / path, generated), int(line))
+             for path, line, rule in re.findall(r'^([^\s:]+):(\d+):\d+: note: "([\d.]+)" binds here$', output, re.MULTILINE)]
+    return found, re.findall(r"^([^\s:]+)(.*\berror: .*)$", output, re.MULTILINE)
+
+
+def query(rules, files, generated, scratch, faults):
+    found, errors = run_query(rules, files, generated, scratch, faults)
+    for path, message in errors:
+        faults.add(f"under clang-query: {path}{message}")
+    yield from found
+
+
+def query_together(rules, files, generated, scratch, faults):
+    """Runs all matchers over one unit that includes these files: most of the time is spent on headers, which it contains once.
+    Files that define the same name cannot be in one unit: those that the compiler refuses are in another one."""
+    waiting = [list(files)]
+    while waiting:
+        group = waiting.pop()
+        if len(group) == 1:
+            yield from query(rules, group, generated, scratch, faults)
+            continue
+        unit = pathlib.Path(scratch) / f"together_{hashlib.sha256(repr(group).encode()).hexdigest()[:16]}.cpp"
+        unit.write_text("".join(f'#include "{HOME / path}"\n' for path in group))
+        found, errors = run_query(rules, [unit], generated, scratch, faults)
+        if not errors:
+            yield from found
+            continue
+        refused = {os.path.realpath(HOME / path) for path, _ in errors}
+        apart = [path for path in group if os.path.realpath(HOME / path) in refused]
+        if len(apart) in (0, len(group)):
+            apart = group[: len(group) // 2]
+        waiting += [[path for path in group if path not in apart], apart]
 
 
 def named_findings(rules, output, prefix, generated, faults):
@@ -103,17 +134,21 @@ def search(rules, files, generated):
                 yield Finding(rule, short_path(HOME / path, generated), text.count("\n", 0, start) + 1)
 
 
-def find(rules, units, headers, generated, graphs, faults, progress=lambda done, of: None):
-    """Returns all findings in the units, in their included files, and (by text) in the headers."""
+def find(rules, units, headers, generated, graphs, faults, together=False):
+    """Returns all findings in the units, in their included files, and (by text) in the headers. `together`: the units of a folder
+    may be in one unit for clang-query, because they are parts of one program."""
     chunks = [units[at : at + CHUNK] for at in range(0, len(units), CHUNK)]
     texts = {short_path(HOME / path, generated): (HOME / path).read_text() for path in [*units, *headers]}
     found = {*search(rules, [*units, *headers], generated), *one_definition(texts), *same_aliases(texts), *hidden_and_renamed(texts)}
-    work = [(tool, chunk) for chunk in chunks for tool in (query, tidy)]
+    if together:
+        work = [(query_together, list(group)) for _, group in itertools.groupby(units, key=os.path.dirname)]
+    else:
+        work = [(query, chunk) for chunk in chunks]
+    work += [(tidy, chunk) for chunk in chunks]
     work += [(cppcheck, [path for path in chunk if rules.concerns("cppcheck-", path)]) for chunk in chunks]
     work += [(compile_with_gcc, [path for path in chunk if rules.concerns("gcc-", path)]) for chunk in chunks]
     with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
         jobs = [pool.submit(lambda t=tool, c=chunk: list(t(rules, c, generated, graphs, faults))) for tool, chunk in work if chunk]
-        for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
+        for job in concurrent.futures.as_completed(jobs):
             found.update(job.result())
-            progress(done, len(jobs))
     return found

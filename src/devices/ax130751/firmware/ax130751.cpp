@@ -195,7 +195,7 @@ void Device::restart(const Instant now) {
     supervision_.reset();
     sources_.reset();
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
-        tables_[table - 1U].reset();
+        tables_[table - 1U].reset(table, objects_);
         first_points_[table - 1U].begin(table, objects_, sources_);
     }
     for (CalculationBlock& calculation : calculations_) {

@@ -77,15 +77,24 @@ void begin_time_response(ObjectDictionary& objects, const std::uint8_t number) n
     objects.set(fields.x_digits, std::uint8_t{0U});
 }
 
+void TableBlock::reset(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
+    table_.reset();
+    read(number, objects);
+}
+
+void TableBlock::read(const std::uint8_t number, const ObjectDictionary& objects) noexcept {
+    config_ = read_table(objects, number);
+    limits_ = limits_for_others(config_.points);
+    is_read_ = true;
+}
+
 bool TableBlock::advance(const std::uint8_t number, ObjectDictionary& objects, Sources& sources,
                          const Instant now) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     const SourceRef& source = source_.follow(objects.get(fields.source), objects.get(fields.number));
     const BlockSignal input = sources.reading(source);
     if (input.is_available() && (!is_read_)) {
-        config_ = read_table(objects, number);
-        limits_ = limits_for_others(config_.points);
-        is_read_ = true;
+        read(number, objects);
     }
     const bool starts_by_limits = config_.axis == LookupAxis::time;
     const LookupOutput output = table_.advance(starts_by_limits ? sources.signal(source) : input, config_, now);

@@ -12,10 +12,9 @@ namespace canproof::ax130751 {
 /// One lookup table.
 class TableBlock {
   public:
-    void reset() noexcept {
-        table_.reset();
-        is_read_ = false;
-    }
+    /// Ends a running response and reads the parameters of table `number` (1…10) here, because one cycle is too short
+    /// to read all tables.
+    void reset(std::uint8_t number, const ObjectDictionary& objects) noexcept;
     /// Reads the parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
     /// Evaluates table `number` (1…10) and sets its output 3yz8h and the values that other blocks read. Returns true
@@ -23,6 +22,8 @@ class TableBlock {
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:
+    void read(std::uint8_t number, const ObjectDictionary& objects) noexcept;
+
     SourceChoice source_{};
     LookupTable table_{};
     // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each change of point 1, calls

@@ -103,6 +103,27 @@ inline constexpr std::array<LookupFields, table_count> lookup_fields{{
      field::o3108_lt10_output_y_axis_pv},
 }};
 
+/// The entries of the mapping of one RPDO: 160xh.
+struct MappingFields {
+    Field<std::uint8_t> count;
+    std::array<Field<std::uint32_t>, 4U> entries;
+};
+
+inline constexpr std::array<MappingFields, 4U> rpdo_mappings{{
+    {field::o1600_0_number_of_mapped_application_objects_in_pdo,
+     {{field::o1600_1_application_object_1, field::o1600_2_application_object_2, field::o1600_3_application_object_3,
+       field::o1600_4_application_object_4}}},
+    {field::o1601_0_number_of_mapped_application_objects_in_pdo,
+     {{field::o1601_1_application_object_1, field::o1601_2_application_object_2, field::o1601_3_application_object_3,
+       field::o1601_4_application_object_4}}},
+    {field::o1602_0_number_of_mapped_application_objects_in_pdo,
+     {{field::o1602_1_application_object_1, field::o1602_2_application_object_2, field::o1602_3_application_object_3,
+       field::o1602_4_application_object_4}}},
+    {field::o1603_0_number_of_mapped_application_objects_in_pdo,
+     {{field::o1603_1_application_object_1, field::o1603_2_application_object_2, field::o1603_3_application_object_3,
+       field::o1603_4_application_object_4}}},
+}};
+
 /// The objects of one condition of a logic block: 3xyzh.
 struct ConditionFields {
     Field<std::uint8_t> first_source;

@@ -16,20 +16,6 @@ namespace {
 namespace own = generated::ax130751;
 namespace index = generated::ax130751::index;
 
-/// Returns whether RPDO `number` + 1 maps the entry `index`:`subindex`.
-bool maps(const ObjectDictionary& objects, const std::uint8_t number, const std::uint16_t index,
-          const std::uint8_t subindex) noexcept {
-    const auto mapping = static_cast<std::uint16_t>(index::rpdo1_mapping_parameter + number);
-    const std::uint32_t count = objects.read(mapping, 0U);
-    const std::uint32_t entry = (static_cast<std::uint32_t>(index) << 8U) | subindex;
-    for (std::uint32_t position = 1U; position <= count; ++position) {
-        if ((objects.read(mapping, static_cast<std::uint8_t>(position)) >> 8U) == entry) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Rounds a measured value to tenths.
 double to_tenths(const float measured) noexcept {
     return std::round(static_cast<double>(measured) * 10.0) / 10.0;
@@ -63,9 +49,39 @@ void Sources::reset() noexcept {
     logic_states_.fill(SignalState::not_available);
 }
 
+static_assert(implements<req::AOR_SRC_004>);
 void Sources::set_network(const std::uint8_t overdue, const bool silent) noexcept {
-    overdue_ = overdue;
+    overdue_ = OverdueEntries{};
     silent_ = silent;
+    std::uint32_t left{overdue};
+    for (const MappingFields& mapping : rpdo_mappings) {
+        if ((left & 1U) != 0U) {
+            add_overdue(mapping);
+        }
+        left >>= 1U;
+    }
+}
+
+/// Adds the entries of an RPDO.
+void Sources::add_overdue(const MappingFields& mapping) noexcept {
+    const std::size_t count{objects_.get(mapping.count)};
+    for (std::size_t at = 0U; (at < count) && (at < mapping.entries.size()); ++at) {
+        const std::uint32_t entry = objects_.get(mapping.entries[at]) >> 8U;
+        const std::uint32_t bit = std::uint32_t{1U} << (entry & 0x1FU);
+        switch (entry >> 8U) {
+            case index::ao_output_process_value:
+                overdue_.commands |= bit;
+                break;
+            case index::do_write_state_1_output_line:
+                overdue_.states |= bit;
+                break;
+            case index::ec_extra_received_process_value:
+                overdue_.extra |= bit;
+                break;
+            default:
+                break;  // no control source
+        }
+    }
 }
 
 void Sources::set_lookup(const std::uint8_t table, const SignalState state, const LookupLimits& limits) noexcept {
@@ -235,12 +251,12 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:
-            return network_state(index::ao_output_process_value, ref.channel);
+            return network_state(overdue_.commands, ref.channel);
         case Quantity::digital_command:
         case Quantity::relay_command:
-            return network_state(index::do_write_state_1_output_line, ref.channel);
+            return network_state(overdue_.states, ref.channel);
         case Quantity::extra_received:
-            return network_state(index::ec_extra_received_process_value, ref.channel);
+            return network_state(overdue_.extra, ref.channel);
         case Quantity::lookup_table:
             return lookup_states_[ref.channel - 1U];
         case Quantity::logic:
@@ -258,15 +274,8 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
 }
 
 static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
-SignalState Sources::network_state(const std::uint16_t index, const std::uint8_t subindex) const noexcept {
-    bool failed = silent_;
-    std::uint8_t number{0U};
-    std::uint32_t overdue{overdue_};
-    while (overdue != 0U) {
-        failed = failed || (((overdue & 1U) != 0U) && maps(objects_, number, index, subindex));
-        overdue >>= 1U;
-        ++number;
-    }
+SignalState Sources::network_state(const std::uint32_t overdue, const std::uint8_t channel) const noexcept {
+    const bool failed = silent_ || (((overdue >> channel) & 1U) != 0U);
     return failed ? SignalState::error : SignalState::valid;
 }
 

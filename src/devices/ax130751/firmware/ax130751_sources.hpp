@@ -97,6 +97,14 @@ class Sources {
         std::uint8_t digits{0U};
     };
 
+    /// The entries of received values that overdue RPDOs map: bit n for subindex n. They are found once per cycle,
+    /// because up to 80 inputs of blocks read them.
+    struct OverdueEntries {
+        std::uint32_t commands{0U};  ///< 7300h (AO Output Process Value)
+        std::uint32_t states{0U};    ///< 6220h (DO Write State 1 Output Line)
+        std::uint32_t extra{0U};     ///< 2500h (EC Extra Received Process Value)
+    };
+
     struct KeptLimits {
         KeptPhysicalValue lower{};
         KeptPhysicalValue upper{};
@@ -108,7 +116,8 @@ class Sources {
     double upper(Upper limit, std::uint8_t channel, std::uint8_t digits) const noexcept;
     double value(const SourceRef& ref, std::uint8_t digits) const noexcept;
     SignalState state(const SourceRef& ref) const noexcept;
-    SignalState network_state(std::uint16_t index, std::uint8_t subindex) const noexcept;
+    SignalState network_state(std::uint32_t overdue, std::uint8_t channel) const noexcept;
+    void add_overdue(const MappingFields& mapping) noexcept;
 
     const ObjectDictionary& objects_;
     // Many blocks read the same quantities, which rarely change. These members are caches, not state: they depend on
@@ -128,7 +137,7 @@ class Sources {
     std::array<SignalState, table_count> lookup_states_{};
     std::array<LookupLimits, table_count> lookup_limits_{};
     std::array<SignalState, logic_count> logic_states_{};
-    std::uint32_t overdue_{0U};
+    OverdueEntries overdue_{};
     bool silent_{false};
 };
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The AX130751 with the most work in a cycle: all blocks run, every input reads a received value, and all RPDOs are
+// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses one of
+// more than 55 % of its period.
+#include "generated/ax130751/requirements.hpp"
+#include "tests/devices/ax130751/ax130751_blocks.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+class Ax130751CycleLoad : public Ax130751Blocks {
+  protected:
+    /// Connects an input, whose source and number are 8-bit entries, to 2500h:6 (EC Extra Received Process Value).
+    void read_extra(std::uint16_t source_index, int source_sub, std::uint16_t number_index, int number_sub) {
+        set8(source_index, source_sub, canopen);
+        set8(number_index, number_sub, 9);  // number 9 of the CANopen messages is 2500h:6
+    }
+    void run_all_tables() {
+        for (int table = 1; table <= 10; ++table) {
+            const auto at = static_cast<std::uint16_t>(table == 10 ? 0x3100 : 0x3000 + (0x10 * table));
+            read_extra(at, 0, static_cast<std::uint16_t>(at + 1), 0);
+            pass(1);  // in 1 ms, a bus of 1 Mbit/s has time for few writes
+        }
+    }
+    /// Compares 2500h:6 with itself in each of the three conditions of each function.
+    void run_all_logic_blocks() {
+        for (int block = 1; block <= 3; ++block) {
+            for (int condition = 0; condition < 9; ++condition) {
+                const auto at = static_cast<std::uint16_t>(0x3300 + (0x100 * block) + (0x10 * (1 + (condition / 3))) +
+                                                           1 + (condition % 3));
+                read_extra(at, 1, at, 2);
+                read_extra(at, 3, at, 4);
+            }
+            set8(0x3300, block, 1);
+            pass(1);
+        }
+    }
+    void run_all_math_blocks() {
+        for (int block = 1; block <= 4; ++block) {
+            const auto at = static_cast<std::uint16_t>(0x4000 + (0x100 * block));
+            for (int input = 1; input <= 4; ++input) {
+                read_extra(at, input, static_cast<std::uint16_t>(at + 1), input);
+            }
+            set8(0x4000, block, 1);
+            pass(1);
+        }
+    }
+    /// Makes all four RPDOs valid, each with a deadline of 50 ms.
+    void watch_all_rpdos() {
+        for (int number = 1; number < 4; ++number) {
+            const auto parameter = static_cast<std::uint16_t>(0x1400 + number);
+            set32(parameter, 1, 0x4000027F + (0x100 * number));
+        }
+        for (int number = 0; number < 4; ++number) {
+            set16(static_cast<std::uint16_t>(0x1400 + number), 5, 50);
+        }
+        start();
+    }
+    void receive_all_rpdos() {
+        send("27F#E803E80300");
+        send("37F#000000000000");
+        send("47F#000000003200");
+        send("57F#0000");
+        pass(2);
+    }
+};
+
+TEST_F(Ax130751CycleLoad, AllInputsAreInErrorWhileAllRpdosAreOverdue) {
+    verifies<req::AOR_SRC_004>();
+    extra_as_percent(6);
+    run_all_tables();
+    run_all_logic_blocks();
+    run_all_math_blocks();
+    for (const int output : {1, 2}) {
+        no_ramps(output);
+        set16(0x7341, output, 3000);
+    }
+    watch_all_rpdos();
+    receive_all_rpdos();
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);
+    EXPECT_EQ(get8(0x3310, 1), 1) << "2500h:6 equals itself: table A";
+    pass(60);
+    EXPECT_FLOAT_EQ(volts(1), 3.0F) << "output 1 has its fault value";
+    EXPECT_FLOAT_EQ(volts(2), 3.0F);
+    EXPECT_EQ(get8(0x3310, 1), 3) << "table C, whose operator is true without a condition";
+    receive_all_rpdos();
+    EXPECT_FLOAT_EQ(volts(1), 1.0F);
+    EXPECT_EQ(get8(0x3310, 1), 1);
+}
+
+TEST_F(Ax130751CycleLoad, InputsOfEntriesThatNoOverdueRpdoMapsStayValid) {
+    verifies<req::AOR_SRC_004>();
+    set8(0x1602, 0, 0);
+    set8(0x1602, 0, 2);  // RPDO3 maps 2500h:4 and 2500h:5 (EC Extra Received Process Value), not 2500h:6
+    extra_as_percent(6);
+    run_all_tables();
+    run_all_logic_blocks();
+    run_all_math_blocks();
+    watch_all_rpdos();
+    extra(6, 50);
+    receive_all_rpdos();
+    pass(60);
+    EXPECT_EQ(read(0x1003, 1), 0x00008100U) << "an RPDO is overdue";
+    EXPECT_EQ(get8(0x3310, 1), 1) << "2500h:6 equals itself: table A";
+}
+
+TEST_F(Ax130751CycleLoad, AllBlocksRunInTheFirstCycleAfterPowerOn) {
+    verifies<req::AOR_OUT_001>();
+    extra_as_percent(6);
+    run_all_tables();
+    run_all_logic_blocks();
+    run_all_math_blocks();
+    store();
+    power_on();
+    pass(1);
+    EXPECT_EQ(get8(0x3310, 1), 1) << "0 equals itself: table A";
+    EXPECT_EQ(get8(0x3310, 3), 7);
+}
+
+}  // namespace canproof::test
