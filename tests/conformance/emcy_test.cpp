@@ -107,7 +107,7 @@ TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
 }
 
 TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
-    verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016>();
+    verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016, req::CO_EMCY_032>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
     EXPECT_EQ(listed(0), "01000000");

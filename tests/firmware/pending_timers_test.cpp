@@ -46,7 +46,7 @@ Frames each(int first, int period, const std::string& frame) {
 }  // namespace
 
 TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_HB_001, req::CO_NMT_006>();
+    verifies<req::CO_HB_001, req::CO_NMT_006, req::CO_HB_005>();
     expect({"605#2B17100064000000"}, {
                                          {"nothing", {}, each(60, 100, "705#7F")},
                                          {"start", {"000#0105"}, each(60, 100, "705#05")},

@@ -50,12 +50,12 @@ void Node::load_all() noexcept {
     load_group(ParameterGroup::application);
 }
 
-static_assert(implements<req::CO_STORE_006> && implements<req::CO_LSS_065>);
+static_assert(implements<req::CO_LSS_065> && implements<req::CO_STORE_016>);
 void Node::tell_damage(const Instant now) noexcept {
     emcy_.set(ErrorId::stored_set_checksum, store_.is_damaged() || lss_.is_damaged(), now);
 }
 
-static_assert(implements<req::CO_NMT_005>);
+static_assert(implements<req::CO_NMT_005> && implements<req::CO_STORE_006>);
 void Node::reset_node(const Instant now) noexcept {
     lss_.restore(now);
     node_id_ = lss_.take_node_id();
