@@ -243,7 +243,7 @@ TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
 }
 
 TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
-    verifies<req::CO_LSS_051>();
+    verifies<req::CO_LSS_051, req::CO_LSS_083>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is selected
           {"7E5#515F000000000001", yes},
@@ -301,7 +301,7 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
 }
 
 TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
-    verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
+    verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT, req::CO_LSS_084>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},
           {"7E5#515F0000001F0000", yes},

@@ -106,7 +106,7 @@ TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006>();
+    verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006, req::CO_PDO_066>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
            {

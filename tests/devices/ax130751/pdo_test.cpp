@@ -281,7 +281,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
 }
 
 TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
-    verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
+    verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_034>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");
