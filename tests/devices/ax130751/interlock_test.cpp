@@ -197,7 +197,7 @@ TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
 }
 
 TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
-    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
+    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016, req::AOR_RELAY_028>();
     set8(0x2293, 1, 1);  // override state ON
     for (const Choice& choice : without_value) {
         SCOPED_TRACE(fmt::format("source {}, number {}", choice.source, choice.number));

@@ -223,7 +223,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
 }
 
 TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
-    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012>();
+    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012, req::AOR_LT_029>();
     connect(3, 1);
     set8(0x3035, 1, 1);
     set32(0x3036, 2, 100);
@@ -354,7 +354,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 }
 
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
-    verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004>();
+    verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004, req::AOR_LT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     connect(1, 1);

@@ -72,7 +72,7 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
 // --- types (Table 3) -----------------------------------------------------------------------------------------------
 
 TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
-    verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE>();
+    verifies<req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE, req::AOR_OUT_044>();
     make(20);
     command(1, 20000);  // commands 20 mA
     EXPECT_FLOAT_EQ(milliamperes(1), 20.0F);

@@ -23,6 +23,7 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
             static_cast<void>(ramp_.follow(target, times, now));
             break;
         case OutputDrive::keep:
+            static_assert(implements<req::AOR_OUT_042>);
             target = range.nearest(ramp_.hold(now));
             break;
         case OutputDrive::override_value:

@@ -128,6 +128,7 @@ static_assert(implements<req::AOR_DIAG_007> && implements<req::AOR_DIAG_012> && 
 void Device::tell_errors(const Instant now) noexcept {
     if (node_.state() != NmtState::initialising) {
         node_.set_error(own::error::supply, supervision_.has_supply_fault(), now);
+        static_assert(implements<req::AOR_DIAG_019>);
         node_.set_error(own::error::temperature, supervision_.has_temperature_fault(), now);
     }
 }
@@ -172,7 +173,7 @@ AbortCode Device::save(const EntryRef& entry) {
         return AbortCode::none;
     }
     if (lss_store_.store(wanted) != LssError::none) {
-        static_assert(implements<req::AOR_NODE_008>);
+        static_assert(implements<req::AOR_NODE_008> && implements<req::AOR_NODE_010>);
         return AbortCode::hardware_error;
     }
     kept_ = wanted;

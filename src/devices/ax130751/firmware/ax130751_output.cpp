@@ -171,7 +171,7 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
     const double value = carried(type.kind, state.value, inputs);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
-    static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018>);
+    static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_044>);
     const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
     drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now) || changes;
@@ -231,7 +231,7 @@ SwitchPolarity UniversalOutput::polarity() const noexcept {
     return made;
 }
 
-static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
+static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007> && implements<req::AOR_DO_017>);
 bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,

@@ -232,6 +232,7 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
     }
 }
 
+static_assert(implements<req::AOR_SRC_014>);
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:

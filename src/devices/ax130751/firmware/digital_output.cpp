@@ -25,6 +25,7 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             state_ = DigitalOutputState{demand.fault_state, demand.fault_state};
             break;
         case OutputDrive::keep:
+            static_assert(implements<req::AOR_DO_015> && implements<req::AOR_DO_016>);
             break;
         case OutputDrive::shutdown:
         case OutputDrive::shut_off:
@@ -59,6 +60,7 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
             memory_ = !memory_;
             break;
         case SwitchDrive::blink:
+            static_assert(implements<req::AOR_DO_014>);
             memory_ = blinks_on(blinking_since_, blink, now);
             break;
         case SwitchDrive::keep:
