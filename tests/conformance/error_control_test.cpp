@@ -101,7 +101,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
-    verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_007>();
+    verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_021>();
     write("603#23161001C8003100");    // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
@@ -202,7 +202,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
-    verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_007>();
+    verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_021>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
     EXPECT_TRUE(pass(1000).empty());

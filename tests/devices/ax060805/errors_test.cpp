@@ -17,8 +17,7 @@ using List = std::vector<std::uint32_t>;
 }  // namespace
 
 TEST_F(Ax060805Errors, AccelerometerFaultIsFF00h) {
-    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
-             req::INC_S_ACCELEROMETER_FAULT>();
+    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003, req::INC_S_ACCELEROMETER_FAULT, req::INC_ERR_020, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
     EXPECT_EQ(read(0x1001), 1U);
     EXPECT_EQ(listed(), (List{0x0000FF00}));
@@ -201,7 +200,7 @@ TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
 }
 
 TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
-    verifies<req::INC_ERR_002, req::INC_OD_1003>();
+    verifies<req::INC_ERR_002, req::INC_OD_1003, req::INC_ERR_017, req::INC_ERR_018>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
     write(0x1400, 5, 50, 2);
@@ -225,7 +224,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
 }
 
 TEST_F(Ax060805Errors, ErrorListCanBeClearedWhileErrorsLast) {
-    verifies<req::INC_ERR_003, req::INC_ERR_013, req::INC_OD_1003>();
+    verifies<req::INC_ERR_003, req::INC_ERR_013, req::INC_OD_1003, req::INC_ERR_019>();
     fail_accelerometer();
     EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
     EXPECT_EQ(refusal(0x1003, 0, 15, 1), "06090030");
@@ -365,7 +364,7 @@ TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational)
 }
 
 TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
-    verifies<req::INC_ERR_012, req::INC_T22>();
+    verifies<req::INC_ERR_012, req::INC_T22, req::INC_ERR_021>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);
     std::array<std::uint8_t, 1> byte{};
@@ -382,7 +381,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::INC_ERR_012, req::CO_EMCY_031>();
+    verifies<req::CO_EMCY_031, req::INC_ERR_021>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;
     inputs.can_state = 3;

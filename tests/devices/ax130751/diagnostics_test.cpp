@@ -229,7 +229,7 @@ TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeATemperatureFaultOfTheSam
 }
 
 TEST_F(Ax130751Diagnostics, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
-    verifies<req::AOR_DIAG_007, req::AOR_DIAG_019>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_019, req::CO_EMCY_009>();
     send("000#807F");
     send("7E5#0401");
     EXPECT_EQ(send("7E5#11FF"), (Frames{"7E4#110000"}));

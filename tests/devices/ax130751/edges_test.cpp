@@ -233,7 +233,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
 }
 
 TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
-    verifies<req::AOR_OUT_016, req::AOR_OUT_017>();
+    verifies<req::AOR_OUT_017>();
     // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
     make(1, 500);
     set8(0x6332, 1, 3);

@@ -28,7 +28,7 @@ class Ax130751Errors : public Ax130751Test {
 
 // AX130751, 3.2.4, Table 23
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
-    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016, req::AOR_ERR_017>();
+    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016, req::AOR_ERR_017, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");

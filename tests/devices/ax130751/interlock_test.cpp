@@ -219,7 +219,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
 }
 
 TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
-    verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
+    verifies<req::AOR_RELAY_011>();
     watch_extra();
     set8(0x2293, 1, 1);
     connect(0x2290, 1, 1);

@@ -175,7 +175,7 @@ TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
 }
 
 TEST_F(Ax130751Relay, OverridePrecedesEnable) {
-    verifies<req::AOR_RELAY_010, req::AOR_OUT_007>();
+    verifies<req::AOR_RELAY_010>();
     connect(0x2280, 1);  // enable response 0 with its input OFF: the relay is disabled
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
@@ -323,7 +323,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
 }
 
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
-    verifies<req::AOR_OUT_007, req::AOR_RELAY_024, req::AOR_RELAY_027>();
+    verifies<req::AOR_RELAY_024, req::AOR_RELAY_027>();
     connect(0x2280, 1);
     set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
     EXPECT_TRUE(control(1));
