@@ -59,7 +59,8 @@ TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
 }
 
 TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes) {
-    verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_ERR_020, req::AO4_ERR_022>();
+    verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_ERR_020,
+             req::AO4_ERR_022>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
     EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun is still active

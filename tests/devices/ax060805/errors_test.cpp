@@ -17,7 +17,8 @@ using List = std::vector<std::uint32_t>;
 }  // namespace
 
 TEST_F(Ax060805Errors, AccelerometerFaultIsFF00h) {
-    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003, req::INC_S_ACCELEROMETER_FAULT, req::INC_ERR_020, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
+    verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
+             req::INC_S_ACCELEROMETER_FAULT, req::INC_ERR_020, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
     EXPECT_EQ(read(0x1001), 1U);
     EXPECT_EQ(listed(), (List{0x0000FF00}));
@@ -276,7 +277,8 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
 }
 
 TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
-    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
+    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016,
+             req::INC_HB_005>();
     write(0x1016, 1, 0x002200C8, 4);  // 1016h:1 consumer heartbeat time: node 22h, 200 ms
     pass(1000);                       // nothing is expected before the first heartbeat
     EXPECT_EQ(read(0x1001), 0U);

@@ -81,7 +81,8 @@ TEST_F(Ax130751Diagnostics, OverTemperatureFaultHasHysteresis) {
 }
 
 TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_DIAG_015, req::AOR_DIAG_016, req::AOR_DIAG_017>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_DIAG_015, req::AOR_DIAG_016,
+             req::AOR_DIAG_017>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);
     set8(0x5024, 0, 1);
@@ -168,7 +169,7 @@ TEST_F(Ax130751Diagnostics, ShutdownPrecedesTheOverrideOfOutputAndRelay) {
 }
 
 TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
-    verifies<req::AOR_DIAG_009>();
+    verifies<req::AOR_DIAG_009, req::AOR_DIAG_020>();
     set16(0x2330, 1, 1000);
     supply(7.5F);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);

@@ -28,7 +28,9 @@ class Ax130751Errors : public Ax130751Test {
 
 // AX130751, 3.2.4, Table 23
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
-    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003, req::AOR_OD_1016, req::AOR_ERR_017, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
+    verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010,
+             req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003,
+             req::AOR_OD_1016, req::AOR_ERR_017, req::CO_EMCY_009, req::CO_K_EMCY_ID, req::AOR_HB_003>();
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
@@ -49,7 +51,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
 
 // 3.2.9: four producers, each with its own time
 TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
-    verifies<req::AOR_HB_001, req::AOR_OD_1016>();
+    verifies<req::AOR_HB_001, req::AOR_OD_1016, req::AOR_HB_003>();
     for (int slot = 1; slot <= 4; ++slot) {
         EXPECT_EQ(write(0x1016, slot, ((0x20 + slot) << 16) + (100 * slot), 4), "");
     }
@@ -128,7 +130,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
 }
 
 TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
-    verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
+    verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029, req::AOR_ERR_022>();
     struct Case {
         int behaviour;
         NmtState operational;      ///< new state of an operational node
@@ -194,7 +196,8 @@ TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
 
 // 3.2.5, 3.2.6: 100 ms times 2
 TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
-    verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D, req::AOR_GUARD_002>();
+    verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D,
+             req::AOR_GUARD_002>();
     EXPECT_EQ(write(0x100C, 0, 100, 2), "");
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));

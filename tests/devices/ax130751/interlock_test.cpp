@@ -322,7 +322,7 @@ TEST_F(Ax130751Interlock, LookupTableRunsInPreOperational) {
 }
 
 TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
-    verifies<req::AOR_OUT_041, req::AOR_OUT_012>();
+    verifies<req::AOR_OUT_012, req::AOR_OUT_045>();
     command(1, 5000);
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);

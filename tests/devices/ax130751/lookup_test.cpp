@@ -169,7 +169,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
 }
 
 TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
-    verifies<req::AOR_LT_009, req::AOR_LT_017>();
+    verifies<req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031>();
     set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";

@@ -212,7 +212,8 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
 }
 
 TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
-    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_FAULT_ACTION, req::AOR_OUT_042>();
+    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_FAULT_ACTION,
+             req::AOR_OUT_042>();
     make(10);
     set16(0x7341, 1, 1500);
     set16(0x1400, 5, 100);  // RPDO1 is expected every 100 ms

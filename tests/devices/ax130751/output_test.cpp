@@ -98,7 +98,8 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
 }
 
 TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
-    verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL>();
+    verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
+             req::AOR_OUT_047>();
     make(40);
     set16(0x2380, 1, 1200);
     command(1, 375);  // commands 37.5 %
@@ -126,7 +127,7 @@ TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
 }
 
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
-    verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY>();
+    verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY, req::AOR_OUT_046>();
     make(500);
     command(1, 440);
     EXPECT_FLOAT_EQ(hertz(1), 440.0F);

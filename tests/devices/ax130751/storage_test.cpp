@@ -237,7 +237,8 @@ TEST_F(Ax130751Storage, RestoreKeepsNodeIdAndBitRate) {
 
 // AX130751, 3.2.7
 TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
-    verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011, req::AOR_STORE_007>();
+    verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011,
+             req::AOR_STORE_007>();
     silence_tpdo1();
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1010, sub), 1U);

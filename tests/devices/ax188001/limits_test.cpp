@@ -15,7 +15,8 @@ using Limits = TcsTest;
 
 // One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
-    verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010, req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_LIM_016, req::TCS_LIM_017>();
+    verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
+             req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_LIM_016, req::TCS_LIM_017>();
     write(0x4030, 1, 2, 0);
     const auto status_at = [&](double celsius) {
         heat(1, celsius);

@@ -67,8 +67,7 @@ TEST(RegisterAdvice, SecondConditionBehindASemicolonIsReported) {
     EXPECT_THAT(advice_on_text("When bit 3 is set, the box shall blink; when it is clear, the box is silent."),
                 ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 has a second condition behind a semicolon: \"; "
                             "when\"; write one requirement for each condition, or one condition for both"));
-    for (const char* condition :
-         {"if", "whenever", "while", "where", "unless", "until", "after", "before", "once"}) {
+    for (const char* condition : {"if", "whenever", "while", "where", "unless", "until", "after", "before", "once"}) {
         EXPECT_THAT(advice_on_text(std::string{"The box shall blink; "} + condition + " bit 3 is set, it is silent."),
                     testing::SizeIs(1))
             << condition;

@@ -136,7 +136,7 @@ void Device::tell_errors(const Instant now) noexcept {
 /// Wakes the blocks when the faults that put received values into error change, or when the node enters or leaves
 /// operational, because outputs work in operational only. A second fault can make the node leave operational although
 /// the faults of the values stay the same.
-static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041>);
+static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041> && implements<req::AOR_OUT_045>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {

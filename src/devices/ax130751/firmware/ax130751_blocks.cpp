@@ -129,7 +129,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
 
 }  // namespace
 
-static_assert(implements<req::AOR_LT_017>);
+static_assert(implements<req::AOR_LT_031>);
 static_assert(implements<req::AOR_LT_024>);
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                       const std::uint8_t point, const std::int32_t x) noexcept {

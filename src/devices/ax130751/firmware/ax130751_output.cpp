@@ -198,14 +198,16 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
             outputs.out_current[at] = static_cast<float>(value);
             break;
         case Kind::pwm:
-            static_assert(implements<req::AOR_OUT_020>);
+            static_assert(implements<req::AOR_OUT_047>);
             outputs.out_duty[at] = static_cast<float>(value);
+            static_assert(implements<req::AOR_OUT_020>);
             outputs.out_frequency[at] = static_cast<float>(objects_.get(field::o2380_ao_output_frequency[number_]));
             outputs.out_level[at] = static_cast<float>(level());
             break;
         case Kind::frequency:
-            static_assert(implements<req::AOR_OUT_035>);
+            static_assert(implements<req::AOR_OUT_046>);
             outputs.out_duty[at] = (value > 0.0) ? own::frequency_duty : 0.0F;
+            static_assert(implements<req::AOR_OUT_035>);
             outputs.out_frequency[at] = static_cast<float>(value);
             outputs.out_level[at] = static_cast<float>(level());
             break;

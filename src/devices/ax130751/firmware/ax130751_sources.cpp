@@ -90,7 +90,7 @@ Sources::Place Sources::place(const SourceRef& ref) const noexcept {
     return Place{read, row, digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel)};
 }
 
-static_assert(implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
+static_assert(implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009> && implements<req::AOR_SRC_016>);
 BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
         return BlockSignal{};
