@@ -11,6 +11,7 @@ static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_008>);
 DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
                                           const SwitchPolarity& polarity, const Duration blink,
                                           const Instant now) noexcept {
+    static_assert(implements<req::AOR_DO_015> && implements<req::AOR_DO_016>);
     switch (drive) {
         case OutputDrive::control:
             state_.logic = demand.control;
@@ -25,7 +26,6 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             state_ = DigitalOutputState{demand.fault_state, demand.fault_state};
             break;
         case OutputDrive::keep:
-            static_assert(implements<req::AOR_DO_015> && implements<req::AOR_DO_016>);
             break;
         case OutputDrive::shutdown:
         case OutputDrive::shut_off:
