@@ -144,7 +144,7 @@ TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
 }
 
 TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
-    verifies<req::CO_EMCY_002, req::CO_EMCY_019>();
+    verifies<req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_034>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(listed(1), "10810000");

@@ -257,7 +257,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
 }
 
 TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
-    verifies<req::CO_LSS_004, req::CO_LSS_054>();
+    verifies<req::CO_LSS_054, req::CO_LSS_086>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<Exchange> three{
         {"7E5#515F000000000001", yes}, {"7E5#51010302AA000102", yes}, {"7E5#5102000100000203", yes}};
@@ -273,7 +273,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
 }
 
 TEST_F(Unconfigured, FastscanInterruptedByResetCommunicationRestarts) {
-    verifies<req::CO_LSS_004>();
+    verifies<req::CO_LSS_086>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},

@@ -104,7 +104,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
 
 // 6.3: NMT resets also reset LSS
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
-    verifies<req::CO_LSS_004>();
+    verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
         configure();
         talk({{reset, {"705#00"}}, {"7E5#5E00000000000000", {}}});

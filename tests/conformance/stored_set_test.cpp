@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::ValuesIn(every_dev
 
 // The CAN-CBX-AO412 has switches instead of LSS.
 TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {
-    verifies<req::CO_LSS_065>();
+    verifies<req::CO_LSS_065, req::CO_LSS_087>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
         DeviceBySdo unit{name, 5};
         unit.move_to(6);

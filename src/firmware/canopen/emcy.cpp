@@ -60,6 +60,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
     }
     static_assert(implements<req::CO_EMCY_019>);
     show_register();
+    static_assert(implements<req::CO_EMCY_034>);
     if (present && row.listed) {
         enter_into_list(list_entry(at));
     }

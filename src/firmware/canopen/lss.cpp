@@ -103,7 +103,7 @@ void Lss::restore(const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011>);
+static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011> && implements<req::CO_LSS_086>);
 std::uint8_t Lss::take_node_id() noexcept {
     state_ = LssState::waiting;
     selected_ = 0U;

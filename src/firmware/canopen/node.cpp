@@ -50,7 +50,7 @@ void Node::load_all() noexcept {
     load_group(ParameterGroup::application);
 }
 
-static_assert(implements<req::CO_LSS_065> && implements<req::CO_STORE_016>);
+static_assert(implements<req::CO_STORE_016> && implements<req::CO_LSS_087>);
 void Node::tell_damage(const Instant now) noexcept {
     emcy_.set(ErrorId::stored_set_checksum, store_.is_damaged() || lss_.is_damaged(), now);
 }
@@ -102,6 +102,7 @@ void Node::boot_up(const Instant now) noexcept {
     // A change of the controller to error passive during initialising was not reported.
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     error_control_.boot_up(node_id_, now);
+    static_assert(implements<req::CO_NMT_012>);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
     application_.booted(now);

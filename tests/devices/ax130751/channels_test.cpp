@@ -127,7 +127,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
 }
 
 TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
-    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE>();
+    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE, req::AOR_OUT_048>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
     set8(0x6220, 1, 1);

@@ -205,7 +205,8 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
 }
 
 TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
-    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES, req::AOR_DIAG_019>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES, req::AOR_DIAG_019,
+             req::AOR_DIAG_021>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
     EXPECT_EQ(read(0x1001, 0), 1U);
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0042010000000000"}));

@@ -276,7 +276,7 @@ TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
 
 TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     verifies<req::AOR_LT_014, req::AOR_LT_023, req::AOR_LT_024, req::AOR_K_SHORTEST_INTERVAL,
-             req::AOR_K_LONGEST_INTERVAL>();
+             req::AOR_K_LONGEST_INTERVAL, req::AOR_LT_032>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
     set16(0x3107, 1, 77);

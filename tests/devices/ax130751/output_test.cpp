@@ -99,7 +99,7 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
 
 TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
-             req::AOR_OUT_047>();
+             req::AOR_OUT_047, req::AOR_OUT_048>();
     make(40);
     set16(0x2380, 1, 1200);
     command(1, 375);  // commands 37.5 %
@@ -127,7 +127,7 @@ TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
 }
 
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
-    verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY, req::AOR_OUT_046>();
+    verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY, req::AOR_OUT_046, req::AOR_OUT_048>();
     make(500);
     command(1, 440);
     EXPECT_FLOAT_EQ(hertz(1), 440.0F);
@@ -156,7 +156,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
 }
 
 TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
-    verifies<req::AOR_OUT_025>();
+    verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     command(1, 3000);
     make(0);
@@ -167,7 +167,7 @@ TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
 }
 
 TEST_F(Ax130751Output, OutputOfType0IgnoresOverrideAndFaultValue) {
-    verifies<req::AOR_OUT_025>();
+    verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     set16(0x2300, 1, 3000);
     set16(0x7341, 1, 3000);

@@ -186,7 +186,7 @@ TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
 }
 
 TEST_F(Limits, DisablingAChannelDropsPendingFaults) {
-    verifies<req::TCS_LIM_006>();
+    verifies<req::TCS_LIM_020>();
     heat(1, 130.0);
     pass(3000);
     write(0x6112, 1, 1, 0);

@@ -128,7 +128,7 @@ static_assert(implements<req::AOR_DIAG_007> && implements<req::AOR_DIAG_012> && 
 void Device::tell_errors(const Instant now) noexcept {
     if (node_.state() != NmtState::initialising) {
         node_.set_error(own::error::supply, supervision_.has_supply_fault(), now);
-        static_assert(implements<req::AOR_DIAG_019>);
+        static_assert(implements<req::AOR_DIAG_019> && implements<req::AOR_DIAG_021>);
         node_.set_error(own::error::temperature, supervision_.has_temperature_fault(), now);
     }
 }

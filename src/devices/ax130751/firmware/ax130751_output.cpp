@@ -159,7 +159,7 @@ double UniversalOutput::carried(const Kind kind, const double value, const Input
     return stands ? 0.0 : value;
 }
 
-static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001>);
+static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_OUT_049>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
@@ -218,7 +218,7 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
     }
 }
 
-static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
+static_assert(implements<req::AOR_T_DIGITAL_RANGE> && implements<req::AOR_OUT_048>);
 double UniversalOutput::level() const noexcept {
     namespace table = own::digital_range;
     const std::uint8_t range = objects_.get(field::o2240_do_digital_range[number_]);

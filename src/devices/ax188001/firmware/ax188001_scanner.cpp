@@ -96,7 +96,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     }
     static_assert(implements<req::TCS_VAL_005>);
     if (!is_enabled(channel)) {
-        static_assert(implements<req::TCS_LIM_006>);
+        static_assert(implements<req::TCS_LIM_006> && implements<req::TCS_LIM_020>);
         for (DelayedFault& fault : faults_[channel]) {
             fault.clear();
         }
