@@ -97,7 +97,7 @@ class Both {
 CANPROOF_FUZZ_REPLAYS_AS_PART(test::slave_part(), "--node 5")
 CANPROOF_FUZZ_RECORDS(record_size)
 CANPROOF_FUZZ_CLAIMS(req::CO_EMCY_001, req::CO_EMCY_002, req::CO_EMCY_003, req::CO_EMCY_004, req::CO_EMCY_008,
-                     req::CO_EMCY_023)
+                     req::CO_EMCY_023, req::CO_EMCY_033)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static Both both;  // made once for all inputs, because making the slave takes longer than running an input

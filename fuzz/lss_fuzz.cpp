@@ -162,7 +162,7 @@ void check_answers(TransmitQueue& queue, const Frame& request, Watch& watch, Ins
 }  // namespace
 
 CANPROOF_FUZZ_REPLAYS_AS_PART(part(), "--node 255")
-CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063)
+CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063, req::CO_LSS_085)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static host::Memory memory{64};

@@ -215,7 +215,7 @@ RC_GTEST_PROP(LssLaw, SlaveAnswersLikeTheNaiveSlave, ()) {
              req::CO_LSS_041, req::CO_LSS_042, req::CO_LSS_043, req::CO_LSS_077, req::CO_LSS_078, req::CO_LSS_044,
              req::CO_LSS_050, req::CO_LSS_051, req::CO_LSS_052, req::CO_LSS_079, req::CO_LSS_053, req::CO_LSS_054,
              req::CO_LSS_055, req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_LSS_062,
-             req::CO_LSS_063>("property");
+             req::CO_LSS_063, req::CO_LSS_085>("property");
     const bool resets_itself = *rc::gen::arbitrary<bool>();
     const LssConfiguration first{static_cast<std::uint8_t>(below(3) == 0 ? 5 : 255), 125000};
     LssBench bench;

@@ -215,7 +215,7 @@ void World::settle() {
 
 }  // namespace
 
-CANPROOF_FUZZ_CLAIMS(req::CO_ZCAN_003, req::CO_ZCAN_006, req::CO_ZCAN_008, req::CO_ZCAN_009)
+CANPROOF_FUZZ_CLAIMS(req::CO_ZCAN_003, req::CO_ZCAN_006, req::CO_ZCAN_008, req::CO_ZCAN_009, req::CO_ZCAN_012)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     World world;

@@ -265,7 +265,7 @@ TEST_F(AlteredDictionary, Real32MayHaveOnlyAMaximumOrOnlyAMinimum) {
 }
 
 TEST_F(AlteredDictionary, ShorterOctetStringIsPaddedWithZerosToItsFixedSize) {
-    verifies<req::CO_SDO_010, req::CO_SDO_002>();
+    verifies<req::CO_SDO_002, req::CO_SDO_059>();
     entry(0x2300, 0).type = DataType::octet_string;  // 40 bytes, default abc
     power_on();
     EXPECT_EQ(send("605#4000230000000000"), Frames{"585#4100230028000000"});

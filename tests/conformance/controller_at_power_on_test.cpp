@@ -55,7 +55,7 @@ TEST_F(ControllerAtPowerOn, WarningLimitIsNotReportedAsAnError) {
 }
 
 TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamagedData) {
-    verifies<req::CO_LSS_065, req::CO_LSS_016>();
+    verifies<req::CO_LSS_016, req::CO_LSS_087>();
     EXPECT_EQ(start_damaged(), (Frames{"705#00", "085#0063010100000000"}));
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1700000000000000"), (Frames{"7E4#1700000000000000"}));

@@ -66,7 +66,7 @@ TEST_F(ActiveList, ErrorThatEndsLeavesTheListAndTheOthersMoveUp) {
 }
 
 TEST_F(ActiveList, DetailsOfAnErrorAreInTheListAndTheMessage) {
-    verifies<req::CO_EMCY_008, req::CO_EMCY_023>();
+    verifies<req::CO_EMCY_008, req::CO_EMCY_023, req::CO_EMCY_033>();
     emcy.set(channel_2, true, Instant{});
     EXPECT_EQ(sent(), Frames{"085#11F0810210000000"});
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));  // description 10h, channel 02h

@@ -59,7 +59,8 @@ TEST_F(Errors, ErrorRegisterShowsTheActiveErrors) {
 }
 
 TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes) {
-    verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS>();
+    verifies<req::CO_EMCY_016, req::AO4_ERR_007, req::AO4_ERR_010, req::AO4_T_ERRORS, req::AO4_ERR_020,
+             req::AO4_ERR_022>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
     EXPECT_EQ(can_state(0), (Frames{"083#0000110200000000"}));  // overrun is still active
@@ -107,7 +108,7 @@ TEST_F(Errors, ErrorListKeepsTheTenLatestErrorsNewestFirst) {
 }
 
 TEST_F(Errors, WritingZeroEmptiesTheErrorList) {
-    verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016>();
+    verifies<req::CO_EMCY_014, req::CO_EMCY_027, req::AO4_ERR_004, req::AO4_ERR_016, req::CO_EMCY_032>();
     overrun(true);
     EXPECT_EQ(send("603#2F03100001000000"), (Frames{"583#8003100030000906"}));
     EXPECT_EQ(listed(0), "01000000");
@@ -143,7 +144,7 @@ TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
 }
 
 TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
-    verifies<req::CO_EMCY_002, req::CO_EMCY_019>();
+    verifies<req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_034>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_EQ(listed(1), "10810000");

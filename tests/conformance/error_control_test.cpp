@@ -15,7 +15,7 @@ using ErrorControlService = CbxTest;
 class SlaveErrorControl : public testing::Test, public SlaveBench {};
 
 TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
-    verifies<req::CO_HB_001>();
+    verifies<req::CO_HB_001, req::CO_HB_005>();
     write("603#2B17100064000000");  // 1017h producer heartbeat time: 100 ms
     EXPECT_EQ(pass(250), (Frames{"100:703#7F", "200:703#7F"}));
     send("000#0103");
@@ -28,7 +28,7 @@ TEST_F(ErrorControlService, HeartbeatCarriesTheNmtStateEachPeriod) {
 }
 
 TEST_F(ErrorControlService, HeartbeatRunsFromBootUpWhenStored) {
-    verifies<req::CO_HB_001>();
+    verifies<req::CO_HB_001, req::CO_HB_005>();
     write("603#2B17100064000000");
     write("603#2310100173617665");
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
@@ -101,7 +101,7 @@ TEST_F(ErrorControlService, UnrelatedWritesDoNotRestartLifeGuarding) {
 }
 
 TEST_F(ErrorControlService, ConsumerMonitorsFromTheFirstHeartbeatOn) {
-    verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_007>();
+    verifies<req::CO_EMCY_016, req::CO_HB_002, req::CO_HB_004, req::AO4_ERR_021>();
     write("603#23161001C8003100");    // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_TRUE(pass(1000).empty());  // no heartbeat received yet, so none is missing
     send("731#05");
@@ -191,7 +191,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheHeartbeatError) {
 }
 
 TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
-    verifies<req::CO_GUARD_001>();
+    verifies<req::CO_GUARD_001, req::CO_GUARD_009>();
     EXPECT_EQ(send("703#R1"), (Frames{"703#7F"}));
     EXPECT_EQ(send("703#R1"), (Frames{"703#FF"}));
     send("000#0103");
@@ -202,7 +202,7 @@ TEST_F(ErrorControlService, GuardingRequestIsAnsweredWithStateAndToggleBit) {
 }
 
 TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
-    verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_007>();
+    verifies<req::CO_GUARD_002, req::CO_GUARD_007, req::CO_EMCY_016, req::AO4_ERR_021>();
     write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
     write("603#2F0D100003000000");  // 100Dh life time factor: 3
     EXPECT_TRUE(pass(1000).empty());
@@ -213,7 +213,7 @@ TEST_F(ErrorControlService, LifeGuardingBeginsWithTheFirstRequest) {
 }
 
 TEST_F(ErrorControlService, ResetEndsAFailedLifeGuardingAndClearsTheToggleBit) {
-    verifies<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_NMT_006>();
+    verifies<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_NMT_006, req::CO_GUARD_009>();
     for (const bool whole_node : {true, false}) {
         write("603#2B0C100064000000");  // 100Ch guard time: 100 ms
         write("603#2F0D100001000000");  // 100Dh life time factor: 1

@@ -243,7 +243,7 @@ TEST_F(Unconfigured, FastscanMasterMayChooseTheOrderOfTheNumbers) {
 }
 
 TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
-    verifies<req::CO_LSS_051>();
+    verifies<req::CO_LSS_051, req::CO_LSS_083>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#51010302AA000102", {}},  // power-on: the vendor-ID is selected
           {"7E5#515F000000000001", yes},
@@ -257,7 +257,7 @@ TEST_F(Unconfigured, FastscanBeginsWithTheVendorIdAndBitCheck128RestartsIt) {
 }
 
 TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
-    verifies<req::CO_LSS_004, req::CO_LSS_054>();
+    verifies<req::CO_LSS_054, req::CO_LSS_086>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<Exchange> three{
         {"7E5#515F000000000001", yes}, {"7E5#51010302AA000102", yes}, {"7E5#5102000100000203", yes}};
@@ -274,7 +274,7 @@ TEST_F(Unconfigured, FastscanRestartsAfterPowerOnAndAfterCompletion) {
 }
 
 TEST_F(Unconfigured, FastscanInterruptedByResetCommunicationRestarts) {
-    verifies<req::CO_LSS_004>();
+    verifies<req::CO_LSS_086>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#515F000000000001", yes},
           {"7E5#51010302AA000102", yes},
@@ -302,7 +302,7 @@ TEST_F(Unconfigured, FastscanContinuesAfterAVisitToLssConfiguration) {
 }
 
 TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
-    verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT>();
+    verifies<req::CO_LSS_055, req::CO_K_LSS_RESTART, req::CO_K_LSS_HIGHEST_BIT, req::CO_LSS_084>();
     const Frames yes{"7E4#4F00000000000000"};
     talk({{"7E5#5100000000800000", yes},
           {"7E5#515F0000001F0000", yes},

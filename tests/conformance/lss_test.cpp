@@ -12,7 +12,7 @@ namespace canproof::test {
 // CiA 305, 6.3.2
 TEST_F(Lss, SwitchStateGlobalLeadsToConfigurationAndBack) {
     verifies<req::CO_LSS_001, req::CO_LSS_067, req::CO_E_LSS_STATE, req::CO_E_LSS_COMMAND, req::CO_K_LSS_REQUEST_ID,
-             req::CO_K_LSS_RESPONSE_ID>();
+             req::CO_K_LSS_RESPONSE_ID, req::CO_LSS_082>();
     talk({{"7E5#5E00000000000000", {}},  // waiting at first: the inquiry is not answered
           {"7E5#0401000000000000", {}},
           {"7E5#5E00000000000000", {"7E4#5E05000000000000"}},
@@ -106,7 +106,7 @@ TEST_F(Lss, OtherServicesDoNotDisturbSwitchStateSelective) {
 
 // 6.3: NMT resets also reset LSS
 TEST_F(Lss, ResetsEndLssConfigurationAndUnfinishedSequences) {
-    verifies<req::CO_LSS_004>();
+    verifies<req::CO_LSS_004, req::CO_LSS_086>();
     for (const char* reset : {"000#8105", "000#8205"}) {
         configure();
         talk({{reset, {"705#00"}}, {"7E5#5E00000000000000", {}}});

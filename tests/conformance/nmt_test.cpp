@@ -22,13 +22,13 @@ class Nmt : public CbxTest {
 }  // namespace
 
 TEST_F(Nmt, PowerOnSendsOneBootUpMessageAndEntersPreOperational) {
-    verifies<req::CO_NMT_001, req::CO_E_NMT_STATE, req::CO_K_GUARDING_ID>();
+    verifies<req::CO_NMT_001, req::CO_E_NMT_STATE, req::CO_K_GUARDING_ID, req::CO_NMT_012>();
     EXPECT_EQ(power_on(), (Frames{"703#00"}));
     EXPECT_EQ(state(), "pre-operational");
 }
 
 TEST_F(Nmt, ResetsSendTheBootUpMessage) {
-    verifies<req::CO_NMT_001, req::CO_E_NMT_COMMAND>();
+    verifies<req::CO_NMT_001, req::CO_E_NMT_COMMAND, req::CO_NMT_012>();
     send("000#0103");
     EXPECT_EQ(send("000#8103"), (Frames{"703#00"}));
     EXPECT_EQ(state(), "pre-operational");

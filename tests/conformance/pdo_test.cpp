@@ -156,7 +156,7 @@ TEST_F(Pdo, MappingEntriesMustBeMappable) {
 }
 
 TEST_F(Pdo, MappingHoldsAtMost64BitsAndNoEmptyEntry) {
-    verifies<req::CO_PDO_011>();
+    verifies<req::CO_PDO_011, req::CO_PDO_064>();
     disable_rpdo2();
     write("603#2F01160000000000");
     for (const char* entry : {"01", "02", "03"}) {

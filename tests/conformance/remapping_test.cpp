@@ -151,7 +151,7 @@ TEST_P(Remapping, DummiesCanBeMappedInReceivePdosOnly) {
 }
 
 TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntries) {
-    verifies<req::CO_PDO_011>();
+    verifies<req::CO_PDO_011, req::CO_PDO_064>();
     hold({
         {parameter("01"), not_valid(), ""},
         {line("00"), "00", ""},

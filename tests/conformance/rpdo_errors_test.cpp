@@ -39,7 +39,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
 }
 
 TEST_F(Rpdo, TimeOutErrorLastsWhileAnyRpdoIsLate) {
-    verifies<req::CO_PDO_021>();
+    verifies<req::CO_PDO_021, req::CO_PDO_067>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("605#2B01140514000000");  // 1401h:5 event timer of RPDO2: 20 ms
@@ -62,7 +62,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
 }
 
 TEST_F(Rpdo, NoDeadlineIsSetAfterTheMonitoringHasEnded) {
-    verifies<req::CO_PDO_021, req::CO_PDO_039>();
+    verifies<req::CO_PDO_039, req::CO_PDO_066>();
     for (const char* end : {"605#2B00140500000000", "605#2F001402FE000000", "000#8005", "000#8205"}) {
         send("605#2B0014050A000000");
         EXPECT_EQ(device->next_deadline().us, never.us) << end;

@@ -32,7 +32,7 @@ TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
 }
 
 TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
-    verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_002>();
+    verifies<req::CO_PDO_034, req::CO_PDO_002, req::CO_PDO_065>();
     map_rpdo3({"10000022"});
     talk(*this, {
                     {"605#2F02140201000000", {"585#6002140200000000"}},  // 1402h:2 transmission type of RPDO3: 1
@@ -70,7 +70,7 @@ TEST_F(Rpdo, ValueErrorLastsWhileAnyRpdoIsRefused) {
 
 // The limits of 2200h are -100 and the value of 2100h:1, which changes between the reception and the SYNC.
 TEST_F(MovingLimit, WaitingRpdoIsRefusedAtTheSyncWhenALimitHasChanged) {
-    verifies<req::CO_PDO_033, req::CO_PDO_034>();
+    verifies<req::CO_PDO_034>();
     limit(0x2200, 0, {{LimitKind::value, 0xFF9C, 0}, {LimitKind::entry, 0x210001, 0}});
     ship(0x2100, 1, 100);
     power_on();

@@ -243,7 +243,7 @@ TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
 // -- Monitoring by the event timer ------------------------------------------------------------------------------------
 
 TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
-    verifies<req::CO_PDO_021>();
+    verifies<req::CO_PDO_021, req::CO_PDO_066, req::CO_PDO_067>();
     talk(*this, {
                     {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
                     {"605#2B00140532000000", {"585#6000140500000000"}},  // 1400h:5 event timer of RPDO1: 50 ms
@@ -261,7 +261,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
 }
 
 TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
-    verifies<req::CO_PDO_021>();
+    verifies<req::CO_PDO_066, req::CO_PDO_067>();
     send("605#2F29100101000000");
     send("605#2B00140532000000");
     send("205#1122");
@@ -322,7 +322,7 @@ TEST_F(Rpdo, EachRpdoHasItsOwnEventTimer) {
 }
 
 TEST_F(Rpdo, RpdoTimersEndWithOperational) {
-    verifies<req::CO_PDO_021>();
+    verifies<req::CO_PDO_066>();
     send("605#2F29100101000000");
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("605#2B01140564000000");  // 1401h:5 event timer of RPDO2: 100 ms

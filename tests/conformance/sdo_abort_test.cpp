@@ -136,7 +136,8 @@ std::uint32_t code_of(const std::string& abort) {
 TEST(SdoAbortTable, EachAbortCodeIsCausedByTheListedFrames) {
     verifies<req::CO_SDO_040, req::CO_E_ABORT, req::CO_SDO_005, req::CO_SDO_006, req::CO_SDO_008, req::CO_SDO_009,
              req::CO_SDO_010, req::CO_SDO_023, req::CO_SDO_024, req::CO_SDO_027, req::CO_SDO_028, req::CO_SDO_046,
-             req::CO_SDO_034>();
+             req::CO_SDO_034, req::CO_SDO_056, req::CO_SDO_057, req::CO_SDO_058, req::CO_SDO_059, req::CO_SDO_060,
+             req::CO_SDO_061, req::CO_SDO_062>();
     for (const Case& one : cases) {
         SCOPED_TRACE(one.when);
         SlaveBench bench;

@@ -7,7 +7,7 @@
 namespace canproof::test {
 
 TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
-    verifies<req::CO_SDO_006, req::CO_SDO_018>();
+    verifies<req::CO_SDO_018, req::CO_SDO_056>();
     hold(nine);
     const std::string refused = "585#8000240001000405";
     const std::string initiate = "605#A40024007F000000";
@@ -54,7 +54,7 @@ TEST_F(SdoBlock, UploadRequestsOutOfTurnAreAborted) {
 }
 
 TEST_F(SdoBlock, DownloadSegmentAfterABlockUploadInitiateWritesNothing) {
-    verifies<req::CO_SDO_006, req::CO_SDO_011>();
+    verifies<req::CO_SDO_011, req::CO_SDO_056>();
     talk(*this, {
                     {"605#A40010007F000000", {"585#C600100004000000"}},  // 1000h (device type) is read-only
                     {"605#09FFFFFFFF000000", {"585#8000100001000405"}},
@@ -138,7 +138,7 @@ TEST_F(SdoBlock, StalledUploadIsAbortedInEveryState) {
 }
 
 TEST_F(SdoBlock, DownloadRequestsOutOfTurnAreAborted) {
-    verifies<req::CO_SDO_006, req::CO_SDO_018>();
+    verifies<req::CO_SDO_018, req::CO_SDO_056>();
     const std::string refused = "585#8000240001000405";
     const std::vector<Exchange> received{
         {"605#C600240009000000", {"585#A40024007F000000"}},

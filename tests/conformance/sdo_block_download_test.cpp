@@ -36,7 +36,7 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
 
 /// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
 TEST_F(SdoBlock, AnnouncedSizeCountsForItsOwnDownloadOnly) {
-    verifies<req::CO_SDO_010>();
+    verifies<req::CO_SDO_060>();
     using Transfer = std::vector<Exchange>;
     const std::vector<Transfer> with_size{
         {{"605#2100210102000000", {"585#6000210100000000"}}, {"605#0B34120000000000", {"585#2000000000000000"}}},
@@ -141,7 +141,7 @@ TEST_F(SdoBlock, EmptyValueCanBeDownloaded) {
 }
 
 TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
-    verifies<req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_029, req::CO_SDO_052, req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT, req::CO_SDO_059>();
     const auto block_of = [](const std::string& object, const Bytes& bytes, const std::string& last) {
         return std::vector<Exchange>{
             {"605#C4" + object + "00000000", {"585#A4" + object + "7F000000"}},
@@ -163,7 +163,7 @@ TEST_F(SdoBlock, BlockDownloadsToOrdinaryEntriesAreCheckedLikeOtherDownloads) {
 }
 
 TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
-    verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034>();
+    verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_010, req::CO_SDO_034, req::CO_SDO_057>();
     talk(*this, {
                     {"605#C600100004000000", {"585#8000100002000106"}},
                     {"605#C602240004000000", {"585#8002240002000106"}},  // a read-only DOMAIN
@@ -178,7 +178,7 @@ TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
 }
 
 TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
-    verifies<req::CO_SDO_010, req::CO_SDO_047, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_047, req::CO_E_ABORT, req::CO_SDO_060>();
     hold({1});
     for (const std::string size : {"08", "0A", "00"}) {
         talk(*this, {

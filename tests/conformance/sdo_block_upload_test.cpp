@@ -195,7 +195,7 @@ TEST_F(SdoBlock, BlockUploadOfAnEmptyValueIsOneSegmentWithoutData) {
 }
 
 TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
-    verifies<req::CO_SDO_008, req::CO_SDO_009, req::CO_SDO_046>();
+    verifies<req::CO_SDO_008, req::CO_SDO_046, req::CO_SDO_057, req::CO_SDO_058, req::CO_SDO_061>();
     talk(*this, {
                     {"605#A43412007F000000", {"585#8034120000000206"}},
                     {"605#A40010017F000000", {"585#8000100111000906"}},
@@ -294,7 +294,7 @@ TEST_F(SdoBlock, DomainCanAlsoBeUploadedInSegments) {
 }
 
 TEST_F(SdoBlock, ValueOfWholeSegmentsEndsWithAFullSegment) {
-    verifies<req::CO_SDO_002>();
+    verifies<req::CO_SDO_002, req::CO_SDO_055>();
     hold(counting(14));
     talk(*this, {
                     {"605#4000240000000000", {"585#410024000E000000"}},

@@ -21,7 +21,7 @@ TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
 }
 
 TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
-    verifies<req::CO_SDO_002>();
+    verifies<req::CO_SDO_002, req::CO_SDO_055>();
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
@@ -42,7 +42,7 @@ TEST_F(Sdo, ExpeditedDownloadWithAndWithoutSizeIsAccepted) {
 }
 
 TEST_F(Sdo, UploadRequestIs40hAndAbortIs80h) {
-    verifies<req::CO_SDO_042>();
+    verifies<req::CO_SDO_042, req::CO_SDO_063>();
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));
     EXPECT_EQ(send("603#4010200000000000"), (Frames{"583#8010200000000206"}));
 }
@@ -84,7 +84,7 @@ TEST_F(Sdo, ToggleBitMustAlternate) {
 }
 
 TEST_F(Sdo, UnknownSpecifiersAndUnexpectedSegmentsAreAborted) {
-    verifies<req::CO_SDO_006, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_006, req::CO_E_ABORT, req::CO_SDO_056>();
     EXPECT_EQ(send("603#E000100000000000"), (Frames{"583#8000100001000405"}));
     EXPECT_EQ(send("603#A000100000000000"), (Frames{"583#8000100001000405"}));  // this device offers no block upload
     EXPECT_EQ(send("603#C200100000000000"), (Frames{"583#8000100001000405"}));  // this device offers no block download
@@ -104,7 +104,7 @@ TEST_F(Sdo, FramesOfOtherThanEightBytesAreIgnored) {
 }
 
 TEST_F(Sdo, AbsentObjectsAndSubIndicesAreRefused) {
-    verifies<req::CO_SDO_008, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_008, req::CO_E_ABORT, req::CO_SDO_057>();
     EXPECT_EQ(send("603#4034120000000000"), (Frames{"583#8034120000000206"}));
     EXPECT_EQ(send("603#2B34120000000000"), (Frames{"583#8034120000000206"}));
     EXPECT_EQ(send("603#4011640500000000"), (Frames{"583#8011640511000906"}));
@@ -120,7 +120,7 @@ TEST_F(Sdo, ReadOnlyEntriesCannotBeWritten) {
 }
 
 TEST_F(Sdo, DownloadsOfWrongLengthAreRefused) {
-    verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT>();
+    verifies<req::CO_SDO_010, req::CO_SDO_011, req::CO_E_ABORT, req::CO_SDO_059, req::CO_SDO_060>();
     EXPECT_EQ(send("603#2317100001000000"), (Frames{"583#8017100012000706"}));  // four bytes for an entry of two
     // 1017h producer heartbeat time: one byte instead of two
     EXPECT_EQ(send("603#2F17100001000000"), (Frames{"583#8017100013000706"}));
@@ -158,7 +158,7 @@ TEST_F(Sdo, StalledTransferIsAbortedAfterOneSecond) {
 }
 
 TEST_F(Sdo, BusOffEndsATransferAndTheWarningLimitDoesNot) {
-    verifies<req::CO_SDO_002, req::CO_SDO_006>();
+    verifies<req::CO_SDO_055, req::CO_SDO_056>();
     send("603#4008100000000000");
     inputs.can_state = 1;
     EXPECT_TRUE(set_inputs().empty());
@@ -191,7 +191,7 @@ TEST_F(Sdo, RefusedWriteChangesNothing) {
 }
 
 TEST_F(Sdo, TransferContinuesWhenTheNodeIsStarted) {
-    verifies<req::CO_SDO_002, req::CO_SDO_017>();
+    verifies<req::CO_SDO_002, req::CO_SDO_017, req::CO_SDO_055>();
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     send("000#0103");
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));
@@ -259,7 +259,7 @@ TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
 }
 
 TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
-    verifies<req::CO_SDO_010>();
+    verifies<req::CO_SDO_060>();
     talk(*this, {
                     {"605#2100230000000000", {"585#6000230000000000"}},
                     {"605#0D78000000000000", {"585#8000230010000706"}},  // one byte was received
@@ -268,7 +268,7 @@ TEST_F(SlaveSdo, DownloadAnnouncedAsEmptyRefusesAByte) {
 }
 
 TEST_F(SlaveSdo, SizeFieldWithoutSizeIndicatorIsIgnored) {
-    verifies<req::CO_SDO_003, req::CO_SDO_010>();
+    verifies<req::CO_SDO_003, req::CO_SDO_060>();
     talk(*this, {
                     // bytes 4 to 7 are no size, because the size bit is 0
                     {"605#20002300FFFFFFFF", {"585#6000230000000000"}},
@@ -295,7 +295,7 @@ TEST_F(SlaveSdo, DownloadWithoutSizeHasTheLengthOfItsEntry) {
 }
 
 TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
-    verifies<req::CO_SDO_010, req::CO_SDO_016>();
+    verifies<req::CO_SDO_010, req::CO_SDO_016, req::CO_SDO_059>();
     talk(*this, {
                     {"605#2F00230078000000", {"585#6000230000000000"}},  // "x"
                     {"605#4000230000000000", {"585#4F00230078000000"}},
@@ -314,7 +314,7 @@ TEST_F(SlaveSdo, StringMayBeShorterThanItsCapacityButNotLonger) {
 }
 
 TEST_F(SlaveSdo, ValueOfEightBytesIsTransferredInSegments) {
-    verifies<req::CO_SDO_002, req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_016>();
+    verifies<req::CO_SDO_002, req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_016, req::CO_SDO_055>();
     talk(*this, {
                     {"605#2106220008000000", {"585#6006220000000000"}},
                     {"605#0001020304050607", {"585#2000000000000000"}},
@@ -330,7 +330,7 @@ TEST_F(SlaveSdo, ValueOfEightBytesIsTransferredInSegments) {
 }
 
 TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
-    verifies<req::CO_SDO_006, req::CO_SDO_011>();
+    verifies<req::CO_SDO_011, req::CO_SDO_056>();
     // 300 segments are more than the buffer holds
     for (int i = 0; i < 300; ++i) {
         ASSERT_EQ(send("605#0041414141414141"), (Frames{"585#8000000001000405"}));
@@ -346,7 +346,7 @@ TEST_F(SlaveSdo, SegmentsWithoutATransferStoreNothing) {
 }
 
 TEST_F(SlaveSdo, DownloadSegmentDuringAnUploadIsAbortedAndStoresNothing) {
-    verifies<req::CO_SDO_006, req::CO_SDO_011>();
+    verifies<req::CO_SDO_011, req::CO_SDO_056>();
     talk(*this, {
                     {"605#4001230000000000", {"585#4101230036000000"}},  // 54 bytes, const
                     {"605#0041414141414141", {"585#8001230001000405"}},

@@ -89,7 +89,7 @@ TEST_F(SmallStore, BankWithAnUnreadableHeaderIsNotUsed) {
 }
 
 TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
-    verifies<req::CO_NMT_005, req::CO_STORE_006>();
+    verifies<req::CO_NMT_005, req::CO_STORE_006, req::CO_STORE_016>();
     FaultyMemory faulty{2 * bank_size};
     power_on_with(faulty);
     set_value("11223344");
@@ -108,7 +108,7 @@ TEST_F(SmallStore, UnreadableStoredValueIsReportedAndTheDefaultApplies) {
 
 // A power cut before the last write of a save leaves a complete bank with the void marker.
 TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
-    verifies<req::CO_STORE_006>();
+    verifies<req::CO_STORE_017>();
     power_on();
     set_value("11223344");
     EXPECT_EQ(save(), saved);
@@ -120,7 +120,7 @@ TEST_F(SmallStore, CompleteSetWithoutTheCommittedMarkerIsNotLoaded) {
 }
 
 TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
-    verifies<req::CO_NMT_005, req::CO_STORE_006>();
+    verifies<req::CO_NMT_005, req::CO_STORE_006, req::CO_STORE_016>();
     keep(0x1015);  // the inhibit time of EMCY
     keep(0x1017);  // producer heartbeat time
     FaultyMemory faulty{128};

@@ -66,7 +66,7 @@ TEST_F(Store, CommittedSetWithADamagedMarkerIsLoaded) {
 }
 
 TEST_F(Store, DamagedSetBesideAValidSetGivesDefaultsWhicheverIsLater) {
-    verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
+    verifies<req::AO4_STORE_005, req::AO4_ERR_009, req::AO4_ERR_023>();
     for (const std::size_t damaged : {std::size_t{0}, std::size_t{1}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});
         power_on();
@@ -112,7 +112,7 @@ TEST_F(Store, SaveAfterTheLastSequenceNumberIsLoaded) {
 }
 
 TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
-    verifies<req::AO4_STORE_005, req::AO4_ERR_009>();
+    verifies<req::AO4_STORE_005, req::AO4_ERR_009, req::AO4_ERR_023>();
     set_values("3412");
     write("603#2310100173617665");
     memory.bytes()[40] ^= 0x01;

@@ -52,7 +52,7 @@ std::vector<std::size_t> places(std::size_t bank_size) {
 }  // namespace
 
 TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsUsed) {
-    verifies<req::CO_STORE_006, req::INC_ERR_012>();
+    verifies<req::CO_STORE_006, req::INC_ERR_012, req::CO_STORE_016, req::INC_ERR_021>();
     for (const int saves : {2, 3}) {  // the newest set is in the second bank, then in the first
         Stored unit{GetParam()};
         for (int n = 1; n <= saves; ++n) {
@@ -78,7 +78,7 @@ TEST_P(StoredSetOfTheDevice, FlippedByteInTheNewestSetIsReportedAndNoOlderSetIsU
 }
 
 TEST_P(StoredSetOfTheDevice, SetSavedAfterDamageIsLoaded) {
-    verifies<req::CO_STORE_006, req::CO_STORE_001>();
+    verifies<req::CO_STORE_006, req::CO_STORE_001, req::CO_STORE_016>();
     for (const int saves : {1, 2, 3}) {
         Stored unit{GetParam()};
         for (int n = 1; n <= saves; ++n) {
@@ -96,7 +96,7 @@ TEST_P(StoredSetOfTheDevice, SetSavedAfterDamageIsLoaded) {
 }
 
 TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
-    verifies<req::CO_STORE_006, req::CO_STORE_004>();
+    verifies<req::CO_STORE_006, req::CO_STORE_004, req::CO_STORE_016>();
     Stored unit{GetParam()};
     unit.save_value(1000);
     unit.save_value(2000);
@@ -118,7 +118,7 @@ TEST_P(StoredSetOfTheDevice, InterruptedSaveAfterDamageRestoresNoOlderSet) {
 }
 
 TEST_P(StoredSetOfTheDevice, InterruptedFirstSaveIsNotReportedAsDamage) {
-    verifies<req::CO_STORE_006, req::CO_STORE_004>();
+    verifies<req::CO_STORE_004, req::CO_STORE_017>();
     Stored unit{GetParam()};
     const auto blank = unit.bytes();
     unit.save_value(1000);
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StoredSetOfTheDevice, testing::ValuesIn(every_dev
 
 // The CAN-CBX-AO412 has switches instead of LSS.
 TEST(StoredNodeIdOfTheDevice, FlippedByteInTheLatestNodeIdIsReportedAndNoOlderNodeIdIsUsed) {
-    verifies<req::CO_LSS_065>();
+    verifies<req::CO_LSS_065, req::CO_LSS_087>();
     for (const char* name : {"ax060805", "ax130751", "ax188001"}) {
         DeviceBySdo unit{name, 5};
         unit.move_to(6);

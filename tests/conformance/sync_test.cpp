@@ -75,7 +75,7 @@ TEST_F(SyncService, StoppedNodeDoesNotCheckTheSyncLength) {
 }
 
 TEST_F(SyncService, SyncIsProducedEachPeriod) {
-    verifies<req::CO_SYNC_003>();
+    verifies<req::CO_SYNC_003, req::CO_SYNC_011>();
     write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
     EXPECT_TRUE(pass(20).empty());  // bit 30 of 1005h is clear
     write("603#2305100080000040");
@@ -217,7 +217,7 @@ TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
 }
 
 TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
-    verifies<req::CO_SYNC_008>();
+    verifies<req::CO_SYNC_012>();
     write("603#2305100080000080");
     EXPECT_EQ(send("603#4005100000000000"), (Frames{"583#4305100080000080"}));
     make_rpdo2_synchronous();

@@ -38,7 +38,7 @@ TEST_F(TimeDriven, TpdoWithoutAnEventTimerIsNotSent) {
 }
 
 TEST_F(TimeDriven, TpdoIsSentOnEnteringOperationalAndEachEventTimeAfter) {
-    verifies<req::CO_PDO_018, req::CO_PDO_049, req::CO_PDO_047>();
+    verifies<req::CO_PDO_049, req::CO_PDO_047>();
     device->objects().write(0x1800, 5, 100);  // 1800h:5 event timer of TPDO1: 100 ms
     begin();
     EXPECT_EQ(host::format_frame(own_queue.pop()), "185#0000");

@@ -42,7 +42,7 @@ TEST(CommitMarker, OnlyABankOfZerosOrOfFFhIsBlank) {
 }
 
 TEST(CommitMarker, MarkerTellsACommittedBankFromAVoidOne) {
-    verifies<req::CO_STORE_006>();
+    verifies<req::CO_STORE_006, req::CO_STORE_017>();
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, committed, 0x01, 0x02}), BankState::damaged);
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, void_marker, 0x01, 0x02}), BankState::unused);
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, 0x52, 0x01, 0x02}), BankState::doubtful);

@@ -35,7 +35,7 @@ const std::string pause1(28, '.');  // 1400 ms
 }  // namespace
 
 TEST(Indicator, EachStateFlashesAsPrintedInTheManual) {
-    verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005, req::AO4_LED_008>();
+    verifies<req::AO4_T5, req::AO4_E_INDICATOR, req::AO4_LED_005, req::AO4_LED_008, req::AO4_LED_009>();
     EXPECT_EQ(watch(State::off, 40), std::string(40, '.'));
     EXPECT_EQ(watch(State::on, 40), std::string(40, '#'));
     EXPECT_EQ(watch(State::blinking, 16), flash + gap + flash + gap);

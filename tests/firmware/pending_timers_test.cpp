@@ -46,7 +46,7 @@ Frames each(int first, int period, const std::string& frame) {
 }  // namespace
 
 TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_HB_001, req::CO_NMT_006>();
+    verifies<req::CO_HB_001, req::CO_NMT_006, req::CO_HB_005>();
     expect({"605#2B17100064000000"}, {
                                          {"nothing", {}, each(60, 100, "705#7F")},
                                          {"start", {"000#0105"}, each(60, 100, "705#05")},
@@ -106,7 +106,7 @@ TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
 }
 
 TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
-    verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006>();
+    verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006, req::CO_PDO_066>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
            {

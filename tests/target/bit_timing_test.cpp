@@ -47,7 +47,7 @@ void expect_timings(std::uint32_t clock, const Clocks& clocks_of) {
 }  // namespace
 
 TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
-    verifies<req::CO_CAN_001>();
+    verifies<req::CO_CAN_001, req::CO_CAN_014>();
     // Section 3.1 of the manual: 42 MHz / 666.667 kbit/s = 63, without a remainder.
     expect_timings(mhz_42, {{1000000, 42},
                             {666667, 63},
@@ -60,7 +60,7 @@ TEST(BitTiming, BitRatesOfTheAx130751AreReachedAt168MHz) {
 }
 
 TEST(BitTiming, BitRatesOfTheOtherDevicesAreReachedAt160MHz) {
-    verifies<req::CO_CAN_001>();
+    verifies<req::CO_CAN_001, req::CO_CAN_014>();
     // 800 kbit/s (index 1 of CiA 305) needs 40 MHz / 50, because 42 MHz / 0.8 MHz is 52.5.
     expect_timings(mhz_40, {{1000000, 40},
                             {800000, 50},

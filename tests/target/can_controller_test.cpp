@@ -160,7 +160,7 @@ TEST(CanController, MostSevereStateThatTheControllerShowsIsReported) {
 }
 
 TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
-    verifies<req::CO_CAN_008>();
+    verifies<req::CO_CAN_008, req::CO_CAN_015>();
     Bench bench;
     bench.join();
     bench.model.count_errors(256, 0);
@@ -186,7 +186,7 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
 }
 
 TEST(CanController, SecondBusOffHasItsOwnPause) {
-    verifies<req::CO_CAN_008>();
+    verifies<req::CO_CAN_008, req::CO_CAN_015>();
     Bench bench;
     bench.join();
     for (const std::uint64_t begin : {1000ULL, 2000ULL}) {

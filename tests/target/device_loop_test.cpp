@@ -53,7 +53,7 @@ TEST(DeviceLoop, DeviceKeepsItsParametersInFlash) {
 }
 
 TEST(DeviceLoop, LoopRefreshesTheWatchdogOncePerPass) {
-    verifies<req::CO_WATCHDOG_001>();
+    verifies<req::CO_WATCHDOG_002>();
     Chips chips;
     Unit unit{chips};
     const std::size_t before = chips.watchdog.refreshes();

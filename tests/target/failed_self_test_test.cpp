@@ -108,7 +108,7 @@ TEST_F(FailedSelfTest, FailedRegisterEndsInTheSafeState) {
 }
 
 TEST_F(FailedSelfTest, StackOverflowEndsInTheSafeState) {
-    verifies<req::CO_SELF_004, req::CO_SELF_008>();
+    verifies<req::CO_SELF_004, req::CO_SELF_008, req::CO_WATCHDOG_002>();
     chips_.guard.at(7) = 0;
     expect_safe_state(SelfTest::stack, 1);
 }
@@ -128,7 +128,7 @@ TEST_F(FailedSelfTest, OutputThatChangesBeforeTheComputationIsNotDriven) {
 }
 
 TEST_F(FailedSelfTest, ParameterThatChangesIsNotUsedForTheNextFrame) {
-    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    verifies<req::CO_SELF_011, req::CO_SELF_008, req::CO_SELF_018>();
     change_gain();
     Frame request = data_frame(0x603, 8);
     request.data = {0x2B, 0x11, 0x64, 0x01, 0xB3, 0x3E, 0x00, 0x00};
@@ -144,8 +144,23 @@ TEST_F(FailedSelfTest, ParameterThatChangesIsNoticedWithinAMillisecond) {
     expect_safe_state(SelfTest::state, 10);
 }
 
+TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
+    verifies<req::CO_SELF_018>();
+    bool sampled = false;
+    unit_.board.on_read = [&sampled] { sampled = true; };
+    for (int pass = 0; pass < 10 && !sampled; ++pass) {  // of 100 µs
+        unit_.run(1);
+    }
+    ASSERT_TRUE(sampled);
+    change_gain();  // a computation would notice the changed state
+    EXPECT_THAT(unit_.run(9), IsEmpty());
+    EXPECT_EQ(unit_.loop.failed(), SelfTest::none);
+    unit_.run(1);  // the next sample, 1 ms after the last one
+    EXPECT_EQ(unit_.loop.failed(), SelfTest::state);
+}
+
 TEST_F(FailedSelfTest, FrameThatAppearsInTheQueueIsNotSent) {
-    verifies<req::CO_SELF_011, req::CO_SELF_008>();
+    verifies<req::CO_SELF_008, req::CO_SELF_017>();
     ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // PDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());
     expect_safe_state(SelfTest::state, 0);

@@ -105,7 +105,7 @@ TEST(RamCheck, SixPassesFindCouplingBetweenTheBitsOfAWord) {
 }
 
 TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
-    verifies<req::CO_SELF_001>();
+    verifies<req::CO_SELF_001, req::CO_SELF_014>();
     RamModel ram{word_count};
     for (std::size_t i = 0; i < word_count; ++i) {
         ram.at(i) = static_cast<std::uint32_t>(0x9E3779B9U * i);
@@ -121,7 +121,7 @@ TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
 }
 
 TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
-    verifies<req::CO_SELF_001>();
+    verifies<req::CO_SELF_001, req::CO_SELF_013>();
     RamModel ram{word_count};
     RamCheck check{{ram.words(), 0, 0}};
     std::size_t before = 0;

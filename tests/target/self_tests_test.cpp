@@ -301,7 +301,7 @@ TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
 }
 
 TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
-    verifies<req::CO_SELF_006>();
+    verifies<req::CO_SELF_015>();
     ClockCheckBench bench;
     EXPECT_EQ(bench.run(1000), 1000);
     bench.model.oscillator_khz = 0;
@@ -311,7 +311,7 @@ TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
 }
 
 TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
-    verifies<req::CO_SELF_006>();
+    verifies<req::CO_SELF_006, req::CO_SELF_015>();
     ClockCheckBench bench;
     EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
     EXPECT_EQ(bench.run(1, 500000), 1);   // an erase of the flash
@@ -360,7 +360,7 @@ TEST(FailureRecord, ArbitraryContentIsNoRecord) {
 }
 
 TEST(FailureRecord, CoreClockRamAndFlashTestsFindFailedHardware) {
-    verifies<req::CO_SELF_009, req::CO_D_SELF_001>();
+    verifies<req::CO_D_SELF_001, req::CO_SELF_016>();
     for (const SelfTest test : {SelfTest::core, SelfTest::clock, SelfTest::ram, SelfTest::flash}) {
         EXPECT_TRUE(finds_hardware(test));
     }

@@ -93,7 +93,7 @@ RC_GTEST_PROP(FunctionLaw, UnaryFunctionsAreDefinedForEveryInput, ()) {
 }
 
 RC_GTEST_PROP(FunctionLaw, BinaryFunctionsNeverGiveNan_AndAreUndefinedForNanInputs, (std::uint8_t number)) {
-    verifies<req::INC_BIN_007>("property");
+    verifies<req::INC_BIN_007, req::INC_BIN_017>("property");
     const float x = any_float();
     const float y = any_float();
     for (const std::uint8_t operation : {number, static_cast<std::uint8_t>(number % 21U)}) {

@@ -25,7 +25,8 @@ void hold(ModelPair& pair, const Focus& focus) {
 RC_GTEST_PROP(Ax130751Model, OutputsAgreeWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_009, req::AOR_OUT_010, req::AOR_OUT_011, req::AOR_OUT_014, req::AOR_OUT_028,
              req::AOR_OUT_029, req::AOR_OUT_033, req::AOR_DO_003, req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_005,
-             req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_012, req::AOR_DO_008, req::AOR_DO_013>("property");
+             req::AOR_DO_006, req::AOR_DO_011, req::AOR_DO_012, req::AOR_DO_008, req::AOR_DO_013, req::AOR_DO_015,
+             req::AOR_DO_016, req::AOR_OUT_042>("property");
     ModelPair pair;
     hold(pair, {Group::output, Group::output, Group::extra});
 }
@@ -34,7 +35,7 @@ RC_GTEST_PROP(Ax130751Model, RelayAgreesWithTheNaiveModel, ()) {
     verifies<req::AOR_RELAY_003, req::AOR_RELAY_004, req::AOR_RELAY_005, req::AOR_RELAY_020, req::AOR_RELAY_006,
              req::AOR_RELAY_021, req::AOR_RELAY_009, req::AOR_RELAY_010, req::AOR_RELAY_012, req::AOR_RELAY_013,
              req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_017,
-             req::AOR_RELAY_025>("property");
+             req::AOR_RELAY_025, req::AOR_RELAY_027>("property");
     ModelPair pair;
     hold(pair, {Group::relay});
 }
@@ -51,8 +52,8 @@ RC_GTEST_PROP(Ax130751Model, TablesLogicAndMathAgreeWithTheNaiveModel, ()) {
 RC_GTEST_PROP(Ax130751Model, DeviceAgreesWithTheNaiveModel, ()) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030, req::AOR_SRC_004, req::AOR_SRC_005, req::AOR_DIAG_006,
              req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003, req::AOR_ERR_013,
-             req::AOR_ERR_008, req::AOR_ERR_015, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_PDO_004,
-             req::AOR_PDO_009>("property");
+             req::AOR_ERR_008, req::AOR_ERR_015, req::AOR_ERR_010, req::AOR_ERR_016, req::AOR_PDO_004, req::AOR_PDO_009,
+             req::AOR_ERR_019, req::AOR_ERR_020, req::AOR_DIAG_019>("property");
     ModelPair pair;
     set_up_network(pair);
     hold(pair, {Group::output, Group::output, Group::output, Group::relay, Group::relay, Group::table, Group::logic,

@@ -143,7 +143,8 @@ RC_GTEST_PROP(Ax188001Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
     verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_002, req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_016,
              req::TCS_IN_006, req::TCS_IN_009, req::TCS_IN_011, req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003,
              req::TCS_LIM_012, req::TCS_LIM_004, req::TCS_LIM_005, req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_LIM_007,
-             req::TCS_LIM_009, req::TCS_LIM_010, req::TCS_LIM_014>("property");
+             req::TCS_LIM_009, req::TCS_LIM_010, req::TCS_LIM_014, req::TCS_LIM_016, req::TCS_LIM_017, req::TCS_LIM_018,
+             req::TCS_LIM_019>("property");
     verifies<req::TCS_VAL_001, req::TCS_VAL_005, req::TCS_VAL_006, req::TCS_AVG_001, req::TCS_AVG_005, req::TCS_AVG_004,
              req::TCS_AVG_006, req::TCS_AVG_007, req::TCS_CJ_002, req::TCS_CJ_004, req::TCS_CJ_003, req::TCS_CJ_005,
              req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,

@@ -137,7 +137,8 @@ RC_GTEST_PROP(CbxAo412Model, DeviceAgreesWithTheNaiveModelOfTheManual, ()) {
              req::AO4_AOUT_008, req::AO4_AOUT_009, req::AO4_AOUT_012, req::AO4_AOUT_010, req::AO4_AOUT_013,
              req::AO4_ERR_001, req::AO4_ERR_002, req::AO4_ERR_013, req::AO4_ERR_014, req::AO4_ERR_003, req::AO4_ERR_015,
              req::AO4_ERR_006, req::AO4_ERR_017, req::AO4_ERR_007, req::AO4_ERR_008, req::AO4_ERR_010, req::AO4_ERR_018,
-             req::AO4_ERR_011, req::AO4_ERR_019, req::AO4_ERR_012>("property");
+             req::AO4_ERR_011, req::AO4_ERR_019, req::AO4_ERR_012, req::AO4_ERR_020, req::AO4_ERR_021,
+             req::AO4_ERR_022>("property");
     verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_LED_003, req::AO4_LED_007, req::AO4_LED_004, req::AO4_LED_006,
              req::AO4_START_001, req::AO4_START_003, req::AO4_START_006, req::AO4_START_004, req::AO4_GUARD_003,
              req::AO4_PDO_001, req::AO4_PDO_004, req::AO4_SW_001, req::AO4_SW_004, req::AO4_SW_002, req::AO4_STORE_001>(

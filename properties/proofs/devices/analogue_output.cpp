@@ -60,7 +60,7 @@ void an_analogue_output_turns_to_its_fault_value_at_once() {
 
 void an_analogue_output_turns_off_in_a_shutdown() {
     shows("an output of the AX130751 has the target 0, and no ramp is left, in a shutdown or shut-off");
-    proves<req::AOR_OUT_014, req::AOR_OUT_015, req::AOR_DIAG_009>();
+    proves<req::AOR_OUT_014, req::AOR_OUT_015, req::AOR_DIAG_020>();
     AnyOutput any_output{};
     const AnalogueOutputState state =
         any_output.advance((each(2U) == 0U) ? OutputDrive::shutdown : OutputDrive::shut_off);

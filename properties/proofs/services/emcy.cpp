@@ -114,7 +114,7 @@ void a_cured_error_leaves_the_list() {
 
 void an_emergency_message_holds_what_cia_301_says() {
     shows("an emergency message has eight bytes on the identifier of 1014h: code, 1001h, then what the device adds");
-    proves<req::CO_EMCY_001, req::CO_EMCY_023, req::CO_EMCY_010>();
+    proves<req::CO_EMCY_001, req::CO_EMCY_023, req::CO_EMCY_033, req::CO_EMCY_010>();
     Reporting node{};
     Emcy::Pending pending{any<std::uint8_t>(), any<bool>()};
     assume(pending.error < max_errors);

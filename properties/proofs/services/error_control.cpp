@@ -43,7 +43,7 @@ struct Watched {
 
 void boot_up_begins_error_control() {
     shows("booting up queues one message with a byte 00h, stops life guarding, and leaves error control consistent");
-    proves<req::CO_NMT_001, req::CO_HB_001>();
+    proves<req::CO_NMT_001, req::CO_HB_005>();
     AnyDictionary dictionary{};
     TransmitQueue queue{};
     ErrorControl control{dictionary.objects, queue};
@@ -78,7 +78,7 @@ void a_heartbeat_leaves_when_it_is_due() {
 
 void a_guarding_request_is_answered_once() {
     shows("a guarding request is answered with state and toggle bit exactly when the node sends no heartbeats");
-    proves<req::CO_GUARD_001, req::CO_GUARD_002, req::CO_GUARD_003, req::CO_FRAME_001>();
+    proves<req::CO_GUARD_001, req::CO_GUARD_009, req::CO_GUARD_002, req::CO_GUARD_003, req::CO_FRAME_001>();
     Watched node{};
     const Frame request = any_frame();
     const Instant now = any_time();

@@ -179,7 +179,7 @@ void a_bit_rate_is_switched_in_time() {
 
 void a_reset_ends_each_sequence() {
     shows("take_node_id() goes to LSS waiting, ends each sequence and activates the pending node-ID");
-    proves<req::CO_LSS_004, req::CO_LSS_011>();
+    proves<req::CO_LSS_004, req::CO_LSS_086, req::CO_LSS_011>();
     Slave slave{};
     const std::uint8_t pending = slave.lss.pending_.node_id;
     claim(slave.lss.take_node_id() == pending);

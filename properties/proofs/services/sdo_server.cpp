@@ -65,7 +65,7 @@ void an_sdo_write_is_confirmed_exactly_when_taken() {
 
 void an_sdo_abort_ends_the_transfer() {
     shows("an abort of either side ends the transfer; the client's is not answered");
-    proves<req::CO_SDO_013, req::CO_SDO_042>();
+    proves<req::CO_SDO_013, req::CO_SDO_063>();
     Served node{};
     const Frame frame = any_request();
     assume(frame.length == 8U);

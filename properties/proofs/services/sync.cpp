@@ -108,7 +108,7 @@ void a_sync_identifier_is_taken_as_cia_301_says() {
     shows(
         "1005h takes unrestricted identifiers beside bits 30 and 31, and another identifier only while it produces no "
         "SYNC");
-    proves<req::CO_SYNC_010, req::CO_SYNC_008>();
+    proves<req::CO_SYNC_010, req::CO_SYNC_008, req::CO_SYNC_012>();
     Synchronised node{};
     EntryRow row{};
     const EntryRef entry{&row, static_cast<std::uint16_t>(index::sync_cob_id)};

@@ -60,6 +60,7 @@ void Emcy::set(const ErrorId error, const bool present, const Instant now, const
     }
     static_assert(implements<req::CO_EMCY_019>);
     show_register();
+    static_assert(implements<req::CO_EMCY_034>);
     if (present && row.listed) {
         enter_into_list(list_entry(at));
     }
@@ -195,7 +196,7 @@ void Emcy::forget(const std::size_t position) noexcept {
     }
 }
 
-static_assert(implements<req::CO_EMCY_001> && implements<req::CO_EMCY_010>);
+static_assert(implements<req::CO_EMCY_001> && implements<req::CO_EMCY_010> && implements<req::CO_EMCY_033>);
 Frame Emcy::message(const Pending& told) const noexcept {
     Frame frame = data_frame(cob_id::identifier(cob_id_entry()), max_frame_length);
     set_field_le<0U, 2U>(frame.data, told.cured ? error_cured_code : errors_[told.error].code);
@@ -238,7 +239,7 @@ AbortCode Emcy::before_write(const EntryRef& entry, const std::uint32_t value) c
     return cob_id::check_change(current, value, cob_id::not_valid, cob_id::is_valid(current));
 }
 
-static_assert(implements<req::CO_EMCY_014>);
+static_assert(implements<req::CO_EMCY_014> && implements<req::CO_EMCY_032>);
 void Emcy::after_write(const EntryRef& entry) noexcept {
     if (entry.is(index::error_list, 0U)) {
         clear_list();

@@ -55,7 +55,7 @@ void ErrorControl::boot_up(const std::uint8_t node_id, const Instant now) noexce
     start_heartbeat(now);
 }
 
-static_assert(implements<req::CO_HB_001> && implements<req::CO_GUARD_008>);
+static_assert(implements<req::CO_GUARD_008> && implements<req::CO_HB_005>);
 void ErrorControl::start_heartbeat(const Instant now) noexcept {
     const Duration time = heartbeat_time_;
     next_heartbeat_ = (time.us == 0U) ? never : (now + time);
@@ -66,7 +66,7 @@ void ErrorControl::start_heartbeat(const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::CO_GUARD_001> && implements<req::CO_GUARD_002>);
+static_assert(implements<req::CO_GUARD_001> && implements<req::CO_GUARD_002> && implements<req::CO_GUARD_009>);
 bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
     const bool is_request = !request.extended && (request.id == identifier_);
     static_assert(implements<req::CO_GUARD_003>);
@@ -83,6 +83,7 @@ bool ErrorControl::answer(const Frame& request, const Instant now) noexcept {
 }
 
 void ErrorControl::act(const Instant now) noexcept {
+    static_assert(implements<req::CO_HB_001>);
     if (next_heartbeat_ <= now) {
         send_state(static_cast<std::uint8_t>(state_));
         next_heartbeat_ = next_heartbeat_ + heartbeat_time_;

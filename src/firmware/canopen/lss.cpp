@@ -103,7 +103,7 @@ void Lss::restore(const Instant now) noexcept {
     }
 }
 
-static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011>);
+static_assert(implements<req::CO_LSS_004> && implements<req::CO_LSS_011> && implements<req::CO_LSS_086>);
 std::uint8_t Lss::take_node_id() noexcept {
     state_ = LssState::waiting;
     selected_ = 0U;
@@ -121,12 +121,12 @@ bool Lss::receive(const Frame& frame, const NmtState nmt, const Instant now) noe
     }
     const LssState before = state_;
     std::uint32_t said{0U};
-    static_assert(implements<req::CO_LSS_073>);
+    static_assert(implements<req::CO_LSS_073> && implements<req::CO_LSS_082>);
     if (execute(row->command, frame.data, now, said) && (row->answer_length != 0U)) {
         static_assert(implements<req::CO_LSS_061> && implements<req::CO_LSS_063> &&
                       implements<req::CO_K_LSS_RESPONSE_ID>);
         const bool in_full = frame.length == full_length;
-        static_assert(implements<req::CO_LSS_081>);
+        static_assert(implements<req::CO_LSS_081> && implements<req::CO_LSS_085>);
         Frame answer = data_frame(generated::canopen::lss_response_cob_id,
                                   in_full ? static_cast<std::uint8_t>(full_length) : row->answer_length);
         answer.data[0] = answer_specifier(row->command);

@@ -25,12 +25,12 @@ void LssFastscan::restart() noexcept {
 LssFastscan::Outcome LssFastscan::scan(const Request& request, const std::uint32_t own) noexcept {
     const std::uint32_t bit_check = request[bit_check_at];
     const std::uint8_t next = request[next_at];
-    static_assert(implements<req::CO_LSS_051> && implements<req::CO_K_LSS_RESTART>);
+    static_assert(implements<req::CO_LSS_051> && implements<req::CO_K_LSS_RESTART> && implements<req::CO_LSS_083>);
     if (bit_check == generated::canopen::fastscan_restart) {
         restart();
         return Outcome::matched;
     }
-    static_assert(implements<req::CO_LSS_055> && implements<req::CO_K_LSS_HIGHEST_BIT>);
+    static_assert(implements<req::CO_LSS_055> && implements<req::CO_K_LSS_HIGHEST_BIT> && implements<req::CO_LSS_084>);
     const bool is_sound = (bit_check <= generated::canopen::fastscan_highest_bit) && (next < lss_number_count);
     static_assert(implements<req::CO_LSS_079>);
     if (!is_sound || (std::uint32_t{request[number_at]} != position_) || !matches(request, own)) {

@@ -50,12 +50,12 @@ void Node::load_all() noexcept {
     load_group(ParameterGroup::application);
 }
 
-static_assert(implements<req::CO_STORE_006> && implements<req::CO_LSS_065>);
+static_assert(implements<req::CO_STORE_016> && implements<req::CO_LSS_087>);
 void Node::tell_damage(const Instant now) noexcept {
     emcy_.set(ErrorId::stored_set_checksum, store_.is_damaged() || lss_.is_damaged(), now);
 }
 
-static_assert(implements<req::CO_NMT_005>);
+static_assert(implements<req::CO_NMT_005> && implements<req::CO_STORE_006>);
 void Node::reset_node(const Instant now) noexcept {
     lss_.restore(now);
     node_id_ = lss_.take_node_id();
@@ -103,6 +103,7 @@ void Node::boot_up(const Instant now) noexcept {
     // now.
     emcy_.set(ErrorId::error_passive, can_state_ >= CanState::error_passive, now);
     error_control_.boot_up(node_id_, now);
+    static_assert(implements<req::CO_NMT_012>);
     enter(NmtState::pre_operational, now);
     watch_communication(now);
     application_.booted(now);

@@ -73,7 +73,7 @@ class Application : public LssApplication {
     /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
     /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
     virtual Result<ByteView, AbortCode> domain_value(const EntryRef& entry) {
-        static_assert(implements<req::CO_SDO_046>);
+        static_assert(implements<req::CO_SDO_046> && implements<req::CO_SDO_061>);
         static_cast<void>(entry);
         return Result<ByteView, AbortCode>::failure(AbortCode::unsupported_access);
     }

@@ -18,7 +18,7 @@ AbortCode Node::check_program(const EntryRef& entry) noexcept {
     return application_.check_access(entry);
 }
 
-static_assert(implements<req::CO_SDO_009>);
+static_assert(implements<req::CO_SDO_058>);
 Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uint8_t subindex) {
     using Read = Result<ByteView, AbortCode>;
     const EntryRef entry = objects_.lookup(index, subindex);
@@ -49,6 +49,7 @@ Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const st
     if (code != AbortCode::none) {
         return Place::failure(code);
     }
+    static_assert(implements<req::CO_SDO_009>);
     if (!entry.may(rights::write)) {
         return Place::failure(AbortCode::read_only);
     }

@@ -92,6 +92,7 @@ EntryRef ObjectDictionary::lookup(const std::uint16_t index, const std::uint8_t 
     return search(tables, object, subindex);
 }
 
+static_assert(implements<req::CO_SDO_057>);
 AbortCode ObjectDictionary::missing(const std::uint16_t index) const noexcept {
     return has(index, 0U) ? AbortCode::subindex_missing : AbortCode::object_missing;
 }
@@ -117,6 +118,7 @@ ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     return bytes.part(0U, length);
 }
 
+static_assert(implements<req::CO_SDO_010> && implements<req::CO_SDO_059>);
 AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView value) const noexcept {
     const AbortCode code = check_length(*entry.row, value.size());
     return (code == AbortCode::none) ? check_value(entry, value) : code;
@@ -148,7 +150,7 @@ std::int64_t ObjectDictionary::integer_limit(const Limit& limit, const EntryRow&
     return as_integer(row.type, bits) + limit.add;
 }
 
-static_assert(implements<req::CO_SDO_040>);
+static_assert(implements<req::CO_SDO_040> && implements<req::CO_SDO_062>);
 static_assert(implements<req::CO_EMCY_027>);
 AbortCode ObjectDictionary::check_limits(const EntryRow& row, const std::uint64_t bits) const noexcept {
     const LimitRow& limits = tables_.limits[row.limit];

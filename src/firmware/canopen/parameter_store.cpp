@@ -142,6 +142,7 @@ BankState ParameterStore::inspect(const std::size_t bank, Header& header) const 
     return is_sound ? BankState::sound : state;
 }
 
+static_assert(implements<req::CO_STORE_006> && implements<req::CO_STORE_017>);
 void ParameterStore::open() noexcept {
     BankState held{BankState::unused};
     for (std::size_t bank = 0U; bank < bank_count; ++bank) {

@@ -75,6 +75,7 @@ AbortCode check_mapping_count(const ObjectDictionary& objects, const std::uint32
             return AbortCode::mapping_too_long;
         }
         const std::uint32_t entry = objects.read(index, subindex);
+        static_assert(implements<req::CO_PDO_064>);
         const AbortCode code = (entry == 0U) ? AbortCode::not_mappable : check_mapping_entry(objects, right, entry);
         if (code != AbortCode::none) {
             return code;

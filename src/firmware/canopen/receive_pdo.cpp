@@ -40,7 +40,7 @@ void ReceivePdos::refresh(const std::size_t number) noexcept {
     mark(came_late, number, false);
 }
 
-static_assert(implements<req::CO_PDO_036>);
+static_assert(implements<req::CO_PDO_036> && implements<req::CO_PDO_066>);
 void ReceivePdos::stop() noexcept {
     for (ReceivePdo& rpdo : rpdos_) {
         rpdo.waits = false;
@@ -57,7 +57,7 @@ inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) no
     if (!taken || has_failed()) {
         const std::size_t number = number_of(rpdo);
         mark(came_short, number, is_short);
-        static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_034>);
+        static_assert(implements<req::CO_PDO_034>);
         if (!is_short) {
             mark(came_refused, number, !taken);
         }
@@ -67,13 +67,14 @@ inline bool ReceivePdos::is_taken(const ReceivePdo& rpdo, const Frame& frame) no
 
 static_assert(implements<req::CO_PDO_001>);
 inline void ReceivePdos::take(ReceivePdo& rpdo, const Frame& frame, const Instant now) noexcept {
+    static_assert(implements<req::CO_PDO_033> && implements<req::CO_PDO_065>);
     if (!is_taken(rpdo, frame)) {
         return;
     }
-    static_assert(implements<req::CO_PDO_021>);
+    static_assert(implements<req::CO_PDO_067>);
     if (rpdo.parameters.event.us != 0U) {
         mark(came_late, number_of(rpdo), false);
-        static_assert(implements<req::CO_PDO_040>);
+        static_assert(implements<req::CO_PDO_040> && implements<req::CO_PDO_066>);
         rpdo.due = now + rpdo.parameters.event;
         schedule();
     }
@@ -132,6 +133,7 @@ void ReceivePdos::sync(const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_PDO_021>);
 void ReceivePdos::find_overdue(const Instant now) noexcept {
     for (std::size_t number = 0U; number < rpdos_.size(); ++number) {
         if (rpdos_[number].due <= now) {

@@ -79,6 +79,7 @@ AbortCode SdoServer::open_download(const bool has_size, const std::uint32_t anno
         return place.error();
     }
     const std::size_t capacity = place.value().capacity;
+    static_assert(implements<req::CO_SDO_010>);
     if (has_size && (announced > capacity)) {
         return AbortCode::too_long;
     }
@@ -93,7 +94,7 @@ AbortCode SdoServer::open_download(const bool has_size, const std::uint32_t anno
     return AbortCode::none;
 }
 
-static_assert(implements<req::CO_SDO_010>);
+static_assert(implements<req::CO_SDO_060>);
 static_assert(implements<req::CO_SDO_011>);
 AbortCode SdoServer::commit(const std::size_t size, const Instant now) noexcept {
     if (has_size_ && (announced_ != size)) {
@@ -191,13 +192,14 @@ void SdoServer::initiate_upload(const sdo::Request& request, const Instant now) 
     }
 }
 
+static_assert(implements<req::CO_SDO_002>);
 void SdoServer::upload_in_segments(const ByteView value, const Instant now) noexcept {
     value_ = keep(value);
     begin(State::uploading, now);
     answer_object(sdo::upload_initiated | sdo::size_flag, static_cast<std::uint32_t>(value_.size()));
 }
 
-static_assert(implements<req::CO_SDO_002>);
+static_assert(implements<req::CO_SDO_055>);
 static_assert(implements<req::CO_SDO_019>);
 void SdoServer::upload_segment(const sdo::Request& request, const Instant now) noexcept {
     const std::uint8_t command = request[0];
@@ -217,7 +219,7 @@ void SdoServer::upload_segment(const sdo::Request& request, const Instant now) n
     send((data << 8U) | specifier);
 }
 
-static_assert(implements<req::CO_SDO_018>);
+static_assert(implements<req::CO_SDO_018> && implements<req::CO_SDO_056>);
 void SdoServer::refuse_command() noexcept {
     if (state_ == State::idle) {
         // No transfer is open and the request has no object: the abort must not contain the object of an earlier
@@ -247,8 +249,7 @@ void SdoServer::proceed(const Instant now) noexcept {
         idle_until_ = deadline();
     }
 }
-static_assert(implements<req::CO_SDO_036>);
-static_assert(implements<req::CO_SDO_042>);
+static_assert(implements<req::CO_SDO_036> && implements<req::CO_SDO_063>);
 void SdoServer::abort(const AbortCode code) noexcept {
     abandon();
     answer_object(sdo::aborted, static_cast<std::uint32_t>(code));

@@ -26,6 +26,7 @@ void Sync::allow(const bool allowed, const Instant now) noexcept {
     }
 }
 
+static_assert(implements<req::CO_SYNC_011>);
 void Sync::restart(const Instant now) noexcept {
     counter_ = 0U;
     identifier_ = cob_id::identifier(objects_.read(index::sync_cob_id, 0U));
@@ -59,6 +60,7 @@ AbortCode Sync::before_write(const EntryRef& entry, const std::uint32_t value) c
     if (entry.index == index::sync_cob_id) {
         const std::uint32_t current = objects_.read(index::sync_cob_id, 0U);
         // Bit 31 has no meaning here (CiA 301, 7.5.2.5): it is accepted and kept.
+        static_assert(implements<req::CO_SYNC_012>);
         return cob_id::check_change(current, value & ~cob_id::not_valid, cob_id::produces_sync, is_producer());
     }
     if (entry.index != index::sync_counter_overflow) {

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/base/requirement.hpp"
 #include "firmware/canopen/frame.hpp"
+#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -64,6 +66,7 @@ class TransmitQueue {
     }
     [[gnu::always_inline]] bool append(const std::uint32_t id, const std::uint8_t length,
                                        const std::uint64_t data) noexcept {
+        static_assert(implements<req::CO_FRAME_002>);
         if (!goes_last(id)) {
             return insert(data_frame(id, length, data));
         }

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include "host/register/refs.hpp"
@@ -110,9 +112,17 @@ bool begins_sentence(const std::string& word) {
     return (word.front() >= 'A' && word.front() <= 'Z') || (word.front() >= '0' && word.front() <= '9');
 }
 
+/// Returns whether the word begins a condition of a requirement.
+bool begins_condition(const std::string& word) {
+    static constexpr std::array<std::string_view, 10> conditions{"if",     "when",  "whenever", "while",  "where",
+                                                                 "unless", "until", "after",    "before", "once"};
+    return std::find(conditions.begin(), conditions.end(), word) != conditions.end();
+}
+
 struct Demands {
     std::size_t shalls{0};
     std::size_t sentences{1};
+    std::string condition;  ///< the word behind a semicolon that begins a second condition; empty when there is none
 };
 
 Demands demands_in(const std::string& text) {
@@ -122,6 +132,9 @@ Demands demands_in(const std::string& text) {
         const std::string& word = words[i];
         found.shalls += word == "shall" || word == "shall," ? 1U : 0U;
         found.sentences += i > 0 && ends_sentence(words[i - 1]) && begins_sentence(word) ? 1U : 0U;
+        if (i > 0 && words[i - 1].back() == ';' && begins_condition(word)) {
+            found.condition = word;
+        }
     }
     return found;
 }
@@ -132,12 +145,21 @@ void advise_on_requirements(const Register& content, Faults& advice) {
             continue;
         }
         for (const auto& requirement : part.requirements) {
+            if (!requirement.retired.empty()) {
+                continue;
+            }
             const Demands found = demands_in(requirement.text);
-            if (requirement.retired.empty() && (found.shalls > 1 || found.sentences > 1)) {
+            if (found.shalls > 1 || found.sentences > 1) {
                 advice.emplace_back(requirement.place,
                                     fmt::format("{} demands several things: {} sentence(s), \"shall\" {} time(s)",
                                                 requirement.id, found.sentences, found.shalls),
                                     "write one requirement for each demand");
+            }
+            if (!found.condition.empty()) {
+                advice.emplace_back(requirement.place,
+                                    fmt::format("{} has a second condition behind a semicolon: \"; {}\"",
+                                                requirement.id, found.condition),
+                                    "write one requirement for each condition, or one condition for both");
             }
         }
     }

@@ -50,7 +50,7 @@ std::uint32_t sample_error(const BitTiming& timing) noexcept {
 
 }  // namespace
 
-static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_009>);
+static_assert(implements<req::CO_CAN_001> && implements<req::CO_CAN_009> && implements<req::CO_CAN_014>);
 Result<BitTiming, BitTimingError> bit_timing(const std::uint32_t clock_hz, const std::uint32_t bit_rate) noexcept {
     using Found = Result<BitTiming, BitTimingError>;
     BitTiming best{};

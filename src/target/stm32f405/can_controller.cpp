@@ -111,7 +111,7 @@ void CanController::set_filters() noexcept {
     registers_.filter_master.clear(filter_initialise);
 }
 
-static_assert(implements<req::CO_CAN_007> && implements<req::CO_CAN_008>);
+static_assert(implements<req::CO_CAN_007> && implements<req::CO_CAN_008> && implements<req::CO_CAN_015>);
 void CanController::watch_bus(const Instant now) noexcept {
     const bool was_off = state_ == CanState::bus_off;
     state_ = read_state();

@@ -70,7 +70,7 @@ class DeviceLoop {
             drive_outputs();
             test(now);
         }
-        static_assert(implements<req::CO_SELF_005> && implements<req::CO_SELF_008>);
+        static_assert(implements<req::CO_SELF_005> && implements<req::CO_SELF_008> && implements<req::CO_WATCHDOG_002>);
         if (failed_ == SelfTest::none) {
             watchdog_.refresh();
         } else {
@@ -84,7 +84,7 @@ class DeviceLoop {
   private:
     /// Compares the queue with its checksum before anything uses it, then serves the controller.
     void serve_bus(const Instant now) noexcept {
-        static_assert(implements<req::CO_SELF_011>);
+        static_assert(implements<req::CO_SELF_017>);
         if (!queue_state_.matches()) {
             fail(SelfTest::state);
         }
@@ -100,7 +100,7 @@ class DeviceLoop {
 
     /// Decides whether the device computes in this pass: a sample of the inputs, a frame or a deadline is due. If so,
     /// compares its state with the checksum.
-    static_assert(implements<req::CO_SELF_011> && implements<req::CO_SELF_012>);
+    static_assert(implements<req::CO_SELF_011> && implements<req::CO_SELF_012> && implements<req::CO_SELF_018>);
     void prepare(const Instant now) noexcept {
         samples_ = next_sample_ <= now;
         has_frame_ = can_.receive(frame_);

@@ -70,7 +70,7 @@ void Can::send(const Frame& frame) noexcept {
 
 /// Each read of a word takes it out of the FIFO. RXNEMP stays set until it is cleared, and is set again at once while
 /// another frame waits (UG1087, ISR).
-static_assert(implements<req::CO_ZCAN_006> && implements<req::CO_ZCAN_009>);
+static_assert(implements<req::CO_ZCAN_006> && implements<req::CO_ZCAN_009> && implements<req::CO_ZCAN_012>);
 bool Can::receive(Frame& frame) noexcept {
     if (!registers_.interrupt_status.has(isr::not_empty)) {
         return false;
@@ -89,7 +89,7 @@ bool Can::receive(Frame& frame) noexcept {
     return true;
 }
 
-static_assert(implements<req::CO_ZCAN_009>);
+static_assert(implements<req::CO_ZCAN_012>);
 bool Can::take_overrun() noexcept {
     const bool lost = registers_.interrupt_status.has(isr::overrun);
     if (lost) {

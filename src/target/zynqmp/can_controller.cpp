@@ -80,7 +80,7 @@ void CanController::advance(const Instant now) noexcept {
 
 /// Handles hardware that does not take its next step: resets it again and reports bus-off. Only a controller that waits
 /// for an idle bus is left alone, because it joins when the bus is idle.
-static_assert(implements<req::CO_ZCAN_004>);
+static_assert(implements<req::CO_ZCAN_004> && implements<req::CO_ZCAN_011>);
 void CanController::give_up_waiting(const Instant now) noexcept {
     if (elapsed(since_, now).us < most_wait.us) {
         return;

@@ -83,9 +83,10 @@ TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
     const Row straight = angles_of(20.0, -50.0);
     // Tilt: pitch 20, roll -asin 0.71985 = -46.04, gravity angle acos 0.60402 = 52.84.
     EXPECT_EQ(straight, (Row{2000, -4604, 5284}));
-    // The attitude is the same, with yaw 90. The unit measures R(roll) R(pitch) R(yaw) of the vertical. A turn about
-    // the vertical does not change the vertical. sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
+    // Yaw 90 keeps the vertical: sin 20 = 0.34202, cos 20 sin 50 = 0.71985, cos 20 cos 50 = 0.60402.
     EXPECT_EQ(angles_at(0.342020, 0.719846, -0.604023), straight);
+    write(0x2100, 0, 0, 1);
+    EXPECT_EQ(angles(), (Row{2000, -5000, 5284})) << "Euler angles";
 }
 
 TEST_F(Angles, TiltRollIsMeasuredInGimbalLock) {
@@ -221,7 +222,7 @@ TEST_F(Angles, AutoNullIsLostAtResetNodeUnlessStored) {
 }
 
 TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
-    verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401>();
+    verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401, req::INC_INSTALL_011>();
     factory.calibration = {30.0F, 90.0F};
     power_on();
     switch_filter_off();

@@ -18,7 +18,7 @@ using List = std::vector<std::uint32_t>;
 
 TEST_F(Ax060805Errors, AccelerometerFaultIsFF00h) {
     verifies<req::INC_ERR_006, req::INC_ERR_007, req::INC_ERR_001, req::INC_T22, req::INC_OD_1001, req::INC_OD_1003,
-             req::INC_S_ACCELEROMETER_FAULT>();
+             req::INC_S_ACCELEROMETER_FAULT, req::INC_ERR_020, req::CO_EMCY_009, req::CO_K_EMCY_ID>();
     EXPECT_EQ(fail_accelerometer(), (Frames{"5:0FF#00FF010000000000"}));
     EXPECT_EQ(read(0x1001), 1U);
     EXPECT_EQ(listed(), (List{0x0000FF00}));
@@ -202,7 +202,7 @@ TEST_F(Ax060805Errors, ErrorThatOutlastsResetNodeIsReportedAgain) {
 }
 
 TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
-    verifies<req::INC_ERR_002, req::INC_OD_1003>();
+    verifies<req::INC_ERR_002, req::INC_OD_1003, req::INC_ERR_017, req::INC_ERR_018>();
     write(0x1029, 1, 1, 1);
     write(0x1029, 2, 1, 1);
     write(0x1400, 5, 50, 2);
@@ -226,7 +226,7 @@ TEST_F(Ax060805Errors, ErrorListHoldsFourActiveErrors) {
 }
 
 TEST_F(Ax060805Errors, ErrorListCanBeClearedWhileErrorsLast) {
-    verifies<req::INC_ERR_003, req::INC_ERR_013, req::INC_OD_1003>();
+    verifies<req::INC_ERR_003, req::INC_ERR_013, req::INC_OD_1003, req::INC_ERR_019>();
     fail_accelerometer();
     EXPECT_EQ(refusal(0x1003, 0, 1, 1), "06090030");
     EXPECT_EQ(refusal(0x1003, 0, 15, 1), "06090030");
@@ -278,7 +278,8 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
 }
 
 TEST_F(Ax060805Errors, MissingHeartbeatIsReportedWithItsNodeId) {
-    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016>();
+    verifies<req::INC_ERR_004, req::INC_ERR_014, req::INC_ERR_010, req::INC_HB_002, req::INC_T22, req::INC_OD_1016,
+             req::INC_HB_005>();
     write(0x1016, 1, 0x002200C8, 4);  // 1016h:1 consumer heartbeat time: node 22h, 200 ms
     pass(1000);                       // the device monitors the producer only after its first heartbeat
     EXPECT_EQ(read(0x1001), 0U);
@@ -366,7 +367,7 @@ TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational)
 }
 
 TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
-    verifies<req::INC_ERR_012, req::INC_T22>();
+    verifies<req::INC_ERR_012, req::INC_T22, req::INC_ERR_021>();
     write_real(0x2200, 0, 12.0F);
     write(0x1010, 1, 0x65766173, 4);
     std::array<std::uint8_t, 1> byte{};
@@ -383,7 +384,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::INC_ERR_012, req::CO_EMCY_031>();
+    verifies<req::CO_EMCY_031, req::INC_ERR_021>();
     write(0x1010, 1, 0x65766173, 4);
     memory.bytes()[200] ^= 0x01;
     inputs.can_state = 3;

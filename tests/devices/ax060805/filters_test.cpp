@@ -217,7 +217,7 @@ TEST_F(Filters, AdditionalFiltersSampleAtTheCommonRate) {
 }
 
 TEST_F(Filters, FilterRateOf1msRepeatsSamplesOfTheSensor) {
-    verifies<req::INC_AVG_004>();
+    verifies<req::INC_AVG_014>();
     switch_filter_off();
     set_filter(1, 1, 10);
     write(0x2052, 0, 1, 2);
@@ -264,7 +264,7 @@ TEST_F(Filters, FiltersAverageTheShortWayAcross180Degrees) {
 }
 
 TEST_F(Filters, NewTypeConstantOrRateRestartsTheFilter) {
-    verifies<req::INC_AVG_007, req::INC_AVG_012>();
+    verifies<req::INC_AVG_007, req::INC_AVG_012, req::INC_AVG_015>();
     switch_filter_off();
     set_filter(1, 1, 100);
     pass(500);

@@ -187,7 +187,7 @@ TEST_F(Functions, ParametersOutsideTheirRangesAreRefused) {
 }
 
 TEST_F(Functions, NoInputIsConnectedAsShipped) {
-    verifies<req::INC_BIN_010, req::INC_GLOBAL_003>();
+    verifies<req::INC_BIN_010>();
     turn(30.0, 30.0);
     pass(10);
     for (int function = 1; function <= 10; ++function) {

@@ -24,7 +24,8 @@ TEST_F(Network, Tpdo1IsSentEvery250msWithAnglesAndFigureOfMerit) {
 }
 
 TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
-    verifies<req::INC_PDO_003, req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1A01, req::INC_OD_1A02>();
+    verifies<req::INC_PDO_003, req::INC_OD_1801, req::INC_OD_1802, req::INC_OD_1A01, req::INC_OD_1A02, req::INC_PDO_010,
+             req::INC_PDO_011>();
     acceleration_digits(1000);
     inputs.sensor_temperature = 21.0F;
     inputs.supply_voltage = 12.0F;
@@ -63,7 +64,7 @@ TEST_F(Network, Tpdo1And2DoNotAnswerRemoteFrames) {
 }
 
 TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
-    verifies<req::INC_PDO_001, req::INC_OD_1400, req::INC_OD_1600, req::INC_OD_2500>();
+    verifies<req::INC_PDO_001, req::INC_OD_1400, req::INC_OD_1600, req::INC_OD_2500, req::INC_PDO_009>();
     send("000#0100");
     send("27F#0102FEFF0080");
     EXPECT_EQ(value(0x2500, 1), 0x0201);
@@ -76,8 +77,8 @@ TEST_F(Network, Rpdo1SetsTheThreeReceivedValues) {
 }
 
 TEST_F(Network, Rpdo2To4AreInvalidAndEmpty) {
-    verifies<req::INC_PDO_001, req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602,
-             req::INC_OD_1603>();
+    verifies<req::INC_OD_1401, req::INC_OD_1402, req::INC_OD_1403, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603,
+             req::INC_PDO_009>();
     const std::vector<std::uint32_t> cob_ids{0xC000037FU, 0xC000047FU, 0xC000057FU};
     for (std::uint16_t pdo = 0; pdo < 3; ++pdo) {
         EXPECT_EQ(read(static_cast<std::uint16_t>(0x1401 + pdo), 1), cob_ids[pdo]);

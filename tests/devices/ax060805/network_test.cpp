@@ -113,7 +113,7 @@ TEST_F(Network, RestoredDefaultsKeepNodeIdAndBitRateOfLss) {
 
 TEST_F(Network, ParametersAreStoredAndRestoredByGroup) {
     verifies<req::INC_STORE_001, req::INC_STORE_002, req::INC_STORE_004, req::INC_OD_1010, req::INC_OD_1011,
-             req::INC_OD_1017>();
+             req::INC_OD_1017, req::INC_STORE_005>();
     const auto change = [this] {
         write(0x1017, 0, 500, 2);
         write(0x2003, 0, 20, 1);
@@ -203,7 +203,7 @@ TEST_F(Network, IdentityAndSoftwareDateAreThoseOfTheUnit) {
 }
 
 TEST_F(Network, HeartbeatPeriodIs0OrAtLeast10Milliseconds) {
-    verifies<req::INC_HB_001, req::INC_HB_003, req::INC_OD_1017>();
+    verifies<req::INC_HB_001, req::INC_HB_003, req::INC_OD_1017, req::INC_HB_004>();
     EXPECT_EQ(pass(100), (Frames{}));
     write(0x1017, 0, 10, 2);
     EXPECT_EQ(pass(20), (Frames{"10:77F#7F", "20:77F#7F"}));

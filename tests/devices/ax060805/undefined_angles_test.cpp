@@ -45,7 +45,7 @@ TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
 }
 
 TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
-    verifies<req::INC_ANGLE_008>();
+    verifies<req::INC_ANGLE_019>();
     use_euler_angles();
     write(0x1010, 1, 0x65766173, 4);
     feel(1.0, 0.0, 0.0);
@@ -57,7 +57,7 @@ TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
 }
 
 TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
-    verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210>();
+    verifies<req::INC_ANGLE_008, req::INC_OD_2200, req::INC_OD_2210, req::INC_ANGLE_019>();
     use_euler_angles();
     angles_of(0.0, 40.0);
     angles_at(1.0, 0.0, 0.0);
@@ -75,7 +75,7 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
 /// The initial angles change. In the new frame of reference, the only direction of gravity so far is vertical except
 /// for a hundred-thousandth of a degree.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
-    verifies<req::INC_ANGLE_008>();
+    verifies<req::INC_ANGLE_019>();
     use_euler_angles();
     feel(0.0, 3.0e-7, -1.0);
     pass(5);
@@ -182,7 +182,7 @@ TEST_F(UndefinedAngles, AnglesAfterASensorErrorWithoutGravityFollowNewSettings) 
 }
 
 TEST_F(UndefinedAngles, AnglesAreZeroWithoutGravitySincePowerOn) {
-    verifies<req::INC_ANGLE_011>();
+    verifies<req::INC_ANGLE_020>();
     feel(0.0, 0.0, 0.0);
     power_on();
     EXPECT_EQ(angles(), (Row{0, 0, 0}));

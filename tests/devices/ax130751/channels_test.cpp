@@ -84,7 +84,7 @@ TEST_F(Ax130751Channels, EachOutputHasItsOwnEnableInputAndResponse) {
 }
 
 TEST_F(Ax130751Channels, EachAnalogueOutputHasItsOwnFaultModeAndValue) {
-    verifies<req::AOR_OUT_011, req::AOR_T09>();
+    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_042>();
     for (const int ours : {1, 2}) {
         SCOPED_TRACE(ours);
         const int other = 3 - ours;
@@ -102,7 +102,7 @@ TEST_F(Ax130751Channels, EachAnalogueOutputHasItsOwnFaultModeAndValue) {
 }
 
 TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
-    verifies<req::AOR_DO_005, req::AOR_T02>();
+    verifies<req::AOR_DO_005, req::AOR_T02, req::AOR_DO_015>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
     for (const int ours : {1, 2}) {
@@ -127,7 +127,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
 }
 
 TEST_F(Ax130751Channels, EachOutputHasItsOwnLevelPolarityAndBlinkRate) {
-    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE>();
+    verifies<req::AOR_OUT_021, req::AOR_DO_003, req::AOR_DO_010, req::AOR_T_DIGITAL_RANGE, req::AOR_OUT_048>();
     set16(0x6310, 1, 1020);
     set16(0x6310, 2, 1020);
     set8(0x6220, 1, 1);

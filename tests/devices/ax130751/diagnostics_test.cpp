@@ -45,7 +45,7 @@ TEST_F(Ax130751Diagnostics, SupplyAndTemperatureAreMeasured) {
 }
 
 TEST_F(Ax130751Diagnostics, UnderVoltageFaultHasHysteresis) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_006, req::AOR_DIAG_009>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_006, req::AOR_DIAG_009, req::AOR_DIAG_015>();
     supply(8.0F);
     EXPECT_TRUE(all_run()) << "at the threshold";
     supply(7.9F);
@@ -57,7 +57,7 @@ TEST_F(Ax130751Diagnostics, UnderVoltageFaultHasHysteresis) {
 }
 
 TEST_F(Ax130751Diagnostics, OverVoltageFaultHasHysteresis) {
-    verifies<req::AOR_DIAG_003, req::AOR_DIAG_006>();
+    verifies<req::AOR_DIAG_003, req::AOR_DIAG_006, req::AOR_DIAG_016>();
     supply(35.0F);
     EXPECT_TRUE(all_run());
     supply(35.1F);
@@ -69,7 +69,7 @@ TEST_F(Ax130751Diagnostics, OverVoltageFaultHasHysteresis) {
 }
 
 TEST_F(Ax130751Diagnostics, OverTemperatureFaultHasHysteresis) {
-    verifies<req::AOR_DIAG_004, req::AOR_DIAG_006>();
+    verifies<req::AOR_DIAG_004, req::AOR_DIAG_006, req::AOR_DIAG_017>();
     temperature(85.0F);
     EXPECT_TRUE(all_run());
     temperature(85.1F);
@@ -81,7 +81,8 @@ TEST_F(Ax130751Diagnostics, OverTemperatureFaultHasHysteresis) {
 }
 
 TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_003, req::AOR_DIAG_004, req::AOR_DIAG_015, req::AOR_DIAG_016,
+             req::AOR_DIAG_017>();
     set8(0x5022, 0, 20);
     set8(0x5023, 0, 28);
     set8(0x5024, 0, 1);
@@ -104,7 +105,7 @@ TEST_F(Ax130751Diagnostics, FaultsFollowTheConfiguredThresholds) {
 }
 
 TEST_F(Ax130751Diagnostics, FaultEndsWhenItsDetectionIsSwitchedOff) {
-    verifies<req::AOR_DIAG_005, req::AOR_DIAG_011>();
+    verifies<req::AOR_DIAG_005, req::AOR_DIAG_011, req::AOR_DIAG_018>();
     supply(7.5F);
     EXPECT_TRUE(all_off());
     set8(0x5021, 0, 0);
@@ -168,7 +169,7 @@ TEST_F(Ax130751Diagnostics, ShutdownPrecedesTheOverrideOfOutputAndRelay) {
 }
 
 TEST_F(Ax130751Diagnostics, OutputsRampFromOffAfterAShutdown) {
-    verifies<req::AOR_DIAG_009>();
+    verifies<req::AOR_DIAG_009, req::AOR_DIAG_020>();
     set16(0x2330, 1, 1000);
     supply(7.5F);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
@@ -204,7 +205,8 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
 }
 
 TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
-    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_T_FAULT_CODES, req::AOR_DIAG_019,
+             req::AOR_DIAG_021>();
     EXPECT_EQ(supply(7.5F), (Frames{"1:0FF#0031010000000000"}));
     EXPECT_EQ(read(0x1001, 0), 1U);
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0042010000000000"}));
@@ -219,7 +221,7 @@ TEST_F(Ax130751Diagnostics, FaultsAreReportedAndListed) {
 }
 
 TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeATemperatureFaultOfTheSameCycle) {
-    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_DIAG_013, req::AOR_ERR_003, req::AOR_DIAG_019>();
     inputs.supply = 7.5F;
     EXPECT_EQ(temperature(99.0F), (Frames{"1:0FF#0031010000000000", "1:0FF#0042010000000000"}));
     EXPECT_EQ(read(0x1003, 1), 0x00004200U) << "the newest";
@@ -229,7 +231,7 @@ TEST_F(Ax130751Diagnostics, SupplyFaultIsReportedBeforeATemperatureFaultOfTheSam
 }
 
 TEST_F(Ax130751Diagnostics, FaultThatEndedBeforeTheNodeHasANodeIdIsNotReported) {
-    verifies<req::AOR_DIAG_007>();
+    verifies<req::AOR_DIAG_007, req::AOR_DIAG_019, req::CO_EMCY_009>();
     send("000#807F");
     send("7E5#0401");
     EXPECT_EQ(send("7E5#11FF"), (Frames{"7E4#110000"}));

@@ -94,7 +94,8 @@ class Ax130751Edges : public Ax130751Blocks {
 // --- supply and temperature (1.8, chapter 4) -----------------------------------------------------------------------
 
 TEST_F(Ax130751Edges, UnderVoltageBeginsBelow8VoltsAndEndsAt13Volts) {
-    verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5022, req::AOR_OD_5024>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5022, req::AOR_OD_5024,
+             req::AOR_DIAG_015>();
     EXPECT_EQ(supply(8.0F), "");
     EXPECT_EQ(supply(next_below(8.0F)), "3100");
     EXPECT_EQ(supply(8.0F), "") << "it goes on above its threshold";
@@ -103,7 +104,8 @@ TEST_F(Ax130751Edges, UnderVoltageBeginsBelow8VoltsAndEndsAt13Volts) {
 }
 
 TEST_F(Ax130751Edges, OverVoltageBeginsAbove35VoltsAndEndsAt30Volts) {
-    verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5023, req::AOR_OD_5024>();
+    verifies<req::AOR_DIAG_003, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5023, req::AOR_OD_5024,
+             req::AOR_DIAG_016>();
     EXPECT_EQ(supply(35.0F), "");
     EXPECT_EQ(supply(next_above(35.0F)), "3100");
     EXPECT_EQ(supply(35.0F), "") << "it goes on below its threshold";
@@ -112,7 +114,8 @@ TEST_F(Ax130751Edges, OverVoltageBeginsAbove35VoltsAndEndsAt30Volts) {
 }
 
 TEST_F(Ax130751Edges, OverTemperatureBeginsAbove85DegreesAndEndsAt60Degrees) {
-    verifies<req::AOR_DIAG_004, req::AOR_DIAG_007, req::AOR_DIAG_012, req::AOR_OD_5032, req::AOR_OD_5033>();
+    verifies<req::AOR_DIAG_004, req::AOR_DIAG_012, req::AOR_OD_5032, req::AOR_OD_5033, req::AOR_DIAG_017,
+             req::AOR_DIAG_019>();
     EXPECT_EQ(temperature(85.0F), "");
     EXPECT_EQ(temperature(next_above(85.0F)), "4200");
     EXPECT_EQ(temperature(85.0F), "") << "it goes on below its threshold";
@@ -233,7 +236,7 @@ TEST_F(Ax130751Edges, OutputOfEachTypeIsDrivenWithinItsRange) {
 }
 
 TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
-    verifies<req::AOR_OUT_016, req::AOR_OUT_017>();
+    verifies<req::AOR_OUT_017>();
     // The frequency is 50 Hz or more; with 3 decimal digits (6332h), the value to be read would be 50 000 or more.
     make(1, 500);
     set8(0x6332, 1, 3);
@@ -272,7 +275,7 @@ TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
 }
 
 TEST_F(Ax130751Edges, AnalogueControlSwitchesADigitalOutputAtItsScalings) {
-    verifies<req::AOR_DO_002, req::AOR_SRC_007>();
+    verifies<req::AOR_DO_002, req::AOR_SRC_007, req::AOR_SRC_016>();
     make(2, 1020);
     set8(0x2340, 2, canopen);
     set8(0x2341, 2, 7);  // number 7: 2500h:4 (EC Extra Received Process Value)

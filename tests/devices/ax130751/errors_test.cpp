@@ -30,7 +30,7 @@ class Ax130751Errors : public Ax130751Test {
 TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     verifies<req::AOR_ERR_001, req::AOR_ERR_002, req::AOR_ERR_012, req::AOR_ERR_003, req::AOR_ERR_013, req::AOR_ERR_010,
              req::AOR_ERR_016, req::AOR_DIAG_010, req::AOR_T23, req::AOR_HB_001, req::AOR_OD_1001, req::AOR_OD_1003,
-             req::AOR_OD_1016>();
+             req::AOR_OD_1016, req::AOR_ERR_017, req::CO_EMCY_009, req::CO_K_EMCY_ID, req::AOR_HB_003>();
     EXPECT_EQ(write(0x1016, 4, 0x00FFFFFF, 4), "");          // node-ID 255 is unused: it monitors nothing
     EXPECT_EQ(write(0x1016, 4, 0x01000000, 4), "06090031");  // the upper bits are reserved
     EXPECT_EQ(write(0x1016, 4, 0, 4), "");
@@ -51,7 +51,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
 
 // 3.2.9: four producers, each with its own time
 TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
-    verifies<req::AOR_HB_001, req::AOR_OD_1016>();
+    verifies<req::AOR_HB_001, req::AOR_OD_1016, req::AOR_HB_003>();
     for (int slot = 1; slot <= 4; ++slot) {
         EXPECT_EQ(write(0x1016, slot, ((0x20 + slot) << 16) + (100 * slot), 4), "");
     }
@@ -111,7 +111,7 @@ TEST_F(Ax130751Errors, FifthErrorRemovesTheOldestFromTheList) {
 }
 
 TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
-    verifies<req::AOR_ERR_005, req::AOR_ERR_014, req::AOR_OD_1003, req::AOR_OD_1001>();
+    verifies<req::AOR_ERR_005, req::AOR_ERR_014, req::AOR_OD_1003, req::AOR_OD_1001, req::AOR_ERR_018>();
     lose(1, 0x21);
     for (int value = 1; value <= 5; ++value) {
         EXPECT_EQ(write(0x1003, 0, value, 1), "06090030") << value;
@@ -130,7 +130,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
 }
 
 TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
-    verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029>();
+    verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029, req::AOR_ERR_022>();
     struct Case {
         int behaviour;
         NmtState operational;      ///< new state of an operational node
@@ -196,7 +196,8 @@ TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
 
 // 3.2.5, 3.2.6: 100 ms times 2
 TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
-    verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D>();
+    verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D,
+             req::AOR_GUARD_002>();
     EXPECT_EQ(write(0x100C, 0, 100, 2), "");
     EXPECT_EQ(write(0x100D, 0, 2, 1), "");
     EXPECT_EQ(send("77F#R"), (Frames{"77F#7F"}));
@@ -275,7 +276,7 @@ TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
 
 // 3.2.7: the stored set is damaged behind its header
 TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
-    verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS>();
+    verifies<req::AOR_ERR_009, req::AOR_T_NODE_ERRORS, req::AOR_ERR_021>();
     EXPECT_EQ(write(0x5032, 0, 99, 1), "");
     store();
     for (std::size_t at = 100; at < 110; ++at) {
@@ -289,7 +290,7 @@ TEST_F(Ax130751Errors, DamagedStoredSetIsReportedAndTheDefaultsApply) {
 
 // The boot-up message is lost, the errors found at boot-up are not.
 TEST_F(Ax130751Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
-    verifies<req::AOR_ERR_009, req::CO_EMCY_031>();
+    verifies<req::CO_EMCY_031, req::AOR_ERR_021>();
     store();
     memory.bytes()[100] ^= 0x01;
     inputs.can_state = 3;

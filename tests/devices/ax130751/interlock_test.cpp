@@ -197,7 +197,7 @@ TEST_F(Ax130751Interlock, RelayEnableWithoutAValuePutsTheRelayOff) {
 }
 
 TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
-    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016>();
+    verifies<req::AOR_RELAY_018, req::AOR_RELAY_016, req::AOR_RELAY_028>();
     set8(0x2293, 1, 1);  // override state ON
     for (const Choice& choice : without_value) {
         SCOPED_TRACE(fmt::format("source {}, number {}", choice.source, choice.number));
@@ -219,7 +219,7 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
 }
 
 TEST_F(Ax130751Interlock, OverrideInputInErrorPutsTheRelayOff) {
-    verifies<req::AOR_RELAY_011, req::AOR_OUT_007>();
+    verifies<req::AOR_RELAY_011>();
     watch_extra();
     set8(0x2293, 1, 1);
     connect(0x2290, 1, 1);
@@ -322,7 +322,7 @@ TEST_F(Ax130751Interlock, LookupTableRunsInPreOperational) {
 }
 
 TEST_F(Ax130751Interlock, RampStartsFromOffWhenTheNodeIsStartedAgain) {
-    verifies<req::AOR_OUT_041, req::AOR_OUT_012>();
+    verifies<req::AOR_OUT_012, req::AOR_OUT_045>();
     command(1, 5000);
     pass(1000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);

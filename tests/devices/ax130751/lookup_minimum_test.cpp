@@ -142,7 +142,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
 }
 
 TEST_F(Ax130751LookupMinimum, EachMathBlockAndExtraValueHasItsOwnMinimum) {
-    verifies<req::AOR_LT_018, req::AOR_SRC_007>();
+    verifies<req::AOR_LT_018, req::AOR_SRC_007, req::AOR_SRC_016>();
     for (int block = 1; block <= 4; ++block) {
         set16(0x4021, block, -1000 * block);  // the value counts hundredths by default
     }

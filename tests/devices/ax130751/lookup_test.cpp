@@ -171,7 +171,7 @@ TEST_F(Ax130751Lookup, PointsOutOfOrderAreReadInAscendingOrder) {
 }
 
 TEST_F(Ax130751Lookup, XOutsideTheLimitsOfTheSourceIsRefused) {
-    verifies<req::AOR_LT_009, req::AOR_LT_017>();
+    verifies<req::AOR_LT_009, req::AOR_LT_017, req::AOR_LT_031>();
     set8(0x3020, 0, supply_source);  // X can be 8 to 35 V
     for (int point = 1; point <= 11; ++point) {
         EXPECT_EQ(read(0x3026, point), static_cast<std::uint64_t>(10 * (point - 1))) << "8 V is not below 0";
@@ -225,7 +225,7 @@ TEST_F(Ax130751Lookup, NewLimitsReachAnEarlierTableOneCycleLater) {
 }
 
 TEST_F(Ax130751Lookup, TimeResponseRunsWhileTheInputIsOn) {
-    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012>();
+    verifies<req::AOR_LT_010, req::AOR_LT_011, req::AOR_LT_012, req::AOR_LT_029>();
     connect(3, 1);
     set8(0x3035, 1, 1);
     set32(0x3036, 2, 100);
@@ -278,7 +278,7 @@ TEST_F(Ax130751Lookup, AutoRepeatRestartsTheProfile) {
 
 TEST_F(Ax130751Lookup, TimeResponseSetsPoint1AndItsOwnLimits) {
     verifies<req::AOR_LT_014, req::AOR_LT_023, req::AOR_LT_024, req::AOR_K_SHORTEST_INTERVAL,
-             req::AOR_K_LONGEST_INTERVAL>();
+             req::AOR_K_LONGEST_INTERVAL, req::AOR_LT_032>();
     set8(0x3103, 0, 2);
     set32(0x3106, 1, -5);
     set16(0x3107, 1, 77);
@@ -356,7 +356,7 @@ TEST_F(Ax130751Lookup, ErrorPassesThroughAChainAgainstTheEvaluationOrder) {
 }
 
 TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
-    verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004>();
+    verifies<req::AOR_LT_016, req::AOR_LT_025, req::AOR_LT_026, req::AOR_SRC_004, req::AOR_LT_030>();
     set32(0x1401, 1, 0x4000037F);
     set16(0x1401, 5, 50);  // event timer of RPDO2, which maps 2500h:1: 50 ms
     connect(1, 1);

@@ -130,7 +130,7 @@ TEST_F(Ax130751Math, ThreeFunctionsFormAChain) {
 }
 
 TEST_F(Ax130751Math, UnusedInputsAreSkipped) {
-    verifies<req::AOR_MATH_007, req::AOR_MATH_011>();
+    verifies<req::AOR_MATH_007, req::AOR_MATH_011, req::AOR_MATH_016>();
     make(1, 4);
     set8(0x4100, 3, not_used);
     set8(0x4150, 2, 14);

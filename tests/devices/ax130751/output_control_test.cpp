@@ -195,7 +195,7 @@ TEST_F(Ax130751Output, InverseDigitalOutputWithoutAControlIsOff) {
 }
 
 TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
-    verifies<req::AOR_OUT_007, req::AOR_DO_011, req::AOR_OUT_032>();
+    verifies<req::AOR_OUT_007, req::AOR_OUT_032, req::AOR_DO_016>();
     make(1020);
     set8(0x2241, 1, 0);
     set8(0x6220, 1, 1);
@@ -212,7 +212,8 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
 }
 
 TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
-    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_FAULT_ACTION>();
+    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_FAULT_ACTION,
+             req::AOR_OUT_042>();
     make(10);
     set16(0x7341, 1, 1500);
     set16(0x1400, 5, 100);  // RPDO1 is expected every 100 ms

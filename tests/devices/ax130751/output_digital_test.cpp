@@ -7,7 +7,8 @@
 namespace canproof::test {
 
 TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
-    verifies<req::AOR_DO_001, req::AOR_DO_009, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021>();
+    verifies<req::AOR_DO_001, req::AOR_DO_009, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021,
+             req::AOR_OUT_048>();
     for (const int type : {1000, 1020}) {
         SCOPED_TRACE(type);
         make(type);
@@ -31,7 +32,7 @@ TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputFollowsItsPolarity) {
-    verifies<req::AOR_DO_003, req::AOR_DO_007, req::AOR_T01>();
+    verifies<req::AOR_DO_003, req::AOR_DO_007, req::AOR_T01, req::AOR_DO_017>();
     make(1020);
     const auto set = [this](int state) {
         set8(0x6220, 1, state);
@@ -95,7 +96,7 @@ TEST_F(Ax130751Output, AnalogueControlOfADigitalOutputHasHysteresis) {
 }
 
 TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
-    verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_011, req::AOR_T02>();
+    verifies<req::AOR_DO_005, req::AOR_DO_006, req::AOR_DO_011, req::AOR_T02, req::AOR_DO_015>();
     make(1020);
     set8(0x2241, 1, 1);  // inverse: ON unless another drive is active
     connect(0x2350, 1);

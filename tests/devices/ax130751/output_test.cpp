@@ -72,7 +72,7 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
 // --- types (Table 3) -----------------------------------------------------------------------------------------------
 
 TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
-    verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE>();
+    verifies<req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE, req::AOR_OUT_044>();
     make(20);
     command(1, 20000);  // commands 20 mA
     EXPECT_FLOAT_EQ(milliamperes(1), 20.0F);
@@ -98,7 +98,8 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
 }
 
 TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
-    verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL>();
+    verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
+             req::AOR_OUT_047, req::AOR_OUT_048>();
     make(40);
     set16(0x2380, 1, 1200);
     command(1, 375);  // commands 37.5 %
@@ -126,7 +127,7 @@ TEST_F(Ax130751Output, PwmWithFrequency0IsOff) {
 }
 
 TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
-    verifies<req::AOR_OUT_035, req::AOR_OUT_016, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY>();
+    verifies<req::AOR_OUT_035, req::AOR_OUT_021, req::AOR_K_FREQUENCY_DUTY, req::AOR_OUT_046, req::AOR_OUT_048>();
     make(500);
     command(1, 440);
     EXPECT_FLOAT_EQ(hertz(1), 440.0F);
@@ -155,7 +156,7 @@ TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
 }
 
 TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
-    verifies<req::AOR_OUT_025>();
+    verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     command(1, 3000);
     make(0);
@@ -166,7 +167,7 @@ TEST_F(Ax130751Output, OutputOfType0DrivesNothing) {
 }
 
 TEST_F(Ax130751Output, OutputOfType0IgnoresOverrideAndFaultValue) {
-    verifies<req::AOR_OUT_025>();
+    verifies<req::AOR_OUT_025, req::AOR_OUT_049>();
     make(10);
     set16(0x2300, 1, 3000);
     set16(0x7341, 1, 3000);

@@ -223,7 +223,7 @@ TEST_F(Ax130751Pdo, OverdueRpdoIsACommunicationFault) {
 }
 
 TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
-    verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS>();
+    verifies<req::AOR_ERR_008, req::AOR_T_NODE_ERRORS, req::AOR_ERR_019>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
     EXPECT_EQ(send("27F#E8030000"), (Frames{"0FF#1082010000000000"}));  // error 8210h
@@ -236,7 +236,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 
 // 1.2: ON is any value but 0
 TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
-    verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002>();
+    verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002, req::AOR_SRC_015>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();
     for (const int state : {1, 2, 0x80, 0xFF}) {
@@ -281,7 +281,7 @@ TEST_F(Ax130751Pdo, ValueOutsideItsLimitsDiscardsTheWholeRpdo) {
 }
 
 TEST_F(Ax130751Pdo, RpdoWithARefusedValueIsReportedAs8200h) {
-    verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_033, req::CO_PDO_034>();
+    verifies<req::AOR_ERR_015, req::AOR_T_NODE_ERRORS, req::CO_PDO_034, req::AOR_ERR_020>();
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     EXPECT_EQ(write(0x1401, 1, 0x8000037F, 4), "");
     EXPECT_EQ(write(0x1601, 0, 0, 1), "");

@@ -59,7 +59,7 @@ TEST_F(Ax130751Relay, PolaritiesFollowTable10) {
 }
 
 TEST_F(Ax130751Relay, RelayTogglesAtItsBlinkRate) {
-    verifies<req::AOR_RELAY_008>();
+    verifies<req::AOR_RELAY_008, req::AOR_RELAY_026>();
     set8(0x2242, 1, 5);
     EXPECT_TRUE(control(1));
     pass(499);
@@ -111,7 +111,7 @@ TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
 }
 
 TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
-    verifies<req::AOR_RELAY_009, req::AOR_T11, req::AOR_E_ENABLE_ACTION>();
+    verifies<req::AOR_RELAY_009, req::AOR_T11, req::AOR_E_ENABLE_ACTION, req::AOR_RELAY_027>();
     connect(0x2280, 1);
     // Returns two states of the relay while the control is ON: first with enable ON when `on_first` is true, otherwise
     // OFF; then with the opposite enable.
@@ -175,7 +175,7 @@ TEST_F(Ax130751Relay, OverrideResponsesFollowTable12WithBothStates) {
 }
 
 TEST_F(Ax130751Relay, OverridePrecedesEnable) {
-    verifies<req::AOR_RELAY_010, req::AOR_OUT_007>();
+    verifies<req::AOR_RELAY_010>();
     connect(0x2280, 1);  // enable response 0 with its input OFF: the relay is disabled
     connect(0x2290, 2);
     set8(0x2293, 1, 1);
@@ -323,7 +323,7 @@ TEST_F(Ax130751Relay, RelayWithoutAControlIsOffAlsoWithInversePolarities) {
 }
 
 TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
-    verifies<req::AOR_OUT_007, req::AOR_RELAY_009, req::AOR_RELAY_024>();
+    verifies<req::AOR_RELAY_024, req::AOR_RELAY_027>();
     connect(0x2280, 1);
     set8(0x2282, 1, 5);  // enabled when OFF, else it keeps its state
     EXPECT_TRUE(control(1));

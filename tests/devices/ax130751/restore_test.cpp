@@ -46,7 +46,7 @@ class Ax130751Restore : public Ax130751Test {
 }  // namespace
 
 TEST_F(Ax130751Restore, EachGroupGetsItsDefaultsAtPowerOn) {
-    verifies<req::AOR_STORE_001, req::AOR_STORE_005, req::AOR_OD_1011>();
+    verifies<req::AOR_STORE_001, req::AOR_STORE_005, req::AOR_OD_1011, req::AOR_STORE_007>();
     EXPECT_EQ(values(), defaults);
     for (const bool operational : {false, true}) {
         for (int group = 1; group <= 4; ++group) {

@@ -254,7 +254,7 @@ TEST_F(Ax130751Sources, NeverReceivedCommandAndExtraValueAreZero) {
 }
 
 TEST_F(Ax130751Sources, SupplyAndTemperatureAreValidOutsideTheirLimits) {
-    verifies<req::AOR_SRC_008>();
+    verifies<req::AOR_SRC_008, req::AOR_SRC_014>();
     inputs.supply = 7.54F;
     inputs.cpu_temperature = 99.04F;
     set_inputs();

@@ -238,7 +238,8 @@ TEST_F(Ax130751Storage, RestoreKeepsNodeIdAndBitRate) {
 
 // AX130751, 3.2.7
 TEST_F(Ax130751Storage, SaveWorksInEveryStateThatServesSdo) {
-    verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011>();
+    verifies<req::AOR_STORE_001, req::AOR_STORE_002, req::AOR_STORE_003, req::AOR_OD_1010, req::AOR_OD_1011,
+             req::AOR_STORE_007>();
     silence_tpdo1();
     for (int sub = 1; sub <= 4; ++sub) {
         EXPECT_EQ(read(0x1010, sub), 1U);
@@ -347,7 +348,7 @@ TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
 }
 
 TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
-    verifies<req::AOR_NODE_008, req::AOR_NODE_003, req::AOR_OD_5B51>();
+    verifies<req::AOR_NODE_008, req::AOR_NODE_003, req::AOR_OD_5B51, req::AOR_NODE_010>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     const std::size_t before = memory.written();
     store();

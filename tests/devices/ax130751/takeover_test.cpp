@@ -225,7 +225,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
 
 // 1.8: measuring does not depend on detection
 TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
-    verifies<req::AOR_DIAG_001, req::AOR_DIAG_005>();
+    verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);
     write(0x5031, 0, 0, 1);
     inputs.supply = 12.5F;

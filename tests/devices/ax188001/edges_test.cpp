@@ -68,7 +68,7 @@ class Edges : public TcsTest {
 }  // namespace
 
 TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
-    verifies<req::TCS_LIM_001, req::TCS_K_LIMIT_RESOLUTION>();
+    verifies<req::TCS_K_LIMIT_RESOLUTION, req::TCS_LIM_016>();
     const Reading above = closest(true);
     const Reading below = closest(false);
     show(above.uv);
@@ -138,7 +138,7 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
 }
 
 TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
-    verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
+    verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     show_high_limit(17250);
@@ -190,7 +190,7 @@ TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
 }
 
 TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
-    verifies<req::TCS_IN_007, req::TCS_T_REJECTION>();
+    verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
     // 1 V of hum: 110 dB leave 3.16 uV, the wrong frequency 1330 uV (60 Hz selected) or 590 uV (50 Hz selected).
     struct Case {
         std::uint32_t filter;

@@ -211,8 +211,11 @@ TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) 
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x00008110}));
     inputs.can_overrun = false;
     EXPECT_EQ(set_inputs(), (Frames{"0FF#0000000000000000"}));
-    inputs.can_state = 2;
-    EXPECT_EQ(set_inputs(), Frames{});  // error passive has no code in Table 5
+    for (const std::uint8_t state : {std::uint8_t{1}, std::uint8_t{2}}) {
+        inputs.can_state = state;
+        EXPECT_EQ(set_inputs(), Frames{});  // warning limit and error passive have no code in Table 5
+        EXPECT_EQ(read(0x1001).value, 0U);
+    }
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), Frames{});
     inputs.can_state = 0;
@@ -332,7 +335,7 @@ TEST_F(Ax188001Errors, StoppedNodeStaysStoppedAtALimitFault) {
 }
 
 TEST_F(Ax188001Errors, DamagedSetIsReportedAndTheDefaultsApply) {
-    verifies<req::TCS_ERR_011, req::TCS_T5, req::TCS_E_EMCY_CODE>();
+    verifies<req::TCS_ERR_011, req::TCS_T5, req::TCS_E_EMCY_CODE, req::TCS_ERR_022>();
     write(0x4010, 1, 2, 500);
     EXPECT_EQ(write(0x1010, 1, 4, 0x65766173), 0U);
     memory.bytes()[40] ^= 0xFF;

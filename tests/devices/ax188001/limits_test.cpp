@@ -16,7 +16,7 @@ using Limits = TcsTest;
 // One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
-             req::TCS_OD_4020, req::TCS_OD_4030>();
+             req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_LIM_016, req::TCS_LIM_017>();
     write(0x4030, 1, 2, 0);
     const auto status_at = [&](double celsius) {
         heat(1, celsius);
@@ -97,7 +97,7 @@ TEST_F(Limits, LimitFaultClearsWithTheFirstReadingInsideTheLimit) {
 }
 
 TEST_F(Limits, WarningAndShutdownHaveTheirOwnDelays) {
-    verifies<req::TCS_LIM_009>();
+    verifies<req::TCS_LIM_009, req::TCS_LIM_019>();
     heat(1, 130.0);  // the voltage is read at 165 ms
     pass(2000);
     heat(1, 260.0);  // applied at 2000 ms, read at 2145 ms
@@ -132,7 +132,7 @@ TEST_F(Limits, OpenCircuitPrecedesLimitFaultsInTheStatus) {
 }
 
 TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
-    verifies<req::TCS_LIM_007>();
+    verifies<req::TCS_LIM_018>();
     heat(1, 130.0);
     pass(4000);  // the fault is pending since 165 ms
     cut(1);      // cut at 4000 ms, read at 4125 ms, open at 4125 + 1320 = 5445 ms
@@ -186,7 +186,7 @@ TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
 }
 
 TEST_F(Limits, DisablingAChannelDropsPendingFaults) {
-    verifies<req::TCS_LIM_006>();
+    verifies<req::TCS_LIM_020>();
     heat(1, 130.0);
     pass(3000);
     write(0x6112, 1, 1, 0);
@@ -248,7 +248,7 @@ TEST_F(Limits, LimitsStayTenDegreesApart) {
 }
 
 TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
-    verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1>();
+    verifies<req::TCS_CONV_006, req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     write(0x2000, 1, 1, 0);
     write(0x4020, 1, 2, 17350);
     write(0x4010, 1, 2, 17000);
@@ -276,7 +276,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
 }
 
 TEST_F(Limits, RangesOfAllTypesFollowTheManual) {
-    verifies<req::TCS_T1, req::TCS_CONV_011>();
+    verifies<req::TCS_T1, req::TCS_CONV_011, req::TCS_CONV_013>();
     struct Range {
         std::uint32_t type;
         double lowest;

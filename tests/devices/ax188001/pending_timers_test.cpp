@@ -171,7 +171,7 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
 // Read at 165 ms. The circuit breaks at 500 ms, which is detected at 660 + 1320 = 1980, and is closed again at 2500,
 // which the reading at 2640 shows.
 TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
-    verifies<req::TCS_LIM_012, req::TCS_LIM_007>();
+    verifies<req::TCS_LIM_012, req::TCS_LIM_018>();
     struct Limit {
         double celsius;
         const char* message;  ///< emergency message of channel 1, which reports the most severe limit exceeded

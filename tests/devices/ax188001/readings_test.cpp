@@ -21,7 +21,7 @@ TEST_F(Values, LargeVoltageIsReadDuringBootUp) {
 }
 
 TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
-    verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD>();
+    verifies<req::TCS_IN_015, req::TCS_K_UPDATE_PERIOD, req::TCS_IN_021>();
     heat(1, 100.0);
     pass(164);
     EXPECT_EQ(process_value(1), 4768);
@@ -58,7 +58,7 @@ TEST_F(Values, StepOfTheConverterIsFullScaleDividedBy32768) {
 
 TEST_F(Values, JumpTo60MillivoltsIsReadWithin1500Milliseconds) {
     verifies<req::TCS_IN_003, req::TCS_IN_004, req::TCS_IN_016, req::TCS_IN_005, req::TCS_K_SETTLING,
-             req::TCS_K_GAIN_BACK, req::TCS_S_ADC_GAIN, req::TCS_T_GAIN>();
+             req::TCS_K_GAIN_BACK, req::TCS_S_ADC_GAIN, req::TCS_T_GAIN, req::TCS_IN_022>();
     write(0x2000, 1, 1, 0);
     microvolts(1, 60000.0);
     pass(4 * 165);
@@ -105,7 +105,7 @@ TEST_F(Values, GainsHaveTheirThreeFullScales) {
 
 TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_OD_2020, req::TCS_S_HUM, req::TCS_S_MAINS,
-             req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS>();
+             req::TCS_S_ADC_FILTER, req::TCS_S_MICROVOLTS, req::TCS_IN_023>();
     write(0x2000, 1, 1, 0);
     inputs.tc_hum[0] = 1000000.0F;  // 1 V: 110 dB leave 3.16 uV
     const auto swing = [&] {
@@ -138,7 +138,7 @@ TEST_F(Values, HumIsRejectedAtTheSelectedFrequency) {
 }
 
 TEST_F(Values, HumAddsAndSubtractsInTurn) {
-    verifies<req::TCS_IN_007, req::TCS_IN_001, req::TCS_IN_015>();
+    verifies<req::TCS_IN_001, req::TCS_IN_015, req::TCS_IN_023>();
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
     power_on();

@@ -229,7 +229,7 @@ TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
 }
 
 TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
-    verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4>();
+    verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4, req::TCS_LSS_009>();
     // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;

@@ -70,7 +70,7 @@ TEST_F(Output, CalibrationScalesAndShiftsTheOutput) {
 }
 
 TEST_F(Output, OutputIsSetInPreOperationalToo) {
-    verifies<req::AO4_AOUT_005>();
+    verifies<req::AO4_AOUT_005, req::AO4_AOUT_014>();
     EXPECT_EQ(device->state(), NmtState::pre_operational);
     set(4, "0800");
     expect_steps(4, 1);
@@ -239,6 +239,32 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     write("603#2B04240200000000");
     expect_steps(2, 2048);
     expect_steps(1, 0);  // error mode 0: 0 V, without a calibration
+}
+
+TEST_F(OutputInError, CalibrationGainChangesThePresentOutputValue) {
+    verifies<req::AO4_AOUT_011>();
+    // 2405h (Calibration Gain Value) = 256 multiplies by 1 + 256 / 262144 = 1025 / 1024.
+    write("603#2B11640100200000");  // 2000h = 8192: 1024 steps
+    write("603#2B05240100010000");
+    expect_steps(1, 1025);
+    inputs.internal_fault = true;
+    set_inputs();
+    expect_steps(2, 2048);          // the error value
+    write("603#2B05240280000000");  // 128: 2048 * (1 + 128 / 262144) = 2049
+    expect_steps(2, 2049);
+}
+
+TEST_F(OutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
+    verifies<req::AO4_AOUT_007, req::AO4_AOUT_015>();
+    // The values up to 0003h of the upper half give 0 V, 0004h gives one step.
+    for (const auto& [value, steps] : {std::pair{"FFFF0300", 0}, std::pair{"00000400", 1}, std::pair{"FFFF0400", 1}}) {
+        write(std::string{"603#23446402"} + value);
+        inputs.internal_fault = true;
+        set_inputs();
+        expect_steps(2, steps);
+        inputs.internal_fault = false;
+        set_inputs();
+    }
 }
 
 TEST_F(Output, StoredValuesReachEveryOutputAtPowerOn) {

@@ -63,8 +63,26 @@ TEST(RegisterAdvice, RequirementOfSeveralDemandsIsReported) {
                 ElementsAre(HasSubstr("2 sentence(s)")));
 }
 
+TEST(RegisterAdvice, SecondConditionBehindASemicolonIsReported) {
+    EXPECT_THAT(advice_on_text("When bit 3 is set, the box shall blink; when it is clear, the box is silent."),
+                ElementsAre("spec/devices/box/items.toml:1: AO4-R-1 has a second condition behind a semicolon: \"; "
+                            "when\"; write one requirement for each condition, or one condition for both"));
+    for (const char* condition : {"if", "whenever", "while", "where", "unless", "until", "after", "before", "once"}) {
+        EXPECT_THAT(advice_on_text(std::string{"The box shall blink; "} + condition + " bit 3 is set, it is silent."),
+                    testing::SizeIs(1))
+            << condition;
+    }
+}
+
+TEST(RegisterAdvice, OppositeDefinitionOrValueBehindASemicolonGivesNoAdvice) {
+    EXPECT_THAT(advice_on_text("While bit 3 is set, the box shall blink; otherwise it is silent."), IsEmpty());
+    EXPECT_THAT(advice_on_text("The box shall blink while bit 3 is set; the period is 2 s."), IsEmpty());
+    EXPECT_THAT(advice_on_text("The box shall set 2000h; 0 means off and 1 on, if bit 3 is set."), IsEmpty());
+    EXPECT_THAT(advice_on_text("The box shall blink, when bit 3 is set."), IsEmpty());
+}
+
 TEST(RegisterAdvice, RetiredRequirementGivesNoAdvice) {
-    const std::string text = requirement("The box blinks. It is silent.") + "retired = \"merged\"\n";
+    const std::string text = requirement("The box blinks. It is silent; if asked.") + "retired = \"merged\"\n";
     EXPECT_THAT(advice_of(with(items_file, text)), IsEmpty());
 }
 

@@ -107,7 +107,7 @@ void AngleFilter::add_to_window(const std::int64_t turned) noexcept {
     sum_ += turned;
     ++collected_;
     seen_ = std::min(seen_ + 1, samples_);
-    static_assert(implements<req::INC_AVG_002>);
+    static_assert(implements<req::INC_AVG_002> && implements<req::INC_AVG_008>);
     if (collected_ == run_length_) {
         newest_ = (newest_ + 1U) % run_capacity;
         runs_[newest_] = sum_;
@@ -121,7 +121,7 @@ std::int64_t AngleFilter::mean_of_window() const noexcept {
     std::int64_t sum = sum_;
     std::size_t at = newest_;
     for (std::int32_t missing = seen_ - collected_; missing >= 1; missing -= run_length_) {
-        static_assert(implements<req::INC_AVG_008>);
+        static_assert(implements<req::INC_AVG_016>);
         sum += share_of(runs_[at], std::min(missing, run_length_), run_length_);
         at = (at == 0U) ? (run_capacity - 1U) : (at - 1U);
     }

@@ -63,6 +63,7 @@ void Device::measure_due(const Instant now) noexcept {
         const Duration rate = milliseconds(objects_.get(field::o2052_angular_filter_rate));
         next_filter_ = ((next_filter_ + rate) > now) ? (next_filter_ + rate) : (now + rate);
     }
+    static_assert(implements<req::INC_AVG_014>);
     pass_filters(samples, filters);
     if (had_failed && inclination_.is_measuring()) {
         restart_filters(now);
@@ -128,7 +129,7 @@ void Device::take_settings() noexcept {
     inclination_.update(settings_);
 }
 
-static_assert(implements<req::INC_INSTALL_008>);
+static_assert(implements<req::INC_INSTALL_008> && implements<req::INC_AVG_015>);
 void Device::restart_filters(const Instant now) noexcept {
     for (std::size_t angle = 0U; angle < angle_count; ++angle) {
         restart_filter(angle);

@@ -21,7 +21,7 @@ constexpr float truth(const bool value) noexcept {
     return value ? 1.0F : 0.0F;
 }
 
-static_assert(implements<req::INC_BIN_007>);
+static_assert(implements<req::INC_BIN_017>);
 Signal defined_unless_nan(const float value) noexcept {
     return std::isnan(value) ? undefined_signal() : continuous_signal(value);
 }
@@ -120,6 +120,7 @@ float apply_unary(const std::uint8_t number, const float x) noexcept {
 static_assert(implements<req::INC_BIN_004> && implements<req::INC_T10> && implements<req::INC_BIN_007>);
 Signal apply_binary(const std::uint8_t number, const float x, const float y) noexcept {
     const auto* const row = table10::find(number);
+    static_assert(implements<req::INC_BIN_017>);
     if ((row == nullptr) || std::isnan(x) || std::isnan(y)) {
         return undefined_signal();
     }

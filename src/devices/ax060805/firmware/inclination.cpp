@@ -19,7 +19,7 @@ void Inclination::fail() noexcept {
     filter_.restart();
 }
 
-static_assert(implements<req::INC_ANGLE_011> && implements<req::INC_INSTALL_002>);
+static_assert(implements<req::INC_ANGLE_011> && implements<req::INC_INSTALL_002> && implements<req::INC_ANGLE_020>);
 void Inclination::update(const InclinationSettings& settings) noexcept {
     if (!measuring_) {
         return;
@@ -47,7 +47,7 @@ void Inclination::update(const InclinationSettings& settings) noexcept {
 /// Returns the Euler roll of the last measured direction of gravity for which the roll was defined. The frame of
 /// reference is that of `settings`. Returns 0 if there was no such direction, or if the direction is in gimbal lock in
 /// this frame, and so has no roll there.
-static_assert(implements<req::INC_ANGLE_008>);
+static_assert(implements<req::INC_ANGLE_008> && implements<req::INC_ANGLE_019>);
 float Inclination::last_roll(const InclinationSettings& settings) const noexcept {
     const Vector3 gravity = gravity_from(undo_rotation(rolled_, settings.installation));
     return in_gimbal_lock(gravity, generated::ax060805::exact_angle) ? 0.0F : euler_angles(gravity).roll;

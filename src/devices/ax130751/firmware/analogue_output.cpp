@@ -13,7 +13,7 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
     static_assert(implements<req::AOR_OUT_015>);
     constexpr double off = 0.0;
     double target{off};
-    static_assert(implements<req::AOR_OUT_014> && implements<req::AOR_DIAG_009>);
+    static_assert(implements<req::AOR_OUT_014> && implements<req::AOR_DIAG_009> && implements<req::AOR_DIAG_020>);
     switch (drive) {
         case OutputDrive::control:
             target = range.nearest(demand.control);
@@ -23,6 +23,7 @@ AnalogueOutputState AnalogueOutput::advance(const OutputDrive drive, const Analo
             static_cast<void>(ramp_.follow(target, times, now));
             break;
         case OutputDrive::keep:
+            static_assert(implements<req::AOR_OUT_042>);
             target = range.nearest(ramp_.hold(now));
             break;
         case OutputDrive::override_value:

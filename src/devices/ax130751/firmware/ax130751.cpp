@@ -128,6 +128,7 @@ static_assert(implements<req::AOR_DIAG_007> && implements<req::AOR_DIAG_012> && 
 void Device::tell_errors(const Instant now) noexcept {
     if (node_.state() != NmtState::initialising) {
         node_.set_error(own::error::supply, supervision_.has_supply_fault(), now);
+        static_assert(implements<req::AOR_DIAG_019> && implements<req::AOR_DIAG_021>);
         node_.set_error(own::error::temperature, supervision_.has_temperature_fault(), now);
     }
 }
@@ -135,7 +136,7 @@ void Device::tell_errors(const Instant now) noexcept {
 /// Wakes the blocks when the faults that put received values into error change, or when the node enters or leaves
 /// operational, because outputs work in operational only. A second fault can make the node leave operational although
 /// the faults of the values stay the same.
-static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041>);
+static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041> && implements<req::AOR_OUT_045>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
     for (const ErrorId error : heartbeat_errors) {
@@ -172,7 +173,7 @@ AbortCode Device::save(const EntryRef& entry) {
         return AbortCode::none;
     }
     if (lss_store_.store(wanted) != LssError::none) {
-        static_assert(implements<req::AOR_NODE_008>);
+        static_assert(implements<req::AOR_NODE_008> && implements<req::AOR_NODE_010>);
         return AbortCode::hardware_error;
     }
     kept_ = wanted;

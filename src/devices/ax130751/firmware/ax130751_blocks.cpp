@@ -28,7 +28,7 @@ double interval_us(const std::int32_t milliseconds_set) noexcept {
     return std::fmax(static_cast<double>(milliseconds_set), least) * us_per_ms;
 }
 
-static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_023>);
+static_assert(implements<req::AOR_LT_008> && implements<req::AOR_LT_023> && implements<req::AOR_LT_032>);
 LookupConfig read_table(const ObjectDictionary& objects, const std::uint8_t number) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
     const bool timed = is_over_time(objects, number);
@@ -138,7 +138,7 @@ AbortCode check_data_point(const ObjectDictionary& objects, const Sources& sourc
 
 }  // namespace
 
-static_assert(implements<req::AOR_LT_017>);
+static_assert(implements<req::AOR_LT_031>);
 static_assert(implements<req::AOR_LT_024>);
 AbortCode check_point(const ObjectDictionary& objects, const Sources& sources, const std::uint8_t number,
                       const std::uint8_t point, const std::int32_t x) noexcept {

@@ -159,7 +159,7 @@ double UniversalOutput::carried(const Kind kind, const double value, const Input
     return stands ? 0.0 : value;
 }
 
-static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001>);
+static_assert(implements<req::AOR_OUT_025> && implements<req::AOR_SPEC_001> && implements<req::AOR_OUT_049>);
 bool UniversalOutput::advance_analogue(const InputSignals& signals, const OutputCycle& cycle, const Inputs& inputs,
                                        Outputs& outputs) noexcept {
     const own::output_type::Row& type = output_type(objects_, number_);
@@ -171,7 +171,7 @@ bool UniversalOutput::advance_analogue(const InputSignals& signals, const Output
     const AnalogueOutputState state = analogue_.advance(drive, demanded, range_of(type), times, cycle.now);
     const double value = carried(type.kind, state.value, inputs);
     const std::uint8_t fv_digits = objects_.get(field::o6332_ao_decimal_digits_fv[number_]);
-    static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018>);
+    static_assert(implements<req::AOR_OUT_017> && implements<req::AOR_OUT_018> && implements<req::AOR_OUT_044>);
     const bool changes = show(process_value(state.target, fv_digits), process_value(value, fv_digits));
     drive_analogue(type.kind, value, outputs);
     return analogue_.is_moving(cycle.now) || changes;
@@ -198,14 +198,16 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
             outputs.out_current[at] = static_cast<float>(value);
             break;
         case Kind::pwm:
-            static_assert(implements<req::AOR_OUT_020>);
+            static_assert(implements<req::AOR_OUT_047>);
             outputs.out_duty[at] = static_cast<float>(value);
+            static_assert(implements<req::AOR_OUT_020>);
             outputs.out_frequency[at] = static_cast<float>(objects_.get(field::o2380_ao_output_frequency[number_]));
             outputs.out_level[at] = static_cast<float>(level());
             break;
         case Kind::frequency:
-            static_assert(implements<req::AOR_OUT_035>);
+            static_assert(implements<req::AOR_OUT_046>);
             outputs.out_duty[at] = (value > 0.0) ? own::frequency_duty : 0.0F;
+            static_assert(implements<req::AOR_OUT_035>);
             outputs.out_frequency[at] = static_cast<float>(value);
             outputs.out_level[at] = static_cast<float>(level());
             break;
@@ -216,7 +218,7 @@ void UniversalOutput::drive_analogue(const Kind kind, const double value, Output
     }
 }
 
-static_assert(implements<req::AOR_T_DIGITAL_RANGE>);
+static_assert(implements<req::AOR_T_DIGITAL_RANGE> && implements<req::AOR_OUT_048>);
 double UniversalOutput::level() const noexcept {
     namespace table = own::digital_range;
     const std::uint8_t range = objects_.get(field::o2240_do_digital_range[number_]);
@@ -231,7 +233,7 @@ SwitchPolarity UniversalOutput::polarity() const noexcept {
     return made;
 }
 
-static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007>);
+static_assert(implements<req::AOR_DO_002> && implements<req::AOR_DO_007> && implements<req::AOR_DO_017>);
 bool UniversalOutput::advance_digital(const InputSignals& signals, const OutputCycle& cycle,
                                       Outputs& outputs) noexcept {
     const DigitalDemand demand{control_.on(), objects_.get(field::o2300_ao_override_field_value[number_]) != 0,

@@ -84,6 +84,7 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
     const bool unlatches = polarity.unlatch != UnlatchEffect::ignored;
     const bool in_error =
         control.is_in_error() || enable.is_in_error() || forced.is_in_error() || (unlatch.is_in_error() && unlatches);
+    static_assert(implements<req::AOR_RELAY_028>);
     conditions.shutdown = shutdown || in_error || enable_choice_.lacks(enable) || override_choice_.lacks(forced) ||
                           (unlatch_choice_.lacks(unlatch) && unlatches);
     conditions.overridden =

@@ -106,7 +106,7 @@ Sources::Place Sources::place(const SourceRef& ref) const noexcept {
     return Place{read, row, digits(cell_or(row, &table::Row::digits, Digits::whole), ref.channel)};
 }
 
-static_assert(implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009>);
+static_assert(implements<req::AOR_SRC_007> && implements<req::AOR_SRC_009> && implements<req::AOR_SRC_016>);
 BlockSignal Sources::signal(const SourceRef& ref) const noexcept {
     if (ref.quantity == Quantity::none) {
         return BlockSignal{};
@@ -248,6 +248,7 @@ double Sources::value(const SourceRef& ref, const std::uint8_t digits) const noe
     }
 }
 
+static_assert(implements<req::AOR_SRC_014>);
 SignalState Sources::state(const SourceRef& ref) const noexcept {
     switch (ref.quantity) {
         case Quantity::output_command:

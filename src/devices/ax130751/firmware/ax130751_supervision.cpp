@@ -23,7 +23,7 @@ bool is_within_hardware(const float supply) noexcept {
 
 }  // namespace
 
-static_assert(implements<req::AOR_DIAG_005> && implements<req::AOR_DIAG_011>);
+static_assert(implements<req::AOR_DIAG_005> && implements<req::AOR_DIAG_011> && implements<req::AOR_DIAG_018>);
 void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDictionary& objects) noexcept {
     static_assert(implements<req::AOR_DIAG_001>);
     objects.set(field::o5020_power_supply_field_value, inputs.supply);
@@ -33,14 +33,15 @@ void Supervision::advance(const generated::ax130751::Inputs& inputs, ObjectDicti
     const float under = static_cast<float>(objects.get(field::o5022_under_voltage_threshold));
     const float over = static_cast<float>(objects.get(field::o5023_over_voltage_threshold));
     const float hysteresis = static_cast<float>(objects.get(field::o5024_hysteresis_to_clear_supply_fault));
-    static_assert(implements<req::AOR_DIAG_002> && implements<req::AOR_DIAG_003>);
+    static_assert(implements<req::AOR_DIAG_002> && implements<req::AOR_DIAG_015>);
     const bool low = under_.advance(watches_supply, inputs.supply < under, inputs.supply >= (under + hysteresis));
+    static_assert(implements<req::AOR_DIAG_003> && implements<req::AOR_DIAG_016>);
     const bool high = over_.advance(watches_supply, inputs.supply > over, inputs.supply <= (over - hysteresis));
 
     const bool watches_heat = objects.get(field::o5031_enable_error_detection_on_temperature) != 0U;
     const float hottest = static_cast<float>(objects.get(field::o5032_over_temperature_threshold));
     const float cooling = static_cast<float>(objects.get(field::o5033_hysteresis_to_clear_temperature_fault));
-    static_assert(implements<req::AOR_DIAG_004>);
+    static_assert(implements<req::AOR_DIAG_004> && implements<req::AOR_DIAG_017>);
     const bool hot = temperature_.advance(watches_heat, inputs.cpu_temperature > hottest,
                                           inputs.cpu_temperature <= (hottest - cooling));
 

@@ -11,6 +11,7 @@ static_assert(implements<req::AOR_DO_005> && implements<req::AOR_DO_008>);
 DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const DigitalDemand& demand,
                                           const SwitchPolarity& polarity, const Duration blink,
                                           const Instant now) noexcept {
+    static_assert(implements<req::AOR_DO_015> && implements<req::AOR_DO_016>);
     switch (drive) {
         case OutputDrive::control:
             state_.logic = demand.control;
@@ -59,6 +60,7 @@ bool DigitalOutput::follow_control(const SwitchDrive drive, const Duration blink
             memory_ = !memory_;
             break;
         case SwitchDrive::blink:
+            static_assert(implements<req::AOR_DO_014>);
             memory_ = blinks_on(blinking_since_, blink, now);
             break;
         case SwitchDrive::keep:

@@ -95,8 +95,9 @@ LookupOutput LookupTable::advance(const BlockSignal& input, const LookupConfig& 
 
 static_assert(implements<req::AOR_LT_010>);
 double LookupTable::follow_time(const BlockSignal& input, const LookupConfig& config, const Instant now) noexcept {
-    static_assert(implements<req::AOR_LT_026>);
+    static_assert(implements<req::AOR_LT_026> && implements<req::AOR_LT_030>);
     const bool on = start_.read(input) && input.is_valid();
+    static_assert(implements<req::AOR_LT_029>);
     if (!on) {
         under_way_ = false;
         running_ = false;

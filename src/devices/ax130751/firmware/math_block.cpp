@@ -180,6 +180,7 @@ MathResult MathBlock::advance(const MathConfig& config) noexcept {
             results_[function] = MathFunction{};
         }
         // Without input 2, function 1 has no result, and the other functions have no first operand.
+        static_assert(implements<req::AOR_MATH_016>);
         chained = chained && (done || (function != 0U));
     }
     settled_ = is_unchanged(before[0U], results_[0U]) && is_unchanged(before[1U], results_[1U]) &&

@@ -41,7 +41,7 @@ double Ramp::hold(const Instant now) noexcept {
     return held;
 }
 
-static_assert(implements<req::AOR_OUT_012> && implements<req::AOR_OUT_013>);
+static_assert(implements<req::AOR_OUT_012> && implements<req::AOR_OUT_013> && implements<req::AOR_OUT_043>);
 double Ramp::value_at(const Instant now) const noexcept {
     const double way = target_ - start_;
     const bool rising = way > 0.0;

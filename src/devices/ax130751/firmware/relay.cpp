@@ -22,6 +22,7 @@ bool Relay::advance(const OutputDrive drive, const RelayDemand& demand, const Re
             state_ = force(demand.override_state);
             break;
         case OutputDrive::keep:
+            static_assert(implements<req::AOR_RELAY_027>);
             state_ = force(state_);
             break;
         case OutputDrive::shut_off:
@@ -88,7 +89,7 @@ bool Relay::follow(const SwitchDrive drive, const RelayTimes& times, const Insta
     static_assert(implements<req::AOR_RELAY_023>);
     const bool on = delayed_.follow(wanted, times.on_delay, times.off_delay, now);
     // While a change to OFF is delayed, the relay continues in its mode: steady or toggling.
-    static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015>);
+    static_assert(implements<req::AOR_RELAY_008> && implements<req::AOR_RELAY_015> && implements<req::AOR_RELAY_026>);
     const bool blinks = on && (wanted ? (drive == SwitchDrive::blink) : blinking_);
     if (!blinking_) {
         blinking_since_ = now;

@@ -44,7 +44,7 @@ const ConverterCircuit circuit = make_circuit();
 const std::size_t conversions_to_settle =
     1U + ((ConverterCircuit::gain_count - 1U) * std::size_t{own::settling_conversions});
 
-static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007>);
+static_assert(implements<req::TCS_T_REJECTION> && implements<req::TCS_IN_007> && implements<req::TCS_IN_023>);
 double hum_left(const std::uint8_t filter, const std::uint8_t mains) noexcept {
     namespace table = own::hum_rejection;
     const table::FilterHz selected = (filter == filter_50_hz) ? table::FilterHz::hz_50 : table::FilterHz::hz_60;
@@ -151,6 +151,7 @@ Scanner::Conversion Scanner::convert(const std::size_t channel, const double mic
     const auto highest = static_cast<double>(cell_or(range, &table::Row::highest_uv, std::int32_t{0}));
     const auto lowest = static_cast<double>(cell_or(range, &table::Row::lowest_uv, std::int32_t{0}));
     result.above = microvolts > (highest + own::range_margin_uv);
+    static_assert(implements<req::TCS_CONV_013>);
     result.below = microvolts < (lowest - own::range_margin_uv);
     kept = Kept<Conversion>{type, microvolts, result};
     return result;

@@ -96,7 +96,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     }
     static_assert(implements<req::TCS_VAL_005>);
     if (!is_enabled(channel)) {
-        static_assert(implements<req::TCS_LIM_006>);
+        static_assert(implements<req::TCS_LIM_006> && implements<req::TCS_LIM_020>);
         for (DelayedFault& fault : faults_[channel]) {
             fault.clear();
         }
@@ -105,7 +105,7 @@ Measurement Scanner::evaluate_channel(const std::size_t channel, const Instant n
     }
     static_assert(implements<req::TCS_LIM_013>);
     fault_of(channel, ChannelFault::open).judge(FaultCondition{open, !open}, channel_delay(channel), now);
-    static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007>);
+    static_assert(implements<req::TCS_VAL_006> && implements<req::TCS_LIM_007> && implements<req::TCS_LIM_018>);
     if (open) {
         // Without a temperature the limits cannot be evaluated: their reported faults stay, waiting ones are dropped.
         fault_of(channel, ChannelFault::high).drop();
@@ -130,7 +130,7 @@ void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_v
     objects_.set(field::o7130_tc_input_process_value[subindex(channel)], process_value);
 }
 
-static_assert(implements<req::TCS_LIM_001> && implements<req::TCS_LIM_002> && implements<req::TCS_LIM_009>);
+static_assert(implements<req::TCS_LIM_002> && implements<req::TCS_LIM_009> && implements<req::TCS_LIM_019>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
     // Computes in the unit of the thresholds, because the product of two short numbers is exact. A quotient is not, and
     // a division is slow.
@@ -145,15 +145,18 @@ void Scanner::judge_temperature(const std::size_t channel, const Conversion& con
     const double high = static_cast<double>(objects_.get(field::o4010_tc_high_temperature_warning_threshold[sub]));
     const double shutdown = static_cast<double>(objects_.get(field::o4020_tc_high_temperature_shutdown_threshold[sub]));
 
+    static_assert(implements<req::TCS_LIM_001>);
     FaultCondition too_low = low_limit(temperature, low, low + hysteresis);
     too_low.begins = too_low.begins || conversion.below;
     too_low.ends = too_low.ends && !conversion.below;
+    static_assert(implements<req::TCS_LIM_017>);
     FaultCondition too_hot = high_limit(temperature, shutdown, shutdown - hysteresis);
     too_hot.begins = too_hot.begins || conversion.above;
     too_hot.ends = too_hot.ends && !conversion.above;
 
     static_assert(implements<req::TCS_LIM_012>);
     fault_of(channel, ChannelFault::low).judge(too_low, delay, now);
+    static_assert(implements<req::TCS_LIM_016>);
     fault_of(channel, ChannelFault::high).judge(high_limit(temperature, high, high - hysteresis), delay, now);
     fault_of(channel, ChannelFault::shutdown).judge(too_hot, delay, now);
 }

@@ -9,6 +9,7 @@
 namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
+    static_assert(implements<req::TCS_IN_022>);
     if (settling_left_ > 1U) {  // the last of these conversions is settled
         --settling_left_;
         return;
@@ -24,7 +25,7 @@ void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit
         }
         return;
     }
-    static_assert(implements<req::TCS_IN_002>);
+    static_assert(implements<req::TCS_IN_002> && implements<req::TCS_IN_021>);
     const double lsb = full_scale / circuit.codes;
     microvolts_ = std::round(input_uv / lsb) * lsb;
     open_ = false;

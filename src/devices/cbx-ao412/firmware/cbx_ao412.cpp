@@ -33,6 +33,7 @@ IndicatorPattern pattern_of(const IndicatorState state) noexcept {
     const auto time = [row](std::uint16_t table::Row::*const column) noexcept {
         return milliseconds(cell_or(row, column, std::uint16_t{0U}));
     };
+    static_assert(implements<req::AO4_LED_009>);
     return IndicatorPattern{cell_or(row, &table::Row::flashes, std::uint8_t{0U}), time(&table::Row::on_ms),
                             time(&table::Row::gap_ms), time(&table::Row::pause_ms)};
 }
@@ -90,6 +91,7 @@ void Device::set_inputs(const Inputs& inputs, const Instant now) noexcept {
 /// until the next NMT reset node (7.9.4).
 static_assert(implements<req::AO4_ERR_009> && implements<req::AO4_ERR_010> && implements<req::AO4_ERR_018>);
 void Device::watch_internal_faults(const Instant now) noexcept {
+    static_assert(implements<req::AO4_ERR_023>);
     const bool software = inputs_.internal_fault || node_.has_error(ErrorId::stored_set_checksum);
     internal_fault_shown_ = internal_fault_shown_ || software || inputs_.hardware_fault;
     node_.set_error(ErrorId::internal_software, software, now);
@@ -111,7 +113,7 @@ AbortCode Device::check_access(const EntryRef& entry) {
     return (entry.index == index::program_data) ? AbortCode::device_state : AbortCode::none;
 }
 
-static_assert(implements<req::AO4_AOUT_005> && implements<req::AO4_AOUT_011>);
+static_assert(implements<req::AO4_AOUT_005> && implements<req::AO4_AOUT_011> && implements<req::AO4_AOUT_014>);
 void Device::after_write(const EntryRef& entry, const Instant) {
     using own::Parameter;
     const own::Written change = own::written(entry.index, entry.row->subindex);
@@ -197,7 +199,7 @@ void Device::set_failed(const bool communication, const bool internal) noexcept 
     failed_ = failed;
 }
 
-static_assert(implements<req::AO4_T_ERROR_MODE> && implements<req::AO4_AOUT_007>);
+static_assert(implements<req::AO4_T_ERROR_MODE> && implements<req::AO4_AOUT_007> && implements<req::AO4_AOUT_015>);
 void Device::apply_error_mode(const std::uint8_t number) noexcept {
     namespace modes = own::error_mode;
     const std::uint8_t mode = objects_.get(field::o6443_analogue_output_error_mode[number]);

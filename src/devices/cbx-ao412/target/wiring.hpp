@@ -4,6 +4,8 @@
 #pragma once
 
 #include "devices/cbx-ao412/firmware/cbx_ao412.hpp"
+#include "firmware/base/requirement.hpp"
+#include "generated/canopen/requirements.hpp"
 #include "target/stm32f405/chip.hpp"
 
 namespace canproof::cbx_ao412 {
@@ -36,6 +38,7 @@ class Wiring {
         inputs.switch_high = static_cast<std::uint8_t>(~chip_.port_c.read(0, 4) & 0xFU);
         inputs.switch_low = static_cast<std::uint8_t>(~chip_.port_c.read(4, 4) & 0xFU);
         inputs.switch_baud = static_cast<std::uint8_t>(~chip_.port_c.read(8, 4) & 0xFU);
+        static_assert(implements<req::CO_SELF_016>);
         const bool failed_hardware = stm32f405::finds_hardware(chip_.failed_test);
         inputs.internal_fault = chip_.was_reset_by_watchdog && !failed_hardware;
         inputs.hardware_fault = failed_hardware || (chip_.source != stm32f405::ClockSource::crystal);

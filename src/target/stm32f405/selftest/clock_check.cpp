@@ -31,7 +31,7 @@ void ClockCheck::start(const Instant now) noexcept {
     has_last_ = false;
 }
 
-static_assert(implements<req::CO_SELF_006>);
+static_assert(implements<req::CO_SELF_006> && implements<req::CO_SELF_015>);
 bool ClockCheck::step(const Instant now) noexcept {
     TimerRegisters& timer = registers_.timer;
     if (!timer.status.has(captured)) {

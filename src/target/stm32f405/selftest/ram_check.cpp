@@ -47,7 +47,7 @@ bool march(const Slots<Register>& words, const std::uint32_t background) noexcep
 
 }  // namespace
 
-static_assert(implements<req::CO_SELF_001>);
+static_assert(implements<req::CO_SELF_001> && implements<req::CO_SELF_013>);
 bool RamCheck::step() noexcept {
     const std::size_t left = ram_.words.size() - next_;
     const bool is_last = left <= ram_slice;
@@ -78,6 +78,7 @@ bool RamCheck::pass() noexcept {
     return holds;
 }
 
+static_assert(implements<req::CO_SELF_014>);
 bool ram_march(Register* first, const std::uint32_t count, const std::uint32_t background) noexcept {
     const Slots<Register> words{first, count};
     std::array<std::uint32_t, ram_slice> saved{};

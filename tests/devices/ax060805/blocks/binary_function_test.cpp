@@ -166,7 +166,7 @@ TEST(BinaryFunctions, ShiftsBy32AndMoreGiveZero) {
 }
 
 TEST(BinaryFunctions, NanInputOrResultMakesTheOutputUndefined) {
-    verifies<req::INC_BIN_007>();
+    verifies<req::INC_BIN_007, req::INC_BIN_017>();
     for (int operation = 0; operation <= 20; ++operation) {
         EXPECT_TRUE(is_undefined(operation, no_number, 1.0F)) << operation;
         EXPECT_TRUE(is_undefined(operation, 1.0F, no_number)) << operation;
@@ -222,7 +222,7 @@ TEST(FunctionBlocks, UnaryFunctionScaleAndOffsetApplyToTheDefaultToo) {
 }
 
 TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
-    verifies<req::INC_BIN_007>();
+    verifies<req::INC_BIN_017>();
     FunctionBlock block;
     block.operation = 1;
     block.inputs[0] = input(continuous_signal(infinite));

@@ -247,6 +247,20 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
+TEST(AngleFilter, OldestGroupCountsForItsSamplesInTheWindow) {
+    verifies<req::INC_AVG_016>();
+    AngleFilter filter = filter_of(AngleFilterKind::moving_average, 65);  // groups of 2 samples
+    filter.add(6.5F);
+    for (int sample = 0; sample < 65; ++sample) {
+        filter.add(0.0F);
+    }
+    // The window has one of the two samples of the first group, and 64 others: 6.5 / 2 / 65 = 0.05.
+    EXPECT_EQ(filter.output(), 0.05F);
+    filter.add(0.0F);
+    filter.add(0.0F);
+    EXPECT_EQ(filter.output(), 0.0F);
+}
+
 TEST(AngleFilter, FilterOfAnyWindowNeedsAtMost592Bytes) {
     verifies<req::INC_AVG_008>();
     EXPECT_LE(sizeof(AngleFilter), 64U * 8U + 80U);

@@ -55,7 +55,7 @@ TEST_F(DigitalOutputTest, LatchedOutputChangesAtEachRisingEdge) {
 }
 
 TEST_F(DigitalOutputTest, BlinkingOutputBlinksWhileItsControlIsOnStartingWithOn) {
-    verifies<req::AOR_DO_004, req::AOR_DO_010>();
+    verifies<req::AOR_DO_004, req::AOR_DO_010, req::AOR_DO_014>();
     EXPECT_EQ(run("..##########..###", blinking), "..###...###...###");
     blink = milliseconds(0);
     EXPECT_EQ(run(".#####", blinking), ".#####");
@@ -111,7 +111,7 @@ TEST_F(DigitalOutputTest, LogicStateIsThatOfTheActiveDrive) {
 }
 
 TEST_F(DigitalOutputTest, KeepDriveFreezesTheState) {
-    verifies<req::AOR_DO_005, req::AOR_DO_011>();
+    verifies<req::AOR_DO_015, req::AOR_DO_016>();
     EXPECT_EQ(run("#", normal), "#");
     EXPECT_EQ(run(".#.", normal, OutputDrive::keep), "###");
     EXPECT_EQ(run(".", normal), ".");

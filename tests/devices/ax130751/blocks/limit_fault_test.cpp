@@ -19,7 +19,7 @@ bool under(LimitFault& fault, double volts, bool enabled = true) {
 }  // namespace
 
 TEST(LimitFault, FaultBeginsBeyondTheLimitAndEndsAtTheHysteresis) {
-    verifies<req::AOR_DIAG_002>();
+    verifies<req::AOR_DIAG_002, req::AOR_DIAG_015>();
     LimitFault fault;
     EXPECT_FALSE(under(fault, 12.0));
     EXPECT_FALSE(under(fault, 8.0));

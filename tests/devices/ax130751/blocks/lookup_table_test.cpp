@@ -190,7 +190,7 @@ TEST(LookupTable, ErrorIsPassedOnWithTheLastValue) {
 }
 
 TEST(LookupTable, InputOnStartsTheProfileAndInputOffStopsIt) {
-    verifies<req::AOR_LT_010, req::AOR_LT_012>();
+    verifies<req::AOR_LT_010, req::AOR_LT_012, req::AOR_LT_029>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
     EXPECT_DOUBLE_EQ(table.advance(input_off, config, at(0)).value, 0.0);
@@ -233,7 +233,7 @@ TEST(LookupTable, ReturnToTimeResponseRestartsTheProfile) {
 }
 
 TEST(LookupTable, InputErrorEndsAProfile) {
-    verifies<req::AOR_LT_016, req::AOR_LT_026>();
+    verifies<req::AOR_LT_016, req::AOR_LT_026, req::AOR_LT_030>();
     LookupTable table;
     const LookupConfig config{LookupAxis::time, false, profile_of(short_profile())};
     table.advance(input_on, config, at(0));

@@ -207,7 +207,7 @@ TEST(MathBlock, InputInErrorCountsAsZero) {
 }
 
 TEST(MathBlock, FunctionsWithoutBothInputsAreSkipped) {
-    verifies<req::AOR_MATH_007>();
+    verifies<req::AOR_MATH_007, req::AOR_MATH_016>();
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), unused, percent(10)}, {plus, times, plus}), 0.6);
     EXPECT_DOUBLE_EQ(run({percent(20), percent(30), percent(50), unused}, {plus, times, times}), 0.25);
     EXPECT_FALSE(MathBlock{}.advance({{percent(20), unused, percent(30), percent(40)}, {plus, plus, plus}}).done);

@@ -18,7 +18,7 @@ const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 }  // namespace
 
 TEST(Ramp, RisingRampCrossesTheSpanInItsTime) {
-    verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
+    verifies<req::AOR_OUT_012, req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(100)), 0.0);
     EXPECT_DOUBLE_EQ(ramp.follow(10.0, slow, at(350)), 2.5);
@@ -37,7 +37,7 @@ TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
 }
 
 TEST(Ramp, PartOfTheSpanTakesThatPartOfTheTime) {
-    verifies<req::AOR_OUT_013>();
+    verifies<req::AOR_OUT_013, req::AOR_OUT_043>();
     Ramp ramp;
     ramp.set(4.0);
     EXPECT_DOUBLE_EQ(ramp.follow(5.0, slow, at(0)), 4.0);

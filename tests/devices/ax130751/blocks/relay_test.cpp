@@ -64,7 +64,7 @@ TEST_F(RelayTest, InverseLatchedRelayRestsOnAndChangesWhenTheControlGoesOff) {
 }
 
 TEST_F(RelayTest, RelayWithTogglePolarityTogglesWhileItsControlIsOnStartingWithOn) {
-    verifies<req::AOR_RELAY_008>();
+    verifies<req::AOR_RELAY_008, req::AOR_RELAY_026>();
     EXPECT_EQ(run(".#######..##", toggle), ".##..##...##");
     times.blink = milliseconds(0);
     EXPECT_EQ(run(".####", toggle), ".####");
@@ -156,7 +156,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
 }
 
 TEST_F(RelayTest, ShutOffPutsTheRelayOffForEachPolarityAndKeepFreezesIt) {
-    verifies<req::AOR_RELAY_009>();
+    verifies<req::AOR_RELAY_009, req::AOR_RELAY_027>();
     for (const RelayPolarity& polarity :
          {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
         EXPECT_EQ(run("#", normal), "#");

@@ -77,7 +77,7 @@ TEST(DelayedFault, NewDelayRunsFromTheSameStart) {
 }
 
 TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
-    verifies<req::TCS_LIM_006, req::TCS_LIM_007>();
+    verifies<req::TCS_LIM_006, req::TCS_LIM_018>();
     DelayedFault fault;
     fault.judge(there, second, at(0));
     fault.drop();
@@ -91,7 +91,7 @@ TEST(DelayedFault, DropEndsThePendingFaultAndClearEndsTheReportedOne) {
 
 TEST(LimitCondition, ConditionIsSetBeyondAndClearedAtTheThreshold) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003,
-             req::TCS_FD_010, req::TCS_FD_011, req::TCS_FD_012>();
+             req::TCS_FD_010, req::TCS_FD_011, req::TCS_FD_012, req::TCS_LIM_016, req::TCS_LIM_017>();
     EXPECT_FALSE(high_limit(125.0, 125.0, 124.0).begins);
     EXPECT_TRUE(high_limit(125.001, 125.0, 124.0).begins);
     EXPECT_FALSE(high_limit(124.001, 125.0, 124.0).ends);

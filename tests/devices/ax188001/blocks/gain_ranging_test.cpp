@@ -39,7 +39,7 @@ TEST_F(Converter, ReadingIsRoundedToTheStepOfTheGain) {
 }
 
 TEST_F(Converter, OverdriveLowersTheGainAndSettlesForFourConversions) {
-    verifies<req::TCS_IN_003>();
+    verifies<req::TCS_IN_003, req::TCS_IN_022>();
     convert(10000.0);
     const double before = adc.microvolts();
     convert(30000.0);

@@ -60,7 +60,8 @@ std::string ramp() {
 //  88      -22 degC, first below -20; read at 534 * 0.165 = 88.110 reported at 93.110
 TEST(Ax188001Replay, RampThroughAllLimitsWithABrokenWireGivesItsEmcys) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_002, req::TCS_LIM_003, req::TCS_LIM_004, req::TCS_LIM_009, req::TCS_IN_006,
-             req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN>();
+             req::TCS_ERR_001, req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_S_CELSIUS, req::TCS_S_OPEN,
+             req::TCS_LIM_016, req::TCS_LIM_017>();
     EXPECT_EQ(replayed("", ramp(), 95.0),
               "(0.000000) can0 77F#00\n"
               "(5.000000) can0 0FF#11F0010120000000\n"
