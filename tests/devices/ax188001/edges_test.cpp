@@ -237,7 +237,7 @@ TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(10164), Frames{});
     EXPECT_EQ(pass(1).size(), 1U);
     EXPECT_EQ(write(0x4030, 1, 2, 60000), 0U);
-    show_high_limit(200);  // 20.0 degC; both channels read 25 degC
+    EXPECT_EQ(write(0x4000, 1, 2, 100), 0U);  // low warning below 10.0 degC; channel 1 reads 0 degC
     EXPECT_EQ(pass(59999), Frames{});
     EXPECT_EQ(pass(1).size(), 1U);
 }
