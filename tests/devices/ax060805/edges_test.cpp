@@ -115,6 +115,24 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
+TEST_F(InclinometerEdges, AdditionalFiltersTakeASampleEachMinuteAtMost) {
+    verifies<req::INC_AVG_004, req::INC_OD_2052>();
+    switch_filter_off();
+    angle_digits(100);
+    write(0x2051, 1, 2, 2);
+    write(0x2050, 1, 1, 1);      // pitch: a moving average of two samples
+    write(0x2052, 0, 60000, 2);  // takes the first sample
+    turn(20.0, 0.0);
+    pass(59999);
+    EXPECT_EQ(pitch(), 0);
+    pass(1);
+    EXPECT_EQ(pitch(), 1000);  // hundredths of a degree
+    pass(59999);
+    EXPECT_EQ(pitch(), 1000);
+    pass(1);
+    EXPECT_EQ(pitch(), 2000);
+}
+
 TEST_F(InclinometerEdges, SupplyAndProcessorTemperatureAreShownUpToTheEndsOfTheirRanges) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005>();
     const auto shown = [this](float supply, float temperature) {
