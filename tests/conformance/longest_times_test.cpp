@@ -66,12 +66,14 @@ TEST_F(LongestTimes, SyncIsProducedEach4294967295Microseconds) {
     verifies<req::CO_SYNC_003>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: producer
     write("603#23061000FFFFFFFF");  // 1006h communication cycle period: 2^32 - 1 us, 71 minutes
-    now = now + microseconds(4294967294U);
-    device->advance(now);
-    EXPECT_TRUE(sent().empty());
-    now = now + microseconds(1);
-    device->advance(now);
-    EXPECT_EQ(sent(), (Frames{"080#"}));
+    for (int period = 1; period <= 2; ++period) {
+        now = now + microseconds(4294967294U);
+        device->advance(now);
+        EXPECT_TRUE(sent().empty());
+        now = now + microseconds(1);
+        device->advance(now);
+        EXPECT_EQ(sent(), (Frames{"080#"}));
+    }
 }
 
 TEST_F(LongestTimesOfTpdos, TpdoIsSentEach65535Milliseconds) {
