@@ -115,6 +115,21 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
+TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
+    verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
+    switch_filter_off();
+    write(0x2052, 0, 1, 2);
+    write(0x2051, 2, 60000, 2);
+    write(0x2050, 2, 1, 1);
+    EXPECT_EQ(read(0x4010), 30000U);  // (60,000 - 1) / 2 * 1 ms = 29,999.5 ms
+    write(0x2050, 2, 2, 1);
+    EXPECT_EQ(read(0x4010), 60000U);  // (2 * 60,000 - 1) / 2 * 1 ms = 59,999.5 ms
+    write(0x2050, 2, 1, 1);
+    write(0x2051, 2, 2, 2);
+    write(0x2052, 0, 60000, 2);
+    EXPECT_EQ(read(0x4010), 30000U);  // (2 - 1) / 2 * 60,000 ms
+}
+
 TEST_F(InclinometerEdges, AdditionalFiltersTakeASampleEachMinuteAtMost) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();

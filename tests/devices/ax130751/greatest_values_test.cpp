@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest value of each time of the AX130751 (1.2 to 1.4): a time that lost a bit on its way would end too early.
+// The greatest values of times, frequency and temperature threshold of the AX130751 (1.2 to 1.4, 1.8): a value that
+// lost a bit on its way would be too small.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -8,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-class Ax130751LongestTimes : public Ax130751Blocks {
+class Ax130751GreatestValues : public Ax130751Blocks {
   protected:
     /// Sets 6220h:3 (DO Write State 1 Output Line), runs a cycle and returns the state of the relay.
     bool control(int state) {
@@ -20,7 +21,7 @@ class Ax130751LongestTimes : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751LongestTimes, RelayGoesOffADayAfterItsControl) {
+TEST_F(Ax130751GreatestValues, RelayGoesOffADayAfterItsControl) {
     verifies<req::AOR_RELAY_012>();
     set32(0x22A2, 1, 86'400'000);
     set8(0x22A0, 1, 1);
@@ -33,7 +34,7 @@ TEST_F(Ax130751LongestTimes, RelayGoesOffADayAfterItsControl) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751LongestTimes, RelayTogglesEachMinute) {
+TEST_F(Ax130751GreatestValues, RelayTogglesEachMinute) {
     verifies<req::AOR_RELAY_008>();
     set8(0x2242, 1, 5);
     set16(0x2250, 1, 60000);
@@ -44,7 +45,7 @@ TEST_F(Ax130751LongestTimes, RelayTogglesEachMinute) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751LongestTimes, DigitalOutputsBlinkEachMinute) {
+TEST_F(Ax130751GreatestValues, DigitalOutputsBlinkEachMinute) {
     verifies<req::AOR_DO_010>();
     for (int output = 1; output <= 2; ++output) {
         set16(0x6310, output, 1020);  // digital output, hotshot
@@ -61,7 +62,7 @@ TEST_F(Ax130751LongestTimes, DigitalOutputsBlinkEachMinute) {
     EXPECT_FALSE(is_on(2));
 }
 
-TEST_F(Ax130751LongestTimes, RampsTakeTenSecondsInBothDirections) {
+TEST_F(Ax130751GreatestValues, RampsTakeTenSecondsInBothDirections) {
     verifies<req::AOR_OUT_012, req::AOR_OUT_013>();
     for (int output = 1; output <= 2; ++output) {
         set16(0x2330, output, 10000);
@@ -83,6 +84,50 @@ TEST_F(Ax130751LongestTimes, RampsTakeTenSecondsInBothDirections) {
     pass(5000);
     EXPECT_FLOAT_EQ(volts(1), 0.0F);
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
+}
+
+TEST_F(Ax130751GreatestValues, PwmOutputsHaveUpTo30Kilohertz) {
+    verifies<req::AOR_OUT_020>();
+    for (int output = 1; output <= 2; ++output) {
+        set16(0x6310, output, 40);  // PWM
+        no_ramps(output);
+        set16(0x2380, output, 30000);
+        command(output, 375);  // commands 37.5 %
+    }
+    pass(1);
+    EXPECT_FLOAT_EQ(hertz(1), 30000.0F);
+    EXPECT_FLOAT_EQ(hertz(2), 30000.0F);
+}
+
+TEST_F(Ax130751GreatestValues, OverTemperatureBeginsAbove150Degrees) {
+    verifies<req::AOR_DIAG_004>();
+    set8(0x5032, 0, 150);
+    inputs.cpu_temperature = 150.0F;
+    set_inputs();
+    EXPECT_EQ(pass(1), Frames{});
+    inputs.cpu_temperature = 150.1F;
+    set_inputs();
+    EXPECT_EQ(pass(1).size(), 1U);
+}
+
+/// A digital output with the temperature as control is ON from 5032h and OFF up to 5032h minus 5033h (Table 5).
+TEST_F(Ax130751GreatestValues, TemperatureControlsADigitalOutputUpTo150Degrees) {
+    verifies<req::AOR_SRC_007, req::AOR_DO_002>();
+    set8(0x5031, 0, 0);
+    set8(0x5032, 0, 150);
+    set8(0x5033, 0, 10);
+    set16(0x6310, 1, 1020);
+    set8(0x2340, 1, 9);  // processor temperature
+    const auto on_at = [this](float celsius) {
+        inputs.cpu_temperature = celsius;
+        set_inputs();
+        pass(1);
+        return is_on(1);
+    };
+    EXPECT_FALSE(on_at(149.9F));
+    EXPECT_TRUE(on_at(150.0F));
+    EXPECT_TRUE(on_at(140.1F));
+    EXPECT_FALSE(on_at(140.0F));
 }
 
 }  // namespace canproof::test
