@@ -304,6 +304,19 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
+TEST_F(Lss, NodeInBusOffSendsNothingAfterTheSwitchDelays) {
+    verifies<req::CO_EMCY_017, req::CO_LSS_015>();
+    talk({{"605#2B17100003000000", {"585#6017100000000000"}},  // 1017h producer heartbeat time: 3 ms
+          {"7E5#0401000000000000", {}},
+          {"7E5#150A000000000000", {}}});
+    device->node().set_can_state(CanState::bus_off, now);
+    EXPECT_EQ(pass(100), Frames{});
+    device->node().set_can_state(CanState::error_active, now);
+    for (const std::string& frame : sent()) {
+        EXPECT_EQ(frame.substr(0, 4), "085#") << frame << " has waited for the end of bus-off";
+    }
+}
+
 // CiA 305, 6.4.5
 TEST_F(Lss, StoreConfigurationStoresTheNodeIdAndBitRateForTheNextStart) {
     verifies<req::CO_LSS_016, req::CO_LSS_017>();

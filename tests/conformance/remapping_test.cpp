@@ -170,6 +170,24 @@ TEST_P(Remapping, MappingCountIsRefusedForTooManyBitsEmptyEntriesOrTooManyEntrie
     });
 }
 
+/// The sum of the lengths must not wrap: eight entries of 32 bits are 256 bits, which is 0 in one byte.
+TEST_P(Remapping, EightEntriesOf32BitsAreRefused) {
+    verifies<req::CO_PDO_011>();
+    hold({
+        {parameter("01"), not_valid(), ""},
+        {line("00"), "00", ""},
+        {line("01"), "20000722", ""},  // 2207h: 32 bits
+        {line("02"), "20000722", ""},
+        {line("03"), "20000722", ""},
+        {line("04"), "20000722", ""},
+        {line("05"), "20000722", ""},
+        {line("06"), "20000722", ""},
+        {line("07"), "20000722", ""},
+        {line("08"), "20000722", ""},
+        {line("00"), "08", longer_than_a_pdo},
+    });
+}
+
 // -- COB-ID -----------------------------------------------------------------------------------------------------------
 
 TEST_P(Remapping, IdentifierIsLockedWhileThePdoIsValid) {

@@ -272,6 +272,26 @@ TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
+TEST_F(SdoBlock, AnnouncedSizeCountsWithAllItsBytes) {
+    verifies<req::CO_SDO_010>();
+    talk(*this, {
+                    {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes, one more than the memory has
+                    {"605#2100240001000001", {"585#8000240012000706"}},  // 1000001h
+                    {"605#2100240001010000", {"585#6000240000000000"}},  // 101h bytes announced, one sent
+                    {"605#0D09000000000000", {"585#8000240010000706"}},
+                });
+    std::vector<std::uint8_t> all(program_size, 0x5A);
+    EXPECT_EQ(send("605#2100240000000100"), (Frames{"585#6000240000000000"}));  // 10000h bytes
+    for (std::size_t from = 0; from < all.size(); from += 7) {
+        const bool last = from + 7 >= all.size();  // 65,536 = 9,362 * 7 + 2: the last segment has two bytes
+        const unsigned command = (from / 7 % 2 == 1 ? 0x10U : 0U) | (last ? 0x0BU : 0U);
+        const std::string data = last ? "5A5A0000000000" : "5A5A5A5A5A5A5A";
+        ASSERT_EQ(send("605#" + hex_le(command, 1) + data),
+                  (Frames{"585#" + hex_le(0x20U | (command & 0x10U), 1) + "00000000000000"}));
+    }
+    EXPECT_EQ(held(), all);
+}
+
 TEST_F(SdoBlock, DomainTakesExpeditedAndSegmentedDownloadsToo) {
     verifies<req::CO_SDO_033, req::CO_SDO_016>();
     talk(*this, {

@@ -266,6 +266,18 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
+/// The client waits for segments: it is not the one that is late.
+TEST_F(SdoBlock, UploadContinuesWhenALateCallFindsRoomInTheQueue) {
+    verifies<req::CO_SDO_014, req::CO_SDO_039>();
+    hold(counting(140));  // 20 segments
+    send("605#A40024007F000000");
+    device->receive(host::parse_frame("605#A300000000000000", "test"), now);
+    now = now + milliseconds(1000);
+    EXPECT_EQ(sent().size(), 8U);
+    device->advance(now);
+    EXPECT_EQ(sent().size(), 8U);
+}
+
 TEST_F(SdoBlock, UploadContinuesInTheCallThatAppliesAnNmtCommand) {
     verifies<req::CO_SDO_039>();
     hold(counting(140));

@@ -114,6 +114,39 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
+TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
+    verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
+    switch_filter_off();
+    write(0x2052, 0, 1, 2);
+    write(0x2051, 2, 60000, 2);
+    write(0x2050, 2, 1, 1);
+    EXPECT_EQ(read(0x4010), 30000U);  // (60,000 - 1) / 2 * 1 ms = 29,999.5 ms
+    write(0x2050, 2, 2, 1);
+    EXPECT_EQ(read(0x4010), 60000U);  // (2 * 60,000 - 1) / 2 * 1 ms = 59,999.5 ms
+    write(0x2050, 2, 1, 1);
+    write(0x2051, 2, 2, 2);
+    write(0x2052, 0, 60000, 2);
+    EXPECT_EQ(read(0x4010), 30000U);  // (2 - 1) / 2 * 60,000 ms
+}
+
+TEST_F(InclinometerEdges, AdditionalFiltersTakeASampleEachMinuteAtMost) {
+    verifies<req::INC_AVG_004, req::INC_OD_2052>();
+    switch_filter_off();
+    angle_digits(100);
+    write(0x2051, 1, 2, 2);
+    write(0x2050, 1, 1, 1);      // pitch: a moving average of two samples
+    write(0x2052, 0, 60000, 2);  // takes the first sample
+    turn(20.0, 0.0);
+    pass(59999);
+    EXPECT_EQ(pitch(), 0);
+    pass(1);
+    EXPECT_EQ(pitch(), 1000);  // hundredths of a degree
+    pass(59999);
+    EXPECT_EQ(pitch(), 1000);
+    pass(1);
+    EXPECT_EQ(pitch(), 2000);
+}
+
 TEST_F(InclinometerEdges, SupplyAndProcessorTemperatureAreShownUpToTheEndsOfTheirRanges) {
     verifies<req::INC_GLOBAL_001, req::INC_GLOBAL_004, req::INC_GLOBAL_002, req::INC_GLOBAL_005>();
     const auto shown = [this](float supply, float temperature) {

@@ -44,6 +44,17 @@ TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsTheLastDefinedRoll) {
     EXPECT_EQ(angles_at(1.0, -2e-6, 0.0)[1], 9000);   // 2e-6 is 0.00011 degrees: only gy determines the roll
 }
 
+/// Below a tenth of g an acceleration has no direction (INC-ANGLE-011), so no roll follows from it.
+TEST_F(UndefinedAngles, EulerRollAtTheVerticalIsThatOfBeforeAFall) {
+    verifies<req::INC_ANGLE_008, req::INC_ANGLE_011>();
+    use_euler_angles();
+    const Row before = angles_of(60.0, 40.0);
+    EXPECT_EQ(angles_at(0.0, 0.05, 0.02), before);
+    EXPECT_EQ(angles_at(1.0, 0.0, 0.0), (Row{9000, 4000, 9000}));
+    EXPECT_EQ(angles_at(0.0, -0.05, 0.02), (Row{9000, 4000, 9000})) << "a fall from the vertical";
+    EXPECT_EQ(angles_at(-1.0, 0.0, 0.0), (Row{-9000, 4000, 9000}));
+}
+
 TEST_F(UndefinedAngles, EulerRollIsZeroWhenTheDeviceStartsAtTheVertical) {
     verifies<req::INC_ANGLE_019>();
     use_euler_angles();

@@ -230,6 +230,19 @@ TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
+TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
+    verifies<req::TCS_FD_004, req::TCS_LIM_003>();
+    EXPECT_EQ(write(0x5051, 2, 2, 10000), 0U);
+    inputs.supply = 8.0F;  // an under-voltage, read at 165 ms
+    set_inputs();
+    EXPECT_EQ(pass(10164), Frames{});
+    EXPECT_EQ(pass(1).size(), 1U);
+    EXPECT_EQ(write(0x4030, 1, 2, 60000), 0U);
+    EXPECT_EQ(write(0x4000, 1, 2, 100), 0U);  // low warning below 10.0 degC; channel 1 reads 0 degC
+    EXPECT_EQ(pass(59999), Frames{});
+    EXPECT_EQ(pass(1).size(), 1U);
+}
+
 TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
     verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {

@@ -61,6 +61,15 @@ TEST_F(Ax188001Startup, Mode2StartsTheOtherNodesAfterTheDelay) {
     EXPECT_EQ(pass(60000), (Frames{"1500:000#0100"}));
 }
 
+TEST_F(Ax188001Startup, OtherNodesAreStartedUpTo65SecondsLater) {
+    verifies<req::TCS_START_006, req::TCS_OD_5556>();
+    EXPECT_EQ(write(0x5556, 0, 2, 65000), 0U);
+    EXPECT_EQ(write(0x1800, 1, 4, 0xC00001FF), 0U);
+    start_with(2);
+    power_on();
+    EXPECT_EQ(pass(70000), (Frames{"65000:000#0100"}));
+}
+
 TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     verifies<req::TCS_START_007>();
     start_with(2);

@@ -71,6 +71,18 @@ TEST_F(AnalogEdges, SelfStartDelayIsThatOf1F91h) {
     EXPECT_EQ(device->state(), NmtState::operational);
 }
 
+TEST_F(AnalogEdges, SelfStartDelayIsUpTo65535Milliseconds) {
+    verifies<req::AO4_START_001, req::AO4_OD_1F91>();
+    write("603#23801F0008000000");
+    write("603#2B911F01FFFF0000");
+    write("603#2310100173617665");
+    power_on();
+    pass(65534);
+    EXPECT_EQ(device->state(), NmtState::pre_operational);
+    pass(1);
+    EXPECT_EQ(device->state(), NmtState::operational);
+}
+
 TEST_F(AnalogEdges, EachFlashLasts200Milliseconds) {
     verifies<req::AO4_LED_008, req::AO4_T5>();
     inputs.internal_fault = true;  // LED M: two flashes, started at 200 ms, and a pause of 1000 ms

@@ -217,6 +217,23 @@ TEST(RunSession, StimulusNamesOneDeviceOrAll) {
     EXPECT_EQ(frames("cbx-ao412@4.can_state"), (std::pair<std::uint64_t, std::uint64_t>{2, 1}));
 }
 
+TEST(RunSession, StimuliOfOneTimeApplyInTheOrderInWhichTheyWereAdded) {
+    // A hardware fault begins with the planned stimulus and ends with the user's. In another order it would last.
+    const Instant time{50000};
+    TestRun run{{"cbx-ao412@3"}, {{"plan", time, "hardware_fault", 1.0}}};
+    run.session->schedule({"user", time, "hardware_fault", 0.0});
+    run.session->advance_to(Instant{100000});
+    EXPECT_THAT(frames_of(run.log.str(), "T"),
+                testing::ElementsAre("703#00", testing::StartsWith("083#0050"), testing::StartsWith("083#0000")));
+    run.session->schedule({"user", Instant{150000}, "hardware_fault", 1.0});
+    run.session->schedule({"user", Instant{150000}, "hardware_fault", 0.0});
+    run.session->schedule({"user", Instant{140000}, "internal_fault", 1.0});
+    run.session->advance_to(Instant{200000});
+    EXPECT_THAT(frames_of(run.log.str(), "T"),
+                testing::ElementsAre("703#00", testing::_, testing::_, testing::StartsWith("083#1061"),
+                                     testing::StartsWith("083#0050"), testing::StartsWith("083#0000")));
+}
+
 TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4"}};
     run.session->advance_to(Instant{10000});
