@@ -230,14 +230,7 @@ class DeviceWorld {
     }
 
     void set_input(unsigned which, const std::uint8_t* data) {
-        unsigned count = 0;
-        for_each_input(state_.inputs, [&count](const char*, auto&) { ++count; });
-        unsigned number = 0;
-        for_each_input(state_.inputs, [&](const char*, auto& input) {
-            if (number++ == which % count) {
-                input = value_of<std::decay_t<decltype(input)>>(data);
-            }
-        });
+        put_input(state_.inputs, which, data);
         device_->set_inputs(state_.inputs, state_.now);
         drain(nullptr);
     }

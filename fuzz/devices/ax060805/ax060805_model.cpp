@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the naive model of the AX060805 beside the device: angles, accelerations, results of the functions, latency,
+// figure of merit, temperatures and supply, all frames with the contents of TPDOs, 1001h (error register) and 1003h
+// (error list).
+#include "fuzz/devices/ax060805/ax060805_unit.hpp"
+#include "fuzz/support/beside_model.hpp"
+#include "fuzz/support/expedited_write.hpp"
+#include "properties/devices/ax060805/naive_comparison.hpp"
+
+namespace {
+
+using namespace canproof;
+
+constexpr unsigned node = 127;
+
+void check(bool holds, const char* what, unsigned index) {
+    fuzz::require(holds, what, index);
+}
+
+class Model {
+  public:
+    static constexpr std::uint64_t longest_wait_ms = 60;
+    static constexpr std::uint64_t longest_run_ms = 600;
+
+    explicit Model(const ax060805::Device& device) : device_{device} {}
+
+    /// Switches TPDO 2 and 3 on, and starts the node.
+    template <typename Run>
+    static void begin(Run& run) {
+        for (unsigned n = 0; n < 3; ++n) {
+            run.receive(fuzz::write_request(node, 0x1800 + n, 5, 2, 11 + 6 * n));
+        }
+        Frame start = data_frame(0, 2);
+        start.data[0] = 1;
+        run.receive(start);
+    }
+    const char* ends() const { return model_.is_certain() ? nullptr : "rounding in single precision may decide"; }
+
+    static void finish(const ax060805::Device&) {}
+    void power_on(const ax060805::Inputs& inputs, std::uint64_t) {
+        set_inputs(inputs);
+        if (std::exchange(is_on_, true)) {
+            model_.restart();
+        }
+    }
+    void set_inputs(const ax060805::Inputs& inputs) {
+        model_.feel(test::felt_of(inputs));
+        model_.lose_frames(inputs.can_overrun);
+    }
+    void pass(std::uint64_t ms) {
+        for (; ms > 0; --ms) {
+            model_.pass();
+        }
+    }
+
+    static const char* unknown(const ax060805::Inputs& inputs) {
+        const auto is_within = [](float value, float low, float high) { return value >= low && value <= high; };
+        const bool has_acceleration = is_within(inputs.acceleration_x, -20.0F, 20.0F) &&
+                                      is_within(inputs.acceleration_y, -20.0F, 20.0F) &&
+                                      is_within(inputs.acceleration_z, -20.0F, 20.0F);
+        const bool is_usual = is_within(inputs.sensor_temperature, -100.0F, 200.0F) &&
+                              is_within(inputs.processor_temperature, -100.0F, 200.0F) &&
+                              is_within(inputs.supply_voltage, -10.0F, 100.0F);
+        return !has_acceleration || !is_usual ? "no unit has such an input"
+               : inputs.can_state != 0        ? "the model knows no errors of the CAN controller"
+                                              : nullptr;
+    }
+    static const char* unknown(const Frame& frame, const ax060805::Device& device) {
+        if (frame.extended) {
+            return nullptr;
+        }
+        if (frame.remote) {
+            return "pdo and error_control compare remote frames";
+        }
+        if (frame.id == 0x7E5) {
+            return "lss compares LSS";
+        }
+        if (frame.id == 0x080) {
+            return "pdo and emcy compare SYNC";
+        }
+        if (frame.id == 0x600U + node) {
+            const auto write = fuzz::expedited_write(device.objects(), frame);
+            return write ? unknown_write(*write, device.objects()) : "sdo_server compares other SDO requests";
+        }
+        const unsigned command = frame.data[0];
+        const bool is_known = frame.length == 2 && (command == 0x01 || command == 0x80 || command == 0x81);
+        return frame.id == 0 && !is_known ? "the model knows start, pre-operational and reset node only" : nullptr;
+    }
+    void receive(const Frame& frame) {
+        if (frame.extended) {
+            return;  // the device has identifiers of 11 bits only
+        }
+        if (frame.id == 0) {
+            command(frame.data[0], frame.data[1]);
+        } else if (frame.id == 0x27FU) {
+            const auto word = [&frame](std::size_t at) {
+                return int{static_cast<std::int16_t>(read_le(frame.payload(), at, 2))};
+            };
+            const bool is_whole = frame.length >= 6;
+            model_.receive_values(is_whole ? std::array<int, 3>{word(0), word(2), word(4)} : std::array<int, 3>{},
+                                  frame.length);
+        } else if (frame.id == 0x600U + node) {
+            const auto write = fuzz::expedited_write(device_.objects(), frame);
+            if (write->index() == 0x1010) {
+                model_.store();
+            } else {
+                model_.set(write->index(), write->sub(), write->value());
+            }
+        }
+    }
+
+    void compare(const ax060805::Device& device, const std::vector<Frame>& said, std::uint64_t) {
+        const test::NaiveComparison<decltype(&check)> comparison{device, model_, check_};
+        comparison.frames(said, model_.take_said());
+        comparison.values();
+        comparison.errors();
+    }
+
+  private:
+    void command(unsigned command, unsigned to) {
+        if (to != 0 && to != node) {
+            return;
+        }
+        if (command == 0x81) {
+            model_.restart();
+        } else {
+            model_.command(command == 0x01);
+        }
+    }
+    static const char* unknown_write(const fuzz::ExpeditedWrite& write, const ObjectDictionary& objects) {
+        const auto known_if = [](bool known, const char* why) { return known ? nullptr : why; };
+        if (fuzz::is_beyond_fixed_range(objects, write)) {
+            return "the model knows no ranges";
+        }
+        switch (write.address()) {
+            case 0x100300:
+                return known_if(write.bits == 0, "emcy compares other values in 1003h");
+            case 0x101001:
+                return known_if(write.bits == 0x65766173, "parameter_store compares other signatures");
+            case 0x102901:
+            case 0x102902:
+                return known_if(write.bits <= 1, "the model does not know the state stopped");
+            case 0x102903:
+            case 0x140005:
+            case 0x180005:
+            case 0x180105:
+            case 0x180205:
+                return nullptr;
+            case 0x250001:
+            case 0x250002:
+            case 0x250003:
+                return nullptr;
+            default:
+                break;
+        }
+        const unsigned index = write.index();
+        if (index == 0x2051) {
+            return known_if(write.bits <= 200, "a long window takes the model too long");
+        }
+        const bool is_other = index < 0x2002 || index == 0x5550 || index == 0x5555;
+        return known_if(!is_other && std::fabs(write.value()) <= 1.0e5, "the model does not know the parameter");
+    }
+
+    const ax060805::Device& device_;
+    test::NaiveNode model_{test::NaiveUnit{}, test::NaiveFelt{}};
+    void (*const check_)(bool, const char*, unsigned){check};
+    bool is_on_{false};
+};
+
+[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::Ax060805Unit, Model>, true);
+
+}  // namespace

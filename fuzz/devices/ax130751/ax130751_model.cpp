@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the naive model of the AX130751 beside the device: outputs and relay, values of all blocks, all frames with the
+// contents of TPDOs, 1001h (error register), 1003h (error list), and all parameters at the end.
+#include "fuzz/devices/ax130751/ax130751_unit.hpp"
+#include "fuzz/support/beside_model.hpp"
+#include "fuzz/support/expedited_write.hpp"
+#include "properties/devices/ax130751/naive_comparison.hpp"
+
+namespace {
+
+using namespace canproof;
+
+constexpr unsigned node = 127;
+constexpr std::uint32_t no_rtr = 0x40000000;
+
+void check(bool holds, const char* what, unsigned index) {
+    fuzz::require(holds, what, index);
+}
+
+class Model {
+  public:
+    static constexpr std::uint64_t longest_wait_ms = 25;
+    static constexpr std::uint64_t longest_run_ms = 200;
+
+    explicit Model(const ax130751::Device& device) : device_{device} {}
+
+    /// Switches all PDOs on, monitors three heartbeats, and starts the node.
+    template <typename Run>
+    void begin(Run& run) {
+        const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
+            run.receive(fuzz::write_request(node, index, sub, size, bits));
+        };
+        constexpr std::array<std::uint32_t, 4> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};
+        for (unsigned i = 1; i <= 4; ++i) {
+            write(0x1A02, i, 4, mapped[i - 1]);
+        }
+        write(0x1A02, 0, 1, 4);
+        for (unsigned n = 0; n < 4; ++n) {
+            write(0x1800 + n, 5, 2, 5 + 2 * n);
+            write(0x1800 + n, 1, 4, no_rtr + 0x180 + 0x100 * n + node);
+            write(0x1400 + n, 1, 4, no_rtr + 0x200 + 0x100 * n + node);
+            model_.parameters.communication.transmit[n].valid = true;
+            model_.parameters.communication.receive[n].valid = true;
+        }
+        for (unsigned n = 0; n < 3; ++n) {
+            write(0x1016, n + 1, 4, ((5 + n) << 16U) + 15 + 5 * n);
+            model_.parameters.communication.heartbeat_ms[n] = static_cast<int>(15 + 5 * n);
+        }
+        Frame start = data_frame(0, 2);
+        start.data[0] = 1;
+        run.receive(start);
+        is_set_up_ = true;
+    }
+    static const char* ends() { return nullptr; }
+    void finish(const ax130751::Device& device) const { Comparison{device, model_, check_}.parameters(); }
+
+    void power_on(const ax130751::Inputs& inputs, std::uint64_t now_ms) {
+        begun_ms_ = now_ms - model_.now;
+        set_inputs(inputs);
+        model_.start_up();
+    }
+    void set_inputs(const ax130751::Inputs& inputs) {
+        model_.inputs = {inputs.supply, inputs.cpu_temperature, inputs.load};
+    }
+    void pass(std::uint64_t ms) {
+        for (; ms > 0; --ms) {
+            model_.pass();
+        }
+    }
+
+    static const char* unknown(const ax130751::Inputs& inputs) {
+        const auto is_within = [](float value, float low, float high) { return value >= low && value <= high; };
+        const bool is_usual = is_within(inputs.supply, 0.0F, 80.0F) &&
+                              is_within(inputs.cpu_temperature, -60.0F, 150.0F) &&
+                              is_within(inputs.load[0], 1.0F, 1.0e6F) && is_within(inputs.load[1], 1.0F, 1.0e6F);
+        return !is_usual                                     ? "no unit has such an input"
+               : inputs.can_state != 0 || inputs.can_overrun ? "the model knows no errors of the CAN controller"
+                                                             : nullptr;
+    }
+    const char* unknown(const Frame& frame, const ax130751::Device& device) const {
+        if (frame.extended) {
+            return nullptr;
+        }
+        if (frame.remote) {
+            return "pdo and error_control compare remote frames";
+        }
+        if (frame.id == 0x7E5) {
+            return "lss compares LSS";
+        }
+        if (frame.id == 0x080) {
+            return "pdo and emcy compare SYNC";
+        }
+        if (frame.id == 0x600U + node) {
+            const auto write = fuzz::expedited_write(device.objects(), frame);
+            return write ? unknown_write(*write, device.objects()) : "sdo_server compares other SDO requests";
+        }
+        const unsigned first = frame.data[0];
+        if (is_heartbeat(frame)) {
+            const bool is_known = frame.length == 1 && (first == 4 || first == 5 || first == 127);
+            return is_known ? nullptr : "error_control compares other heartbeats";
+        }
+        const bool is_known = frame.length == 2 && (first == 1 || (first >= 0x80 && first <= 0x82));
+        return frame.id == 0 && !is_known ? "the model does not know the state stopped" : nullptr;
+    }
+    void receive(const Frame& frame) {
+        if (frame.extended) {
+            return;  // the device has identifiers of 11 bits only
+        }
+        if (frame.id == 0 && (frame.data[1] == 0 || frame.data[1] == node)) {
+            model_.command(frame.data[0]);
+        } else if (is_heartbeat(frame)) {
+            model_.heartbeat(frame.id - 0x700U);
+        } else if (frame.id >= 0x200U && frame.id < 0x600U && frame.id % 0x100U == node) {
+            model_.receive(static_cast<int>(frame.id / 0x100U) - 1,
+                           {frame.data.begin(), frame.data.begin() + frame.length});
+        } else if (frame.id == 0x600U + node) {
+            answer_ = answer_to(*fuzz::expedited_write(device_.objects(), frame));
+        }
+    }
+
+    void compare(const ax130751::Device& device, const std::vector<Frame>& frames, std::uint64_t now_ms) {
+        std::vector<naive_ax130751::Said> said;
+        for (const Frame& frame : frames) {
+            if (frame.id == 0x580U + node) {
+                fuzz::require(answer_of(frame) == answer_, "the answer to a write",
+                              frame.data[1] + 256U * frame.data[2]);
+            } else {
+                said.push_back({now_ms - begun_ms_, frame.id, {frame.data.begin(), frame.data.begin() + frame.length}});
+            }
+        }
+        const Comparison comparison{device, model_, check_};
+        comparison.frames(said);
+        comparison.outputs();
+        comparison.values();
+        comparison.errors();
+        model_.said.clear();
+    }
+
+  private:
+    using Check = void (*)(bool, const char*, unsigned);
+    using Comparison = naive_ax130751::Comparison<Check>;
+
+    /// Returns whether a frame has the identifier of a heartbeat that begin() monitors, or of node 8.
+    static bool is_heartbeat(const Frame& frame) { return frame.id >= 0x705 && frame.id <= 0x708; }
+    static std::uint32_t answer_of(const Frame& answer) {
+        return answer.data[0] == 0x80 ? read_u32(answer.payload(), 4) : 0U;
+    }
+    const char* unknown_write(const fuzz::ExpeditedWrite& write, const ObjectDictionary& objects) const {
+        const auto known_if = [](bool known, const char* why) { return known ? nullptr : why; };
+        if (!is_set_up_) {
+            return nullptr;
+        }
+        if (write.address() == 0x100300) {
+            return known_if(write.bits == 0, "emcy compares other values in 1003h");
+        }
+        if (write.address() == 0x101001) {
+            return known_if(write.bits == 0x65766173, "parameter_store compares other signatures");
+        }
+        if (model_.entries().count({write.index(), write.sub()}) == 0) {
+            return "the model has no such parameter";
+        }
+        if (write.address() == 0x102901) {
+            return known_if(write.bits <= 1, "the model does not know the state stopped");
+        }
+        return known_if(!fuzz::is_beyond_fixed_range(objects, write), "the model knows no fixed ranges");
+    }
+    /// Performs a write; returns 0 or the abort code.
+    std::uint32_t answer_to(const fuzz::ExpeditedWrite& write) {
+        if (write.address() == 0x100300) {
+            model_.errors.empty_list();
+            return 0;
+        }
+        if (write.address() == 0x101001) {
+            model_.store();
+            return 0;
+        }
+        if (model_.entries().count({write.index(), write.sub()}) == 0) {
+            return 0;  // of begin(), which sets the parameters of the model
+        }
+        return model_.write(write.index(), write.sub(), static_cast<int>(write.value()));
+    }
+
+    const ax130751::Device& device_;
+    naive_ax130751::Device model_{node};
+    const Check check_{check};
+    std::uint64_t begun_ms_{0};
+    std::uint32_t answer_{0};
+    bool is_set_up_{false};
+};
+
+[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::Ax130751Unit, Model>, true);
+
+}  // namespace

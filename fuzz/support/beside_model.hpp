@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
+// the two after each event and at each deadline of the device. Some events differ from those of the other runs, because
+// a model knows no late driver and no failing memory:
+//   C  the driver keeps every deadline, for Model::longest_wait_ms at most
+//   D  the power is cut after the frame was served
+//   F  left out
+// A frame or an input that the model does not know is left out for device and model, with a reason (model_counts.hpp).
+//
+// A `Model` is made with the device, which stays where it is, and has:
+//   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
+//   unknown(frame, device), unknown(inputs)  why the model does not know it, or nullptr
+//   ends()                                   why the model cannot go on, or nullptr
+//   compare(device, said, ms)                requires that the device shows and has said what the model does
+//   begin(run), finish(device)               may give both some events before those of the input, and compare more at
+//                                            its end
+#pragma once
+
+#include "fuzz/support/fuzz_device.hpp"
+#include "fuzz/support/model_counts.hpp"
+
+namespace canproof::fuzz {
+
+template <typename Unit, typename Model>
+class BesideModel {
+  public:
+    using Inputs = typename Unit::Inputs;
+
+    /// Begins with a device that has just been switched on.
+    explicit BesideModel(DeviceWorld<Unit>& world) : world_{world}, model_{world.device()} {
+        model_.power_on(world_.inputs(), now_ms());
+        compare();
+        model_.begin(*this);
+    }
+    void run(const std::uint8_t* data, std::size_t size) {
+        const std::uint64_t end_ms = now_ms() + Model::longest_run_ms;
+        const std::size_t count = std::min(size / device_record_size, most_device_records);
+        for (std::size_t i = 0; i < count; ++i) {
+            const char* const why = now_ms() >= end_ms ? "the run is long enough" : model_.ends();
+            if (why != nullptr) {
+                ++model_counts.ended[why];
+                return;
+            }
+            happen(data + i * device_record_size);
+        }
+        pass(5);
+        model_.finish(world_.device());
+    }
+
+    void receive(const Frame& frame) {
+        if (const char* const why = model_.unknown(frame, world_.device())) {
+            return leave_out(why);
+        }
+        world_.receive(frame);
+        model_.receive(frame);
+        happened();
+    }
+    void pass(std::uint64_t ms) {
+        const Instant end = world_.now() + milliseconds(ms);
+        while (world_.now() < end) {
+            const std::uint64_t before = now_ms();
+            world_.run_until(earliest(world_.device().next_deadline(), end));
+            model_.pass(now_ms() - before);
+            compare();
+        }
+    }
+
+  private:
+    void happen(const std::uint8_t* record) {
+        switch (record[0] & 0x0FU) {
+            case 0xB:
+                return set_input(record);
+            case 0xC:
+                return pass(std::min<std::uint64_t>(duration_in(record).us / 1000U, Model::longest_wait_ms));
+            case 0xD:
+                receive(*world_.frame_in(with_kind(record, (record[1] & 1U) != 0 ? 5 : 0).data()));
+                return power_cycle(record);
+            case 0xE:
+                return power_cycle(record);
+            case 0xF:
+                return leave_out("the memory fails");
+            default:
+                break;
+        }
+        if (const std::optional<Frame> frame = world_.frame_in(record)) {
+            receive(*frame);
+        }
+    }
+    using Record = std::array<std::uint8_t, device_record_size>;
+    static Record with_kind(const std::uint8_t* record, std::uint8_t kind) {
+        Record other{};
+        std::copy_n(record, other.size(), other.begin());
+        other[0] = kind;
+        return other;
+    }
+    void set_input(const std::uint8_t* record) {
+        Inputs next = world_.inputs();
+        put_input(next, record[1], record + 2);
+        if (const char* const why = model_.unknown(next)) {
+            return leave_out(why);
+        }
+        world_.befall(record);
+        world_.run_until(world_.now());
+        model_.set_inputs(next);
+        happened();
+    }
+    void power_cycle(const std::uint8_t* record) {
+        world_.befall(with_kind(record, 0xE).data());
+        model_.power_on(world_.inputs(), now_ms());
+        happened();
+    }
+    void happened() {
+        ++model_counts.events;
+        compare();
+    }
+    void compare() { model_.compare(world_.device(), world_.take_sent(), now_ms()); }
+    static void leave_out(const char* why) { ++model_counts.left_out[why]; }
+    std::uint64_t now_ms() const { return world_.now().us / 1000U; }
+
+    DeviceWorld<Unit>& world_;
+    Model model_;
+};
+
+/// A multiple of all LED patterns. It is not 0, so that the frames are not logged a second time (device_world.hpp).
+constexpr Circumstances beside_a_model{24'000'000U, 0U};
+
+/// Runs one input beside the model. The device of the last input is switched on again.
+template <typename Unit, typename Model>
+void run_beside_model(const std::uint8_t* data, std::size_t size) {
+    static Reused<DeviceWorld<Unit>> world{beside_a_model};
+    BesideModel<Unit, Model>{world.at_start()}.run(data, size);
+}
+
+}  // namespace canproof::fuzz
