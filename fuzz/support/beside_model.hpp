@@ -16,10 +16,39 @@
 //                                            its end
 #pragma once
 
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "fuzz/support/fuzz_device.hpp"
 #include "fuzz/support/model_counts.hpp"
 
 namespace canproof::fuzz {
+
+/// Returns whether a physical input is a usual number in this range; not a subnormal one, and not -0.
+inline bool is_usual(float value, float low, float high) {
+    return value >= low && value <= high && (std::isnormal(value) || (value == 0.0F && !std::signbit(value)));
+}
+
+/// The frames of one moment, each with its time in ms and its text.
+using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
+
+/// Requires the frames that the model has sent; prints both when they differ.
+inline void require_frames(const TimedFrames& said, const TimedFrames& expected, const char* file = __builtin_FILE(),
+                           int line = __builtin_LINE()) {
+    if (said == expected) {
+        return;
+    }
+    for (const auto& [ms, text] : said) {
+        std::fprintf(stderr, "device: %llu ms %s\n", static_cast<unsigned long long>(ms), text.c_str());
+    }
+    for (const auto& [ms, text] : expected) {
+        std::fprintf(stderr, "model:  %llu ms %s\n", static_cast<unsigned long long>(ms), text.c_str());
+    }
+    require(false, "the frames of the model", 0, file, line);
+}
 
 template <typename Unit, typename Model>
 class BesideModel {

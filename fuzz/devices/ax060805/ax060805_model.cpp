@@ -54,16 +54,15 @@ class Model {
     }
 
     static const char* unknown(const ax060805::Inputs& inputs) {
-        const auto is_within = [](float value, float low, float high) { return value >= low && value <= high; };
-        const bool has_acceleration = is_within(inputs.acceleration_x, -20.0F, 20.0F) &&
-                                      is_within(inputs.acceleration_y, -20.0F, 20.0F) &&
-                                      is_within(inputs.acceleration_z, -20.0F, 20.0F);
-        const bool is_usual = is_within(inputs.sensor_temperature, -100.0F, 200.0F) &&
-                              is_within(inputs.processor_temperature, -100.0F, 200.0F) &&
-                              is_within(inputs.supply_voltage, -10.0F, 100.0F);
-        return !has_acceleration || !is_usual ? "no unit has such an input"
-               : inputs.can_state != 0        ? "the model knows no errors of the CAN controller"
-                                              : nullptr;
+        const bool has_acceleration = fuzz::is_usual(inputs.acceleration_x, -20.0F, 20.0F) &&
+                                      fuzz::is_usual(inputs.acceleration_y, -20.0F, 20.0F) &&
+                                      fuzz::is_usual(inputs.acceleration_z, -20.0F, 20.0F);
+        const bool usual = fuzz::is_usual(inputs.sensor_temperature, -100.0F, 200.0F) &&
+                           fuzz::is_usual(inputs.processor_temperature, -100.0F, 200.0F) &&
+                           fuzz::is_usual(inputs.supply_voltage, -10.0F, 100.0F);
+        return !has_acceleration || !usual ? "no unit has such an input"
+               : inputs.can_state != 0     ? "the model knows no errors of the CAN controller"
+                                           : nullptr;
     }
     static const char* unknown(const Frame& frame, const ax060805::Device& device) {
         if (frame.extended) {

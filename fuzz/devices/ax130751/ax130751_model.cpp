@@ -4,6 +4,7 @@
 #include "fuzz/devices/ax130751/ax130751_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
+#include "host/sim/bus/candump.hpp"
 #include "properties/devices/ax130751/naive_comparison.hpp"
 
 namespace {
@@ -69,11 +70,10 @@ class Model {
     }
 
     static const char* unknown(const ax130751::Inputs& inputs) {
-        const auto is_within = [](float value, float low, float high) { return value >= low && value <= high; };
-        const bool is_usual = is_within(inputs.supply, 0.0F, 80.0F) &&
-                              is_within(inputs.cpu_temperature, -60.0F, 150.0F) &&
-                              is_within(inputs.load[0], 1.0F, 1.0e6F) && is_within(inputs.load[1], 1.0F, 1.0e6F);
-        return !is_usual                                     ? "no unit has such an input"
+        const bool usual = fuzz::is_usual(inputs.supply, 0.0F, 80.0F) &&
+                           fuzz::is_usual(inputs.cpu_temperature, -60.0F, 150.0F) &&
+                           fuzz::is_usual(inputs.load[0], 1.0F, 1.0e6F) && fuzz::is_usual(inputs.load[1], 1.0F, 1.0e6F);
+        return !usual                                        ? "no unit has such an input"
                : inputs.can_state != 0 || inputs.can_overrun ? "the model knows no errors of the CAN controller"
                                                              : nullptr;
     }
@@ -119,27 +119,49 @@ class Model {
     }
 
     void compare(const ax130751::Device& device, const std::vector<Frame>& frames, std::uint64_t now_ms) {
-        std::vector<naive_ax130751::Said> said;
+        fuzz::TimedFrames said;
         for (const Frame& frame : frames) {
             if (frame.id == 0x580U + node) {
                 fuzz::require(answer_of(frame) == answer_, "the answer to a write",
                               frame.data[1] + 256U * frame.data[2]);
             } else {
-                said.push_back({now_ms - begun_ms_, frame.id, {frame.data.begin(), frame.data.begin() + frame.length}});
+                said.emplace_back(now_ms - begun_ms_, host::format_frame(frame));
             }
         }
+        fuzz::require_frames(by_identifier(said), by_identifier(told(model_.said)));
+        model_.said.clear();
         const Comparison comparison{device, model_, check_};
-        comparison.frames(said);
         comparison.outputs();
         comparison.values();
         comparison.errors();
-        model_.said.clear();
     }
 
   private:
     using Check = void (*)(bool, const char*, unsigned);
     using Comparison = naive_ax130751::Comparison<Check>;
 
+    static fuzz::TimedFrames told(const std::vector<naive_ax130751::Said>& said) {
+        fuzz::TimedFrames all;
+        for (const naive_ax130751::Said& one : said) {
+            Frame frame = data_frame(one.id, static_cast<std::uint8_t>(one.data.size()));
+            std::transform(one.data.begin(), one.data.end(), frame.data.begin(),
+                           [](int byte) { return static_cast<std::uint8_t>(byte); });
+            all.emplace_back(one.at, host::format_frame(frame));
+        }
+        return all;
+    }
+    /// Sorts frames; the order of frames of one identifier stays.
+    static fuzz::TimedFrames by_identifier(const fuzz::TimedFrames& frames) {
+        std::multimap<std::string, fuzz::TimedFrames::value_type> sorted;
+        for (const auto& frame : frames) {
+            sorted.emplace(frame.second.substr(0, 3), frame);
+        }
+        fuzz::TimedFrames all;
+        for (const auto& one : sorted) {
+            all.push_back(one.second);
+        }
+        return all;
+    }
     /// Returns whether a frame has the identifier of a heartbeat that begin() monitors, or of node 8.
     static bool is_heartbeat(const Frame& frame) { return frame.id >= 0x705 && frame.id <= 0x708; }
     static std::uint32_t answer_of(const Frame& answer) {

@@ -60,13 +60,14 @@ class Model {
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
     static const char* unknown(const ax188001::Inputs& inputs) {
-        bool is_usual = is_within(inputs.cold_junction, -60.0F, 140.0F) &&
-                        is_within(inputs.cpu_temperature, -60.0F, 150.0F) && is_within(inputs.supply, 0.0F, 80.0F);
+        bool usual = fuzz::is_usual(inputs.cold_junction, -60.0F, 140.0F) &&
+                     fuzz::is_usual(inputs.cpu_temperature, -60.0F, 150.0F) &&
+                     fuzz::is_usual(inputs.supply, 0.0F, 80.0F);
         for (std::size_t i = 0; i < 2; ++i) {
-            is_usual = is_usual && is_within(inputs.tc_microvolts[i], -100000.0F, 100000.0F) &&
-                       is_within(inputs.tc_hum[i], 0.0F, 5000.0F);
+            usual = usual && fuzz::is_usual(inputs.tc_microvolts[i], -100000.0F, 100000.0F) &&
+                    fuzz::is_usual(inputs.tc_hum[i], 0.0F, 5000.0F);
         }
-        return !is_usual                                                      ? "no unit has such an input"
+        return !usual                                                         ? "no unit has such an input"
                : inputs.mains_frequency != 50 && inputs.mains_frequency != 60 ? "no mains have this frequency"
                : inputs.can_state > 3                                         ? "no CAN controller has this state"
                                                                               : nullptr;
@@ -100,11 +101,11 @@ class Model {
     }
 
     void compare(const ax188001::Device& device, const std::vector<Frame>& said, std::uint64_t now_ms) {
-        naive_tcs::Ax188001::Sent seen;
+        fuzz::TimedFrames seen;
         for (const Frame& frame : said) {
             seen.emplace_back(now_ms, host::format_frame(frame));
         }
-        fuzz::require(naive_tcs::in_order(seen) == naive_tcs::in_order(model_.take_sent()), "the frames of the model");
+        fuzz::require_frames(naive_tcs::in_order(seen), naive_tcs::in_order(model_.take_sent()));
         naive_tcs::compare_values(
             device, model_, [](bool holds, const char* what, unsigned index) { fuzz::require(holds, what, index); });
         naive_tcs::compare_errors(
@@ -115,7 +116,6 @@ class Model {
 
   private:
     static constexpr std::uint32_t cob_id(unsigned i) { return 0x40000180U + 0x100U * i + node; }
-    static bool is_within(float value, float low, float high) { return value >= low && value <= high; }
 
     const char* unknown_write(const fuzz::ExpeditedWrite& write) const {
         const std::uint32_t bits = write.bits;

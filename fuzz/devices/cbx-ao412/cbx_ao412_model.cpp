@@ -68,11 +68,11 @@ class Model {
     }
 
     void compare(const cbx_ao412::Device& device, const std::vector<Frame>& said, std::uint64_t now_ms) {
-        naive_ao4::Device::Sent seen;
+        fuzz::TimedFrames seen;
         for (const Frame& frame : said) {
             seen.emplace_back(now_ms, host::format_frame(frame));
         }
-        fuzz::require(seen == model_.take_sent(), "the frames of the model");
+        fuzz::require_frames(seen, model_.take_sent());
         naive_ao4::compare_outputs(device, model_, [](bool holds, const char* what) { fuzz::require(holds, what); });
         if (model_.runs()) {
             naive_ao4::compare_objects(device, model_,
