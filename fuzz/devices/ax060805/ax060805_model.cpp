@@ -24,15 +24,47 @@ class Model {
 
     explicit Model(const ax060805::Device& device) : device_{device} {}
 
-    /// Switches TPDO 2 and 3 on, and starts the node.
+    /// Makes the axes, the additional filters and the inputs of two functions different, switches TPDO 2 and 3 on, and
+    /// starts the node.
     template <typename Run>
     static void begin(Run& run) {
+        const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
+            run.receive(fuzz::write_request(node, index, sub, size, bits));
+        };
         for (unsigned n = 0; n < 3; ++n) {
-            run.receive(fuzz::write_request(node, 0x1800 + n, 5, 2, 11 + 6 * n));
+            write(0x1800 + n, 5, 2, 11 + 6 * n);
+            write(0x2010, n + 1, 2, 1000 - 300 * n);
+            write(0x2030, n + 1, 2, 100 + 300 * n);
+            write(0x2040, n + 1, 4, bit_cast<std::uint32_t>(7.0F * static_cast<float>(n)));
+            write(0x2031, n + 1, 1, n % 2);
+            write(0x2050, n + 1, 1, n);
+            write(0x2051, n + 1, 2, 3 + 2 * n);
+            write(0x2502, n + 1, 4, bit_cast<std::uint32_t>(5.0F * static_cast<float>(n)));
+        }
+        write(0x2052, 0, 2, 7);
+        write(0x1400, 5, 2, 20);
+        constexpr std::array<std::array<unsigned, 2>, 3> sources{{{5, 6}, {1, 10}, {20, 21}}};
+        for (unsigned n = 0; n < 3; ++n) {
+            for (unsigned i = 0; i < 2; ++i) {
+                write(0x3010 + 0x10 * n, i + 1, 1, sources[n][i]);
+                write(0x3012 + 0x10 * n, i + 1, 4, bit_cast<std::uint32_t>(3.0F + static_cast<float>(i)));
+            }
+            write(0x300A, n + 1, 1, n == 1 ? 1 : 3);
         }
         Frame start = data_frame(0, 2);
         start.data[0] = 1;
         run.receive(start);
+    }
+    /// Returns an NMT command or RPDO1.
+    static Frame usual_frame(unsigned, unsigned which, const std::uint8_t* data) {
+        constexpr std::array<std::uint8_t, 4> commands{0x01, 0x01, 0x80, 0x81};
+        Frame frame = data_frame(0, 2);
+        frame.data[0] = commands[data[0] % commands.size()];
+        if (which % 2U == 0) {
+            frame = data_frame(0x27F, which % 8U == 0 ? 5 : 6);
+            std::copy_n(data, frame.length, frame.data.begin());
+        }
+        return frame;
     }
     const char* ends() const { return model_.is_certain() ? nullptr : "rounding in single precision may decide"; }
 

@@ -52,6 +52,25 @@ class Model {
         run.receive(start);
         is_set_up_ = true;
     }
+    /// Returns an NMT command, an RPDO, or a heartbeat.
+    static Frame usual_frame(unsigned, unsigned which, const std::uint8_t* data) {
+        constexpr std::array<std::uint8_t, 8> commands{0x01, 0x01, 0x01, 0x01, 0x01, 0x80, 0x81, 0x82};
+        constexpr std::array<std::uint8_t, 4> lengths{5, 6, 6, 2};
+        Frame frame = data_frame(0, 2);
+        frame.data[0] = commands[data[0] % commands.size()];
+        if (which % 8U < 5U) {
+            const unsigned n = which / 8U % 4U;
+            frame = data_frame(0x200U + 0x100U * n + node, lengths[n]);
+            std::copy_n(data, frame.length, frame.data.begin());
+            for (std::size_t i = 1; i < 6; i += 2) {
+                frame.data[i] = n == 3 ? frame.data[i] : frame.data[i] % 4U;  // process values near their ranges
+            }
+        } else if (which % 8U < 7U) {
+            frame = data_frame(0x705U + which / 8U % 3U, 1);
+            frame.data[0] = 5;
+        }
+        return frame;
+    }
     static const char* ends() { return nullptr; }
     void finish(const ax130751::Device& device) const { Comparison{device, model_, check_}.parameters(); }
 

@@ -50,6 +50,13 @@ class Model {
         run.receive(start);
         may_map_ = false;
     }
+    /// Returns an NMT command.
+    static Frame usual_frame(unsigned, unsigned which, const std::uint8_t*) {
+        constexpr std::array<std::uint8_t, 8> commands{0x01, 0x01, 0x01, 0x80, 0x02, 0x81, 0x82, 0x81};
+        Frame frame = data_frame(0, 2);
+        frame.data[0] = commands[which % commands.size()];
+        return frame;
+    }
     static const char* ends() { return nullptr; }
 
     static void finish(const ax188001::Device&) {}

@@ -18,8 +18,47 @@ class Model {
 
     explicit Model(const cbx_ao412::Device&) {}
 
+    /// Makes the four outputs different, and monitors a heartbeat.
     template <typename Run>
-    static void begin(Run&) {}
+    static void begin(Run& run) {
+        const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
+            run.receive(fuzz::write_request(cbx_ao412::Inputs{}.switch_low, index, sub, size, bits));
+        };
+        for (unsigned sub = 1; sub <= 4; ++sub) {
+            write(0x6443, sub, 1, sub % 3);
+            write(0x6444, sub, 4, 0x10005000U * sub);
+            write(0x6411, sub, 2, 0x0777U * sub);
+            write(0x2404, sub, 2, 40U * sub);
+            write(0x2405, sub, 2, 777U * sub);
+        }
+        write(0x1016, 1, 4, 0x310000U | 400U);
+    }
+    /// Returns an NMT command, RPDO2, SYNC, the monitored heartbeat, or a guarding request.
+    static Frame usual_frame(unsigned node, unsigned which, const std::uint8_t* data) {
+        Frame frame = data_frame(0, 2);
+        constexpr std::array<std::uint8_t, 8> commands{0x01, 0x01, 0x01, 0x80, 0x02, 0x81, 0x82, 0x81};
+        switch (which % 8U) {
+            case 0:
+            case 1:
+                frame = data_frame(0x300U + node, 8);
+                std::copy_n(data, 8, frame.data.begin());
+                return frame;
+            case 2:
+                return data_frame(0x080, 0);
+            case 3:
+            case 4:
+                frame = data_frame(0x731, 1);
+                frame.data[0] = 5;
+                return frame;
+            case 5:
+                frame = data_frame(0x700U + node, 0);
+                frame.remote = true;
+                return frame;
+            default:
+                frame.data[0] = commands[data[0] % commands.size()];
+                return frame;
+        }
+    }
     static const char* ends() { return nullptr; }
 
     static void finish(const cbx_ao412::Device&) {}
