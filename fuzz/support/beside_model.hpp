@@ -4,9 +4,10 @@
 // requests. So some records mean something else than in the other runs:
 //   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
 //              frames that it knows
+//   B          where the model does not know the value: one that it knows
 //   C          the driver keeps every deadline, for less than Model::longest_wait_ms
 //   D          the power is cut after the frame was served
-// A frame or an input that the model does not know is left out for device and model, with a reason (model_counts.hpp).
+// A frame that the model does not know is left out for device and model, with a reason (model_counts.hpp).
 //
 // A `Model` is made with the device, which stays where it is, and has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
@@ -14,7 +15,8 @@
 //   usual_frame(node, which, data)           a frame that it knows
 //   ends()                                   why the model cannot go on, or nullptr
 //   compare(device, said, ms)                requires that the device shows and has said what the model does
-//   begin(run), finish(device)               may give both some events before those of the input, and compare more at
+//   put_usual_input(inputs, which, data)     changes an input to a value that it knows
+//   begin(run, choices), finish(device)      may give both some events before those of the input, and compare more at
 //                                            its end
 #pragma once
 
@@ -34,6 +36,23 @@ namespace canproof::fuzz {
 inline bool is_usual(float value, float low, float high) {
     return value >= low && value <= high && (std::isnormal(value) || (value == 0.0F && !std::signbit(value)));
 }
+
+/// Choices that follow from a seed.
+class Choices {
+  public:
+    explicit Choices(std::uint64_t seed) : state_{seed} {}
+    unsigned below(unsigned count) {
+        state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<unsigned>(state_ >> 33U) % count;
+    }
+    template <std::size_t Count>
+    unsigned one_of(const std::array<unsigned, Count>& values) {
+        return values[below(Count)];
+    }
+
+  private:
+    std::uint64_t state_;
+};
 
 /// The frames of one moment, each with its time in ms and its text.
 using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
@@ -59,10 +78,10 @@ class BesideModel {
     using Inputs = typename Unit::Inputs;
 
     /// Begins with a device that has just been switched on.
-    explicit BesideModel(DeviceWorld<Unit>& world) : world_{world}, model_{world.device()} {
+    BesideModel(DeviceWorld<Unit>& world, std::uint64_t seed) : world_{world}, model_{world.device()} {
         model_.power_on(world_.inputs(), now_ms());
         compare();
-        model_.begin(*this);
+        model_.begin(*this, Choices{seed});
         parameters_ = &known_parameters();
     }
     void run(const std::uint8_t* data, std::size_t size) {
@@ -147,11 +166,11 @@ class BesideModel {
     void set_input(const std::uint8_t* record) {
         Inputs next = world_.inputs();
         put_input(next, record[1], record + 2);
-        if (const char* const why = model_.unknown(next)) {
-            return leave_out(why);
+        if (model_.unknown(next) != nullptr) {
+            next = world_.inputs();
+            Model::put_usual_input(next, record[1], record + 2);
         }
-        world_.befall(record);
-        world_.run_until(world_.now());
+        world_.set_inputs(next);
         model_.set_inputs(next);
         happened();
     }
@@ -187,7 +206,9 @@ constexpr Circumstances beside_a_model{24'000'000U, 0U};
 template <typename Unit, typename Model>
 void run_beside_model(const std::uint8_t* data, std::size_t size) {
     static Reused<DeviceWorld<Unit>> world{beside_a_model};
-    BesideModel<Unit, Model>{world.at_start()}.run(data, size);
+    Digest digest;
+    digest.add(ByteView{data, size});
+    BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
 }  // namespace canproof::fuzz

@@ -171,6 +171,13 @@ class DeviceWorld {
         run_until(state_.now);
     }
 
+    void set_inputs(const Inputs& inputs) {
+        state_.inputs = inputs;
+        device_->set_inputs(inputs, state_.now);
+        drain(nullptr);
+        run_until(state_.now);
+    }
+
     Instant now() const { return state_.now; }
     const Device& device() const { return *device_; }
     const Inputs& inputs() const { return state_.inputs; }

@@ -27,7 +27,7 @@ class Model {
     /// Makes the axes, the additional filters and the inputs of two functions different, switches TPDO 2 and 3 on, and
     /// starts the node.
     template <typename Run>
-    static void begin(Run& run) {
+    static void begin(Run& run, fuzz::Choices choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(node, index, sub, size, bits));
         };
@@ -49,7 +49,7 @@ class Model {
                 write(0x3010 + 0x10 * n, i + 1, 1, sources[n][i]);
                 write(0x3012 + 0x10 * n, i + 1, 4, bit_cast<std::uint32_t>(3.0F + static_cast<float>(i)));
             }
-            write(0x300A, n + 1, 1, n == 1 ? 1 : 3);
+            write(0x300A, n + 1, 1, 1 + choices.below(20));
         }
         Frame start = data_frame(0, 2);
         start.data[0] = 1;
@@ -85,6 +85,34 @@ class Model {
         }
     }
 
+    /// Turns the unit, or changes a temperature, the supply or the failure of the sensor.
+    static void put_usual_input(ax060805::Inputs& inputs, unsigned which, const std::uint8_t* data) {
+        const auto number = static_cast<float>(static_cast<std::int16_t>(data[0] | (unsigned{data[1]} << 8U)));
+        switch (which % 8U) {
+            case 0:
+                inputs.accelerometer_fault = (data[0] & 1U) != 0;
+                return;
+            case 1:
+                inputs.sensor_temperature = number / 256.0F;
+                return;
+            case 2:
+                inputs.processor_temperature = number / 128.0F - 50.0F;
+                return;
+            case 3:
+                inputs.supply_voltage = number / 400.0F;
+                return;
+            default: {
+                const float pitch = number / 22000.0F;
+                const float roll = static_cast<float>(static_cast<std::int8_t>(data[2])) / 41.0F + 0.0042F;
+                inputs.acceleration_x = std::sin(pitch);
+                inputs.acceleration_y = -std::sin(roll) * std::cos(pitch);
+                inputs.acceleration_z = -std::cos(roll) * std::cos(pitch);
+                const float size = data[3] == 0 ? 16.5F : 1.0F;  // beyond the range of the sensor
+                (data[4] % 2U == 0 ? inputs.acceleration_y : inputs.acceleration_x) *= size;
+                return;
+            }
+        }
+    }
     static const char* unknown(const ax060805::Inputs& inputs) {
         const bool has_acceleration = fuzz::is_usual(inputs.acceleration_x, -20.0F, 20.0F) &&
                                       fuzz::is_usual(inputs.acceleration_y, -20.0F, 20.0F) &&

@@ -25,12 +25,13 @@ class Model {
 
     explicit Model(const ax130751::Device& device) : device_{device} {}
 
-    /// Switches all PDOs on, monitors three heartbeats, and starts the node.
+    /// Connects the blocks, switches all PDOs on, monitors three heartbeats, and starts the node.
     template <typename Run>
-    void begin(Run& run) {
+    void begin(Run& run, fuzz::Choices choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(node, index, sub, size, bits));
         };
+        connect(write, choices);
         constexpr std::array<std::uint32_t, 4> mapped{0x40300110, 0x33200110, 0x33100108, 0x40300410};
         for (unsigned i = 1; i <= 4; ++i) {
             write(0x1A02, i, 4, mapped[i - 1]);
@@ -88,6 +89,23 @@ class Model {
         }
     }
 
+    /// Changes an input to a value near the limits of supply or temperature, or another load.
+    static void put_usual_input(ax130751::Inputs& inputs, unsigned which, const std::uint8_t* data) {
+        constexpr std::array<float, 8> volts{24.0F, 24.3F, 12.0F, 7.9F, 8.0F, 6.9F, 35.1F, 39.1F};
+        constexpr std::array<float, 8> celsius{35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F, 90.0F};
+        constexpr std::array<float, 4> ohms{250.0F, 500.0F, 2000.0F, 1.0e6F};
+        switch (which % 4U) {
+            case 0:
+                inputs.supply = volts[data[0] % volts.size()];
+                return;
+            case 1:
+                inputs.cpu_temperature = celsius[data[0] % celsius.size()];
+                return;
+            default:
+                inputs.load[which % 2U] = ohms[data[0] % ohms.size()];
+                return;
+        }
+    }
     static const char* unknown(const ax130751::Inputs& inputs) {
         const bool usual = fuzz::is_usual(inputs.supply, 0.0F, 80.0F) &&
                            fuzz::is_usual(inputs.cpu_temperature, -60.0F, 150.0F) &&
@@ -156,6 +174,67 @@ class Model {
     }
 
   private:
+    /// Connects outputs, relay, two tables, a logic block and a math block to extra received values (sources 1, numbers
+    /// 4 to 9), with other parameters for each.
+    template <typename Write>
+    static void connect(const Write& write, fuzz::Choices& choices) {
+        using Some = std::array<unsigned, 4>;
+        for (unsigned n = 1; n <= 6; ++n) {
+            write(0x2502, n, 1, n % 3);
+            write(0x2522, n, 2, choices.one_of(Some{100, 200, 50 * n, 1000}));
+        }
+        for (unsigned n = 1; n <= 2; ++n) {
+            write(0x6310, n, 2, choices.one_of(std::array<unsigned, 7>{10, 20, 40, 500, 1000, 1020, 1020}));
+            const unsigned own = 3 * n + 1;
+            for (const unsigned index : {0x2340U, 0x2350U, 0x2360U}) {
+                write(index, n, 1, index == 0x2340 ? 1 : choices.one_of(Some{0, 1, 1, 3}));
+                write(index + 1, n, 1, own + (index - 0x2340) / 0x10);
+                write(index + 2, n, 1, choices.below(index == 0x2350 ? 6 : 2));
+            }
+            write(0x2330, n, 2, choices.one_of(Some{0, 3, 10, 40}));
+            write(0x2331, n, 2, choices.one_of(Some{0, 5, 20, 50}));
+            write(0x2223, n, 2, choices.one_of(Some{4, 6, 10, 30}));
+            write(0x2240, n, 1, n % 2);
+            write(0x2241, n, 1, choices.below(4));
+            write(0x6340, n, 1, choices.below(2));
+            write(0x6250, n, 1, choices.below(2));
+            write(0x6260, n, 1, n % 2);
+        }
+        write(0x2242, 1, 1, choices.below(6));
+        write(0x2250, 1, 2, choices.one_of(Some{4, 6, 10, 30}));
+        for (const unsigned index : {0x2260U, 0x2270U, 0x2280U, 0x2290U}) {
+            write(index, 1, 1, index == 0x2260 ? 1 : choices.one_of(Some{0, 0, 1, 3}));
+            write(index + 1, 1, 1, 4 + choices.below(6));
+        }
+        write(0x22A0, 1, 1, choices.below(2));
+        write(0x22A1, 1, 4, choices.below(20));
+        write(0x22A2, 1, 4, choices.below(20));
+        for (unsigned n = 1; n <= 2; ++n) {
+            write(0x3000 + 0x10 * n, 0, 1, 1);
+            write(0x3001 + 0x10 * n, 0, 1, 3 + n);
+            write(0x3005 + 0x10 * n, 1, 1, choices.below(2));
+            write(0x3007 + 0x10 * n, 2, 2, 60 * n + choices.below(40));
+        }
+        write(0x3300, 1, 1, 1);
+        for (unsigned function = 1; function <= 3; ++function) {
+            write(0x3401, function, 1, function);
+            write(0x3402, function, 1, choices.below(5));
+            write(0x3401 + 0x10 * function, 1, 1, 1);
+            write(0x3401 + 0x10 * function, 2, 1, 4 + choices.below(6));
+            write(0x3401 + 0x10 * function, 3, 1, 1);
+            write(0x3401 + 0x10 * function, 4, 1, 4 + choices.below(6));
+            write(0x3401 + 0x10 * function, 5, 1, choices.below(6));
+        }
+        write(0x4000, 1, 1, 1);
+        for (unsigned input = 1; input <= 4; ++input) {
+            write(0x4100, input, 1, choices.one_of(Some{1, 1, 3, 4}));
+            write(0x4101, input, 1, input == 4 ? 1 : 3 + input);
+            write(0x4140, input, 1, choices.one_of(Some{100, 50, 10, 0x9C}));
+        }
+        for (unsigned function = 1; function <= 3; ++function) {
+            write(0x4150, function, 1, choices.below(18));
+        }
+    }
     using Check = void (*)(bool, const char*, unsigned);
     using Comparison = naive_ax130751::Comparison<Check>;
 

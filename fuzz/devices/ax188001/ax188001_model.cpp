@@ -20,9 +20,10 @@ class Model {
 
     explicit Model(const ax188001::Device& device) : device_{device} {}
 
-    /// Maps all values to the four TPDOs, shortens the delays of faults, and starts the node.
+    /// Maps all values to the four TPDOs, gives the channels different limits, delays and scalings, and starts the
+    /// node.
     template <typename Run>
-    void begin(Run& run) {
+    void begin(Run& run, fuzz::Choices choices) {
         const std::array<std::vector<std::uint32_t>, 4> mapped{{{0x71300110, 0x71300210},
                                                                 {0x21300010, 0x31300010},
                                                                 {0x61000120, 0x61000220},
@@ -42,8 +43,17 @@ class Model {
             write(0x1800 + i, 1, 4, cob_id(i));
         }
         for (unsigned sub = 1; sub <= 2; ++sub) {
+            write(0x6110, sub, 2, choices.one_of(std::array<unsigned, 8>{1, 2, 4, 5, 6, 7, 9, 10}));
+            write(0x4010, sub, 2, 300 + 300 * sub + choices.below(200));
+            write(0x4020, sub, 2, 800 + 300 * sub + choices.below(200));
+            write(0x4000, sub, 2, 100 * sub + choices.below(100));
             write(0x4030, sub, 2, 100 + 300 * sub);
             write(0x5051, sub, 2, 100 + 200 * sub);
+            write(0x6126, sub, 4, bit_cast<std::uint32_t>(10.0F + static_cast<float>(sub)));
+            write(0x6127, sub, 4, bit_cast<std::uint32_t>(100.0F * static_cast<float>(sub)));
+        }
+        for (unsigned sub = 1; sub <= 3; ++sub) {
+            write(0x1029, sub, 1, choices.below(3));
         }
         Frame start = data_frame(0, 2);
         start.data[0] = 1;
@@ -66,6 +76,32 @@ class Model {
     void set_inputs(const ax188001::Inputs& inputs) { model_.set_terminals(naive_tcs::terminals_of(inputs)); }
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
+    /// Changes an input to a value near the limits of begin(), or near those of FD1 to FD3.
+    static void put_usual_input(ax188001::Inputs& inputs, unsigned which, const std::uint8_t* data) {
+        const std::size_t channel = data[2] % 2U;
+        const auto number = static_cast<float>(data[0] + 256U * (data[1] % 4U));
+        switch (which % 10U) {
+            case 0:
+                inputs.tc_open[channel] = (data[0] & 1U) != 0;
+                return;
+            case 1:
+                inputs.cold_junction = number / 10.0F - 20.0F;
+                return;
+            case 2:
+                inputs.cpu_temperature = 80.0F + number / 32.0F;
+                return;
+            case 3:
+                inputs.supply = (data[2] & 2U) != 0 ? 8.5F + number / 256.0F : 47.0F + number / 256.0F;
+                return;
+            case 4:
+                inputs.tc_hum[channel] = number * 3.0F;
+                inputs.mains_frequency = (data[2] & 4U) != 0 ? 50 : 60;
+                return;
+            default:
+                inputs.tc_microvolts[channel] = number * 10.0F - 2000.0F;
+                return;
+        }
+    }
     static const char* unknown(const ax188001::Inputs& inputs) {
         bool usual = fuzz::is_usual(inputs.cold_junction, -60.0F, 140.0F) &&
                      fuzz::is_usual(inputs.cpu_temperature, -60.0F, 150.0F) &&

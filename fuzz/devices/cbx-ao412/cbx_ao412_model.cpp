@@ -20,7 +20,7 @@ class Model {
 
     /// Makes the four outputs different, and monitors a heartbeat.
     template <typename Run>
-    static void begin(Run& run) {
+    static void begin(Run& run, fuzz::Choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(cbx_ao412::Inputs{}.switch_low, index, sub, size, bits));
         };
@@ -68,6 +68,28 @@ class Model {
     void set_inputs(const cbx_ao412::Inputs& inputs) { model_.set_terminals(naive_ao4::terminals_of(inputs)); }
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
+    /// Changes a failure, lost frames or the state of the controller; rarely a switch.
+    static void put_usual_input(cbx_ao412::Inputs& inputs, unsigned which, const std::uint8_t* data) {
+        const bool present = (data[0] & 1U) != 0;
+        switch (which % 8U) {
+            case 0:
+            case 1:
+                inputs.internal_fault = present;
+                return;
+            case 2:
+                inputs.hardware_fault = present;
+                return;
+            case 3:
+                inputs.can_overrun = present;
+                return;
+            case 4:
+                (present ? inputs.switch_low : inputs.switch_baud) = data[1] % 16U;
+                return;
+            default:
+                inputs.can_state = data[0] % 4U;
+                return;
+        }
+    }
     static const char* unknown(const cbx_ao412::Inputs& inputs) {
         const bool is_position = inputs.switch_high <= 15 && inputs.switch_low <= 15 && inputs.switch_baud <= 15;
         return !is_position           ? "a switch has 16 positions"
