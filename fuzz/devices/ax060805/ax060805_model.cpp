@@ -20,6 +20,7 @@ void check(bool holds, const char* what, unsigned index) {
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 60;
+    static constexpr std::uint64_t input_shows_after_ms = 5;  ///< a sample; a write may show new temperatures before
     static constexpr std::uint64_t longest_run_ms = 600;
 
     explicit Model(const ax060805::Device& device) : device_{device} {}

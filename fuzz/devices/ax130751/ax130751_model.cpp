@@ -21,6 +21,7 @@ void check(bool holds, const char* what, unsigned index) {
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 25;
+    static constexpr std::uint64_t input_shows_after_ms = 0;
     static constexpr std::uint64_t longest_run_ms = 200;
 
     explicit Model(const ax130751::Device& device) : device_{device} {}
