@@ -7,7 +7,9 @@
 //   B          where the model does not know the value: one that it knows
 //   C          the driver keeps every deadline, for less than Model::longest_wait_ms
 //   D          the power is cut after the frame was served
-// A frame that the model does not know is left out for device and model, with a reason (model_counts.hpp).
+// After the events of the input follow Model::further_events others. They, and the choices of begin(), depend on the
+// first record. A frame that the model does not know is left out for device and model, with a reason
+// (model_counts.hpp).
 //
 // A `Model` is made with the device, which stays where it is, and has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
@@ -23,6 +25,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,10 +82,10 @@ class BesideModel {
     using Inputs = typename Unit::Inputs;
 
     /// Begins with a device that has just been switched on.
-    BesideModel(DeviceWorld<Unit>& world, std::uint64_t seed) : world_{world}, model_{world.device()} {
+    BesideModel(DeviceWorld<Unit>& world, std::uint64_t seed) : world_{world}, choices_{seed}, model_{world.device()} {
         model_.power_on(world_.inputs(), now_ms());
         compare();
-        model_.begin(*this, Choices{seed});
+        model_.begin(*this, choices_);
         parameters_ = &known_parameters();
     }
     void run(const std::uint8_t* data, std::size_t size) {
@@ -95,6 +98,9 @@ class BesideModel {
                 return;
             }
             happen(data + i * device_record_size);
+        }
+        for (unsigned i = 0; i < Model::further_events && model_.ends() == nullptr; ++i) {
+            happen(further_record().data());
         }
         pass(5);
         model_.finish(world_.device());
@@ -153,6 +159,16 @@ class BesideModel {
         other[0] = static_cast<std::uint8_t>(kind);
         return other;
     }
+    /// Returns a record for an event after those of the input: a frame, a parameter, an input or time.
+    Record further_record() {
+        constexpr std::array<unsigned, 8> kinds{0xF, 0xF, 0xF, 0xF, 0xB, 0xB, 0xC, 0xC};
+        Record record{};
+        for (std::uint8_t& byte : record) {
+            byte = static_cast<std::uint8_t>(choices_.below(256));
+        }
+        record[0] = static_cast<std::uint8_t>(choices_.one_of(kinds));
+        return record;
+    }
     /// Returns the frame of a record of this kind if the model knows it, otherwise one that the model knows.
     Frame known_frame(const std::uint8_t* record, unsigned kind) const {
         const Frame frame = *world_.frame_in(with_kind(record, kind).data());
@@ -197,6 +213,7 @@ class BesideModel {
     }
 
     DeviceWorld<Unit>& world_;
+    Choices choices_;
     Model model_;
     const KnownParameters* parameters_{nullptr};
 };
@@ -209,8 +226,17 @@ template <typename Unit, typename Model>
 void run_beside_model(const std::uint8_t* data, std::size_t size) {
     static Reused<DeviceWorld<Unit>> world{beside_a_model};
     Digest digest;
-    digest.add(ByteView{data, size});
+    digest.add(ByteView{data, std::min(size, device_record_size)});
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
+}
+
+/// Lets the target run inputs beside a model. CANPROOF_COMPARED_ONE_IN in the environment sets how many.
+inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
+    beside_model = run;
+    if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {
+        compared_one_in = static_cast<unsigned>(std::max(1, std::atoi(one_in)));
+    }
+    return true;
 }
 
 }  // namespace canproof::fuzz

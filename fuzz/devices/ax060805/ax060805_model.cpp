@@ -21,6 +21,7 @@ class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 60;
     static constexpr std::uint64_t input_shows_after_ms = 5;  ///< a sample; a write may show new temperatures before
+    static constexpr unsigned further_events = 12;
     static constexpr std::uint64_t longest_run_ms = 600;
 
     explicit Model(const ax060805::Device& device) : device_{device} {}
@@ -28,7 +29,7 @@ class Model {
     /// Makes the axes, the additional filters and the inputs of two functions different, switches TPDO 2 and 3 on, and
     /// starts the node.
     template <typename Run>
-    static void begin(Run& run, fuzz::Choices choices) {
+    static void begin(Run& run, fuzz::Choices& choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(node, index, sub, size, bits));
         };
@@ -227,6 +228,6 @@ class Model {
     bool is_on_{false};
 };
 
-[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::Ax060805Unit, Model>, true);
+[[maybe_unused]] const bool is_set = fuzz::set_beside_model(fuzz::run_beside_model<fuzz::Ax060805Unit, Model>);
 
 }  // namespace

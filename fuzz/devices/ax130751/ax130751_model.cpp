@@ -22,13 +22,14 @@ class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 25;
     static constexpr std::uint64_t input_shows_after_ms = 0;
+    static constexpr unsigned further_events = 30;
     static constexpr std::uint64_t longest_run_ms = 200;
 
     explicit Model(const ax130751::Device& device) : device_{device} {}
 
     /// Connects the blocks, switches all PDOs on, monitors three heartbeats, and starts the node.
     template <typename Run>
-    void begin(Run& run, fuzz::Choices choices) {
+    void begin(Run& run, fuzz::Choices& choices) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(node, index, sub, size, bits));
         };
@@ -309,6 +310,6 @@ class Model {
     bool is_set_up_{false};
 };
 
-[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::Ax130751Unit, Model>, true);
+[[maybe_unused]] const bool is_set = fuzz::set_beside_model(fuzz::run_beside_model<fuzz::Ax130751Unit, Model>);
 
 }  // namespace

@@ -17,6 +17,7 @@ class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 3000;
     static constexpr std::uint64_t input_shows_after_ms = 0;
+    static constexpr unsigned further_events = 40;
     static constexpr std::uint64_t longest_run_ms = 9000;
 
     explicit Model(const ax188001::Device& device) : device_{device} {}
@@ -24,7 +25,7 @@ class Model {
     /// Maps all values to the four TPDOs, gives the channels different limits, delays and scalings, and starts the
     /// node.
     template <typename Run>
-    void begin(Run& run, fuzz::Choices choices) {
+    void begin(Run& run, fuzz::Choices& choices) {
         const std::array<std::vector<std::uint32_t>, 4> mapped{{{0x71300110, 0x71300210},
                                                                 {0x21300010, 0x31300010},
                                                                 {0x61000120, 0x61000220},
@@ -196,6 +197,6 @@ class Model {
     bool may_map_{true};
 };
 
-[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::Ax188001Unit, Model>, true);
+[[maybe_unused]] const bool is_set = fuzz::set_beside_model(fuzz::run_beside_model<fuzz::Ax188001Unit, Model>);
 
 }  // namespace

@@ -15,13 +15,14 @@ class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 3000;
     static constexpr std::uint64_t input_shows_after_ms = 0;
+    static constexpr unsigned further_events = 60;
     static constexpr std::uint64_t longest_run_ms = 12000;
 
     explicit Model(const cbx_ao412::Device&) {}
 
     /// Makes the four outputs different, and monitors a heartbeat.
     template <typename Run>
-    static void begin(Run& run, fuzz::Choices) {
+    static void begin(Run& run, fuzz::Choices&) {
         const auto write = [&run](unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
             run.receive(fuzz::write_request(cbx_ao412::Inputs{}.switch_low, index, sub, size, bits));
         };
@@ -183,6 +184,6 @@ class Model {
     naive_ao4::Device model_{{}, {}};
 };
 
-[[maybe_unused]] const bool is_set = (fuzz::beside_model = fuzz::run_beside_model<fuzz::CbxAo412Unit, Model>, true);
+[[maybe_unused]] const bool is_set = fuzz::set_beside_model(fuzz::run_beside_model<fuzz::CbxAo412Unit, Model>);
 
 }  // namespace
