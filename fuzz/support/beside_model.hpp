@@ -89,18 +89,17 @@ class BesideModel {
         parameters_ = &known_parameters();
     }
     void run(const std::uint8_t* data, std::size_t size) {
-        const std::uint64_t end_ms = now_ms() + Model::longest_run_ms;
+        end_ms_ = now_ms() + Model::longest_run_ms;
         const std::size_t count = std::min(size / device_record_size, most_device_records);
-        for (std::size_t i = 0; i < count; ++i) {
-            const char* const why = now_ms() >= end_ms ? "the run is long enough" : model_.ends();
-            if (why != nullptr) {
-                ++model_counts.ended[why];
-                return;
-            }
+        for (std::size_t i = 0; i < count && goes_on(); ++i) {
             happen(data + i * device_record_size);
         }
-        for (unsigned i = 0; i < Model::further_events && model_.ends() == nullptr; ++i) {
+        for (unsigned i = 0; i < Model::further_events && goes_on(); ++i) {
             happen(further_record().data());
+        }
+        if (const char* const why = model_.ends()) {
+            ++model_counts.ended[why];
+            return;
         }
         pass(5);
         model_.finish(world_.device());
@@ -125,6 +124,7 @@ class BesideModel {
     }
 
   private:
+    bool goes_on() const { return now_ms() < end_ms_ && model_.ends() == nullptr; }
     void happen(const std::uint8_t* record) {
         switch (record[0] & 0x0FU) {
             case 0xB:
@@ -214,6 +214,7 @@ class BesideModel {
 
     DeviceWorld<Unit>& world_;
     Choices choices_;
+    std::uint64_t end_ms_{0};
     Model model_;
     const KnownParameters* parameters_{nullptr};
 };

@@ -13,10 +13,10 @@ using namespace canproof;
 
 class Model {
   public:
-    static constexpr std::uint64_t longest_wait_ms = 3000;
+    static constexpr std::uint64_t longest_wait_ms = 1500;
     static constexpr std::uint64_t input_shows_after_ms = 0;
     static constexpr unsigned further_events = 60;
-    static constexpr std::uint64_t longest_run_ms = 12000;
+    static constexpr std::uint64_t longest_run_ms = 9000;
 
     explicit Model(const cbx_ao412::Device&) {}
 
