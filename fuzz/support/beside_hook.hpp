@@ -10,7 +10,7 @@ namespace canproof::fuzz {
 /// Runs an input beside the naive model of the device (beside_model.hpp). NAME_model.cpp of the device sets it.
 inline void (*beside_model)(const std::uint8_t* data, std::size_t size){nullptr};
 
-/// Which inputs run beside the model: one in so many, by the hash of the input. A replay takes all of them.
+/// The number of inputs of which one runs beside the model, by its hash. A replay takes all inputs.
 inline unsigned compared_one_in{8};
 
 }  // namespace canproof::fuzz

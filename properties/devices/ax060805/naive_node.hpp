@@ -48,7 +48,7 @@ class NaiveErrors {
     std::deque<unsigned> list_;
 };
 
-/// What the node has sent: its messages as text, and how often each of its TPDOs.
+/// The frames that the node has sent: its messages as text, and how often each of its TPDOs.
 struct NaiveSaid {
     std::vector<std::string> messages;
     std::array<int, 3> process_data{};
