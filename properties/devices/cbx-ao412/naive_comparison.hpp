@@ -50,7 +50,7 @@ void compare_objects(const cbx_ao412::Device& device, const Device& model, const
         const auto& set = model.settings().outputs[sub - 1];
         const std::array<int, 5> expected{set.command, static_cast<int>(set.error_mode), set.error_value, set.offset,
                                           set.gain};
-        const auto word = [](std::uint32_t bits) { return int{static_cast<std::int16_t>(bits)}; };
+        const auto word = [](std::uint32_t raw) { return int{static_cast<std::int16_t>(raw)}; };
         const std::array<int, 5> shown{word(read(0x6411, sub)), static_cast<int>(read(0x6443, sub)),
                                        static_cast<int>(read(0x6444, sub)), word(read(0x2404, sub)),
                                        word(read(0x2405, sub))};
