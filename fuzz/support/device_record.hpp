@@ -69,4 +69,17 @@ Value value_of(const std::uint8_t* data) {
     }
 }
 
+/// Puts the value in `data` into one of the physical inputs, counted round by `which`.
+template <typename Inputs>
+void put_input(Inputs& inputs, unsigned which, const std::uint8_t* data) {
+    unsigned count = 0;
+    for_each_input(inputs, [&count](const char*, auto&) { ++count; });
+    unsigned number = 0;
+    for_each_input(inputs, [&](const char*, auto& input) {
+        if (number++ == which % count) {
+            input = value_of<std::decay_t<decltype(input)>>(data);
+        }
+    });
+}
+
 }  // namespace canproof::fuzz

@@ -171,6 +171,13 @@ class DeviceWorld {
         run_until(state_.now);
     }
 
+    void set_inputs(const Inputs& inputs) {
+        state_.inputs = inputs;
+        device_->set_inputs(inputs, state_.now);
+        drain(nullptr);
+        run_until(state_.now);
+    }
+
     Instant now() const { return state_.now; }
     const Device& device() const { return *device_; }
     const Inputs& inputs() const { return state_.inputs; }
@@ -230,14 +237,7 @@ class DeviceWorld {
     }
 
     void set_input(unsigned which, const std::uint8_t* data) {
-        unsigned count = 0;
-        for_each_input(state_.inputs, [&count](const char*, auto&) { ++count; });
-        unsigned number = 0;
-        for_each_input(state_.inputs, [&](const char*, auto& input) {
-            if (number++ == which % count) {
-                input = value_of<std::decay_t<decltype(input)>>(data);
-            }
-        });
+        put_input(state_.inputs, which, data);
         device_->set_inputs(state_.inputs, state_.now);
         drain(nullptr);
     }

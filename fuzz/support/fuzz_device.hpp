@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs one input of a fuzz target on a device: twice with the same result, and with a reset at the end.
+// Runs one input of a fuzz target on a device: twice with the same result, with a reset at the end, and beside the
+// naive model of the device.
 #pragma once
 
+#include "fuzz/support/beside_hook.hpp"
 #include "fuzz/support/device_world.hpp"
 
 namespace canproof::fuzz {
@@ -99,6 +101,14 @@ std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const
     return run_world(data, size, circumstances, world);
 }
 
+/// Returns whether an input runs beside the model.
+inline bool is_compared(const std::uint8_t* data, std::size_t size) {
+    Digest digest;
+    digest.add(ByteView{data, size});
+    const bool is_logged = frame_probe.begins != nullptr;  // a log shows one of the runs
+    return beside_model != nullptr && !is_logged && digest.value() % compared_one_in == 0;
+}
+
 /// Runs one input twice and checks that both runs have the same result, because the behaviour of a device depends on
 /// its events only. Uses new worlds on the microcontroller, which has no memory for worlds that are kept.
 template <typename Unit>
@@ -109,6 +119,9 @@ int fuzz_device(const std::uint8_t* data, std::size_t size) {
         static Reused<DeviceWorld<Unit>> second{late_and_dirty};
         const std::uint64_t digest = run_world(data, size, {}, first.at_start());
         require(digest == run_world(data, size, late_and_dirty, second.at_start()), "two runs are equal");
+        if (is_compared(data, size)) {
+            beside_model(data, size);
+        }
     } else {
         const std::uint64_t digest = run_in_new_world<Unit>(data, size, {});
         require(digest == run_in_new_world<Unit>(data, size, late_and_dirty), "two runs are equal");

@@ -2,6 +2,7 @@
 // Runs a fuzz target on files instead of under libFuzzer: NAME_fuzz [--xml FILE] [--frames FOLDER] FILE|FOLDER… With
 // --xml it writes the verdict for the audit. With --frames it writes a candump log of the frames given to the device
 // (candump_of_run.hpp).
+// For a device it also writes how much the target has compared with the naive model.
 // A violated requirement aborts the process, so a run that reaches its end has passed. A file that cannot be read ends
 // the process with 2.
 #include <cstdint>
@@ -11,8 +12,10 @@
 #include <iostream>
 #include <iterator>
 
+#include "fuzz/support/beside_hook.hpp"
 #include "fuzz/support/candump_of_run.hpp"
 #include "fuzz/support/claims.hpp"
+#include "fuzz/support/model_counts.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -41,10 +44,25 @@ std::size_t run_file(const std::filesystem::path& path) {
     return 1;
 }
 
+void write_counts() {
+    using canproof::fuzz::model_counts;
+    if (model_counts.events == 0) {
+        return;
+    }
+    std::cout << model_counts.events << " event(s) compared with the naive model\n";
+    for (const auto& [why, events] : model_counts.left_out) {
+        std::cout << "  " << events << " left out: " << why << '\n';
+    }
+    for (const auto& [why, inputs] : model_counts.ended) {
+        std::cout << "  " << inputs << " input(s) ended early: " << why << '\n';
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::vector<std::string> arguments(argv + 1, argv + argc);
+    canproof::fuzz::compared_one_in = 1;
     std::filesystem::path xml;
     while (arguments.size() >= 2 && arguments[0].rfind("--", 0) == 0) {
         if (arguments[0] == "--xml") {
@@ -69,6 +87,7 @@ int main(int argc, char** argv) {
         }
     }
     std::cout << inputs << " input(s) replayed\n";
+    write_counts();
     if (inputs == 0) {
         std::cerr << "nothing to replay; name a file or a folder with files\n";
         return 2;

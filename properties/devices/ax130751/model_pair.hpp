@@ -4,13 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "properties/devices/ax130751/driven_device.hpp"
-#include "properties/devices/ax130751/naive_device.hpp"
+#include "properties/devices/ax130751/naive_comparison.hpp"
 
 namespace canproof::test {
 
@@ -66,9 +64,7 @@ class ModelPair {
 
     /// Compares all parameters after a run.
     void compare_parameters() {
-        for (const auto& [address, entry] : model_.entries()) {
-            expect_entry(address.first, address.second, *entry.value, static_cast<unsigned>(entry.bytes));
-        }
+        with_comparison([](const auto& comparison) { comparison.parameters(); });
     }
 
     bool differs() const { return !difference_.empty(); }
@@ -89,77 +85,27 @@ class ModelPair {
             difference_ = fmt::format("{} is {}, but {} by the manual", what, a, b);
         }
     }
-    void compare() {
-        compare_outputs();
-        compare_values();
-        compare_errors();
-        compare_frames();
-    }
-    void compare_outputs() {
-        const auto& outputs = device_.device().outputs();
-        for (std::size_t n = 0; n < 2; ++n) {
-            const naive_ax130751::Terminals& terminals = model_.terminals.at(n);
-            expect("voltage", outputs.out_voltage.at(n), static_cast<float>(terminals.volts));
-            expect("current", outputs.out_current.at(n), static_cast<float>(terminals.milliamperes));
-            expect("duty cycle", outputs.out_duty.at(n), static_cast<float>(terminals.duty));
-            expect("frequency", outputs.out_frequency.at(n), static_cast<float>(terminals.hertz));
-            expect("level", outputs.out_level.at(n), static_cast<float>(terminals.level));
-            expect("state", outputs.out_on.at(n), terminals.on);
-        }
-        expect("relay on NC", outputs.relay_nc, model_.relay_on_nc);
-        expect("relay on NO", outputs.relay_no, !model_.relay_on_nc);
-    }
-    void expect_entry(int index, int sub, int expected, unsigned bytes) {
-        const std::uint64_t raw = device_.read(index, sub);
-        const std::uint64_t mask = (std::uint64_t{1} << (8U * bytes)) - 1U;
-        if ((raw & mask) != (static_cast<std::uint64_t>(expected) & mask)) {
-            expect(fmt::format("{:04X}h:{}", index, sub), raw & mask, static_cast<std::uint64_t>(expected) & mask);
-        }
-    }
-    void compare_values() {
-        const naive_ax130751::Shown& shown = model_.shown;
-        for (int n = 1; n <= 10; ++n) {
-            expect_entry(naive_ax130751::table_index(n) + 8, 0, shown.tables.at(static_cast<std::size_t>(n - 1)).output,
-                         2);
-        }
-        for (int n = 1; n <= 3; ++n) {
-            const auto& logic = shown.logic.at(static_cast<std::size_t>(n - 1));
-            expect_entry(0x3310, n, logic.selected, 1);
-            expect_entry(0x3320, n, logic.output, 2);
-        }
-        for (int n = 1; n <= 4; ++n) {
-            expect_entry(0x4030, n, shown.math.at(static_cast<std::size_t>(n - 1)), 2);
-        }
-        for (int n = 1; n <= 2; ++n) {
-            expect_entry(0x7330, n, shown.target.at(static_cast<std::size_t>(n - 1)), 2);
-            expect_entry(0x2370, n, shown.feedback.at(static_cast<std::size_t>(n - 1)), 2);
-        }
-        expect("state of the node", device_.device().state() == NmtState::operational,
-               model_.state == naive_ax130751::Nmt::operational);
-    }
-    void compare_errors() {
-        expect_entry(0x1001, 0, model_.errors.reg(), 1);
-        const auto& list = model_.errors.list();
-        expect_entry(0x1003, 0, static_cast<int>(list.size()), 1);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const std::uint32_t entry = static_cast<std::uint32_t>(device_.read(0x1003, static_cast<int>(i + 1)));
-            expect(fmt::format("1003h:{}", i + 1), entry, list.at(i));
-        }
-    }
-    /// Compares the frames; the order of frames of one identifier counts.
-    void compare_frames() {
-        const auto by_identifier = [](const std::vector<naive_ax130751::Said>& said) {
-            std::multimap<unsigned, naive_ax130751::Said> all;
-            for (const auto& frame : said) {
-                all.emplace(frame.id, frame);
+    template <typename Use>
+    void with_comparison(const Use& use) {
+        const auto check = [this](bool holds, const char* what, unsigned index) {
+            if (!holds && difference_.empty()) {
+                difference_ = fmt::format("{} {:X}h differs\n{}", what, index, frames());
             }
-            return all;
         };
-        if (difference_.empty() && by_identifier(device_.said) != by_identifier(model_.said)) {
-            difference_ = "frames " + list_of(device_.said) + "are, by the manual, " + list_of(model_.said);
-        }
+        use(naive_ax130751::Comparison<decltype(check)>{device_.device(), model_, check});
+    }
+    void compare() {
+        with_comparison([this](const auto& comparison) {
+            comparison.outputs();
+            comparison.values();
+            comparison.errors();
+            comparison.frames(device_.said);
+        });
         device_.said.clear();
         model_.said.clear();
+    }
+    std::string frames() const {
+        return "frames " + list_of(device_.said) + "and, by the manual, " + list_of(model_.said);
     }
     static std::string list_of(const std::vector<naive_ax130751::Said>& said) {
         std::string text;

@@ -112,6 +112,11 @@ class Device {
             network_.overdue.at(n) = false;
             short_.at(n) = false;
             announce();
+        } else if (index >= 0x1800 && index <= 0x1803 && value != before) {
+            const auto n = static_cast<std::size_t>(index - 0x1800);
+            const bool counts =
+                state == Nmt::operational && parameters.communication.transmit.at(n).valid && value != 0;
+            tpdo_due_.at(n) = counts ? now + static_cast<std::uint64_t>(value) : 0;
         }
         return 0;
     }

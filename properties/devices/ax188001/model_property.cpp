@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
-#include "properties/devices/ax188001/naive_ax188001.hpp"
+#include "properties/devices/ax188001/naive_comparison.hpp"
 #include "properties/devices/ax188001/tcs_generator.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -14,27 +14,11 @@ namespace canproof::test {
 
 namespace {
 
-naive_tcs::Terminals terminals_of(const ax188001::Inputs& inputs) {
-    naive_tcs::Terminals at;
-    for (std::size_t i = 0; i < 2; ++i) {
-        at.uv[i] = inputs.tc_microvolts[i];
-        at.open[i] = inputs.tc_open[i];
-        at.hum_uv[i] = inputs.tc_hum[i];
-    }
-    at.mains_hz = inputs.mains_frequency;
-    at.cold_junction_c = inputs.cold_junction;
-    at.cpu_c = inputs.cpu_temperature;
-    at.supply_v = inputs.supply;
-    at.overrun = inputs.can_overrun;
-    at.can = inputs.can_state;
-    return at;
-}
-
 /// Runs device and model side by side.
 class Pair {
   public:
     Pair() {
-        model_.power_on(terminals_of(rig_.bench.inputs), 0);
+        model_.power_on(naive_tcs::terminals_of(rig_.bench.inputs), 0);
         compare();
     }
 
@@ -45,7 +29,7 @@ class Pair {
         text << rig_.now_ms() << " ms: " << action << "\n";
         RC_LOG() << text.str();
         rig_.happen(action);
-        const naive_tcs::Terminals at = terminals_of(rig_.bench.inputs);
+        const naive_tcs::Terminals at = naive_tcs::terminals_of(rig_.bench.inputs);
         if (action.kind == TcsAction::write) {
             model_.write(static_cast<unsigned>(action.index), static_cast<unsigned>(action.sub), action.bits);
         } else if (action.kind == TcsAction::command) {
@@ -70,71 +54,23 @@ class Pair {
     }
 
   private:
-    std::uint32_t read(unsigned index, unsigned sub) const {
-        return rig_.bench.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
-    }
-    /// Returns the frames of one moment in the order of arbitration, also when the model sent them in two steps.
-    static TimedFrames in_order(const TimedFrames& frames) {
-        TimedFrames all = frames;
-        for (std::size_t i = 1; i < all.size(); ++i) {
-            const auto goes_before = [](const auto& a, const auto& b) {
-                const bool boots = a.second == "77F#00" || b.second == "77F#00";
-                return a.first == b.first && !boots && a.second.compare(0, 3, b.second, 0, 3) < 0;
-            };
-            for (std::size_t at = i; at > 0 && goes_before(all[at], all[at - 1]); --at) {
-                std::swap(all[at], all[at - 1]);
-            }
-        }
-        return all;
-    }
     void compare() {
-        const auto expected = in_order(model_.take_sent());
-        const auto seen = in_order(rig_.take());
+        const auto expected = naive_tcs::in_order(model_.take_sent());
+        const auto seen = naive_tcs::in_order(rig_.take());
         RC_ASSERT(seen == expected);
-        compare_values();
-        compare_errors();
-        compare_outputs();
-    }
-    void compare_values() const {
-        for (unsigned channel = 0; channel < 2; ++channel) {
-            for (const unsigned index : {0x6100U, 0x7130U, 0x6150U, 0x5040U}) {
-                RC_ASSERT(std::pair(index, read(index, channel + 1)) ==
-                          std::pair(index, model_.value(index, channel + 1)));
+        const auto check = [](bool holds, const char* what, unsigned index) {
+            if (!holds) {
+                RC_FAIL(fmt::format("{} ({:04X}h)", what, index));
             }
-            // 2010h (TC Input Microvolts) is an integer. The model gives a real number, so the two may differ by half a
-            // microvolt.
-            const auto shown = static_cast<double>(static_cast<std::int32_t>(read(0x2010, channel + 1)));
-            RC_ASSERT(std::fabs(shown - model_.scanner().shown(channel).uv) <= 0.5 + 1e-5);
-        }
-        for (const unsigned index : {0x2100U, 0x2130U, 0x3100U, 0x3130U}) {
-            RC_ASSERT(std::pair(index, read(index, 0)) == std::pair(index, model_.value(index, 0)));
-        }
-    }
-    void compare_errors() const {
-        RC_ASSERT(read(0x1001, 0) == model_.messages().error_register());
-        const auto& list = model_.messages().list();
-        RC_ASSERT(read(0x1003, 0) == list.size());
-        for (unsigned sub = 1; sub <= 9; ++sub) {
-            RC_ASSERT(read(0x1003, sub) == (sub <= list.size() ? list[sub - 1] : 0U));
-        }
-    }
-    void compare_outputs() const {
-        const auto& outputs = rig_.bench.device->outputs();
-        RC_ASSERT(unsigned{outputs.adc_filter} == model_.application().filter_hz);
-        for (std::size_t channel = 0; channel < 2; ++channel) {
-            RC_ASSERT(unsigned{outputs.tc_gain[channel]} == model_.scanner().converter(channel).gain());
-        }
-        constexpr std::array<NmtState, 3> states{NmtState::pre_operational, NmtState::operational, NmtState::stopped};
-        RC_ASSERT(rig_.bench.device->state() == states[static_cast<std::size_t>(model_.state())]);
+        };
+        naive_tcs::compare_values(*rig_.bench.device, model_, check);
+        naive_tcs::compare_errors(*rig_.bench.device, model_, check);
+        naive_tcs::compare_outputs(*rig_.bench.device, model_, check);
     }
 
     TcsRig rig_;
-    naive_tcs::Ax188001 model_{[this](unsigned channel) {
-        const std::uint32_t bits = read(0x6100, channel + 1);
-        float celsius = 0.0F;
-        std::memcpy(&celsius, &bits, sizeof celsius);
-        return celsius;
-    }};
+    naive_tcs::Ax188001 model_{
+        [this](unsigned channel) { return naive_tcs::shown_celsius(*rig_.bench.device, channel); }};
 };
 
 }  // namespace

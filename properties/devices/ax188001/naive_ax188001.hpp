@@ -329,6 +329,9 @@ class Ax188001 {
     /// Moves sent frames to the result: frames of one moment in the order of arbitration, but no frame passes a boot-up
     /// message. In bus-off nothing is sent.
     void keep_sent() {
+        if (sent_.empty() && !is_off()) {
+            return;
+        }
         std::multimap<std::string, std::string> waiting;
         for (const auto& text : sent_) {
             if (text == "77F#00") {

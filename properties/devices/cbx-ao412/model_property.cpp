@@ -7,7 +7,7 @@
 
 #include "generated/cbx_ao412/requirements.hpp"
 #include "properties/devices/cbx-ao412/ao4_scenario.hpp"
-#include "properties/devices/cbx-ao412/naive_cbx_ao412.hpp"
+#include "properties/devices/cbx-ao412/naive_comparison.hpp"
 #include "tests/support/verifies.hpp"
 
 namespace canproof::test {
@@ -15,11 +15,6 @@ namespace canproof::test {
 namespace {
 
 using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
-
-naive_ao4::Terminals terminals_of(const cbx_ao412::Inputs& inputs) {
-    return {inputs.switch_high, inputs.switch_low,     inputs.switch_baud,   inputs.can_state,
-            inputs.can_overrun, inputs.internal_fault, inputs.hardware_fault};
-}
 
 /// Runs device and model side by side.
 class Pair {
@@ -29,7 +24,7 @@ class Pair {
         bench_.factory.gain = {-7, 0, 250, 90};
         seen_.clear();
         note(bench_.power_on());
-        model_.power_on(terminals_of(bench_.inputs), 0);
+        model_.power_on(naive_ao4::terminals_of(bench_.inputs), 0);
         compare();
     }
 
@@ -37,11 +32,11 @@ class Pair {
         RC_LOG() << now_ms() << " ms: " << action << "\n";
         if (action.kind == Ao4Action::power_cycle) {
             note(bench_.power_on());
-            model_.power_on(terminals_of(bench_.inputs), now_ms());
+            model_.power_on(naive_ao4::terminals_of(bench_.inputs), now_ms());
         } else if (action.kind == Ao4Action::terminal) {
             put_terminal(bench_.inputs, action.index, action.value);
             note(bench_.set_inputs());
-            model_.set_terminals(terminals_of(bench_.inputs));
+            model_.set_terminals(naive_ao4::terminals_of(bench_.inputs));
         } else {
             exchange(frame_of(action, bench_.device->node_id()));
         }
@@ -81,47 +76,14 @@ class Pair {
     void compare() {
         const TimedFrames seen = std::exchange(seen_, {});
         RC_ASSERT(seen == model_.take_sent());
-        compare_outputs();
-        if (model_.runs()) {
-            compare_objects();
-        }
-    }
-    void compare_outputs() const {
-        const auto& outputs = bench_.device->outputs();
-        constexpr double step_v = 4.096 * 30.9 / 12.4 / 4096.0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const int step = static_cast<int>(std::lround(static_cast<double>(outputs.aout[i]) / step_v));
-            const naive_ao4::Steps expected = model_.output(i);
-            RC_ASSERT(step >= expected.low);
-            RC_ASSERT(step <= expected.high);
-            RC_ASSERT(std::fabs(static_cast<double>(outputs.aout[i]) - step * step_v) < 1e-5);
-        }
-        const std::array<bool, 4> leds{outputs.led_e, outputs.led_s, outputs.led_m, outputs.led_p};
-        RC_ASSERT(leds == model_.leds());
-        RC_ASSERT(bench_.device->bit_rate() == model_.rate());
-        constexpr std::array<NmtState, 4> states{NmtState::initialising, NmtState::pre_operational,
-                                                 NmtState::operational, NmtState::stopped};
-        RC_ASSERT(bench_.device->state() == states[static_cast<std::size_t>(model_.state())]);
-    }
-    void compare_objects() const {
-        const auto read = [&](unsigned index, unsigned sub) {
-            return bench_.device->objects().read(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
+        const auto check = [](bool holds, const char* what) {
+            if (!holds) {
+                RC_FAIL(what);
+            }
         };
-        RC_ASSERT(unsigned{bench_.device->node_id()} == model_.node());
-        RC_ASSERT(read(0x1001, 0) == model_.error_register());
-        RC_ASSERT(read(0x1003, 0) == model_.list().size());
-        for (unsigned sub = 1; sub <= 10; ++sub) {
-            RC_ASSERT(read(0x1003, sub) == (sub <= model_.list().size() ? model_.list()[sub - 1] : 0U));
-        }
-        for (unsigned sub = 1; sub <= 4; ++sub) {
-            const auto& set = model_.settings().outputs[sub - 1];
-            const std::array<int, 5> expected{set.command, static_cast<int>(set.error_mode), set.error_value,
-                                              set.offset, set.gain};
-            const auto word = [](std::uint32_t bits) { return int{static_cast<std::int16_t>(bits)}; };
-            const std::array<int, 5> shown{word(read(0x6411, sub)), static_cast<int>(read(0x6443, sub)),
-                                           static_cast<int>(read(0x6444, sub)), word(read(0x2404, sub)),
-                                           word(read(0x2405, sub))};
-            RC_ASSERT(shown == expected);
+        naive_ao4::compare_outputs(*bench_.device, model_, check);
+        if (model_.runs()) {
+            naive_ao4::compare_objects(*bench_.device, model_, check);
         }
     }
 

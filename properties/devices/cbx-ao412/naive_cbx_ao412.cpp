@@ -347,6 +347,9 @@ void Device::flush() {
 /// Moves sent frames to the result. No frame precedes a waiting boot-up message; no frame leaves a controller in
 /// bus-off.
 void Device::keep_sent() {
+    if (sent_.empty() && !is_off()) {
+        return;
+    }
     std::multimap<std::string, std::string> waiting;
     const std::string boot_up = text_of(0x700 + node_, {0});
     for (const auto& text : sent_) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connects a fuzz target with the naive model of its device. Images for the microcontroller have no model.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace canproof::fuzz {
+
+/// Runs an input beside the naive model of the device (beside_model.hpp). NAME_model.cpp of the device sets it.
+inline void (*beside_model)(const std::uint8_t* data, std::size_t size){nullptr};
+
+/// The number of inputs of which one runs beside the model, by its hash. A replay takes all inputs.
+inline unsigned compared_one_in{8};
+
+}  // namespace canproof::fuzz

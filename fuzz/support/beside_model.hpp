@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
+// the two after each event and at each deadline of the device. A model knows no late driver, no failing memory and few
+// requests. So some records mean something else than in the other runs:
+//   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
+//              frames that it knows
+//   B          where the model does not know the value: one that it knows
+//   C          the driver keeps every deadline, for less than Model::longest_wait_ms
+//   D          the power is cut after the frame was served
+// After the events of the input follow Model::further_events others. They, and the choices of begin(), depend on the
+// first record. A frame that the model does not know is left out for device and model, with a reason
+// (model_counts.hpp).
+//
+// A `Model` is made with the device, which stays where it is, and has:
+//   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
+//   unknown(frame, device), unknown(inputs)  why the model does not know it, or nullptr
+//   usual_frame(node, which, data)           a frame that it knows
+//   ends()                                   why the model cannot go on, or nullptr
+//   compare(device, said, ms)                requires that the device shows and has said what the model does
+//   input_shows_after_ms                     how long the manual leaves open which inputs the device shows
+//   put_usual_input(inputs, which, data)     changes an input to a value that it knows
+//   begin(run, choices), finish(device)      may give both some events before those of the input, and compare more at
+//                                            its end
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/support/fuzz_device.hpp"
+#include "fuzz/support/known_parameters.hpp"
+#include "fuzz/support/model_counts.hpp"
+
+namespace canproof::fuzz {
+
+/// Returns whether a physical input is a usual number in this range; not a subnormal one, and not -0.
+inline bool is_usual(float value, float low, float high) {
+    return value >= low && value <= high && (std::isnormal(value) || (value == 0.0F && !std::signbit(value)));
+}
+
+/// Choices that follow from a seed.
+class Choices {
+  public:
+    explicit Choices(std::uint64_t seed) : state_{seed} {}
+    unsigned below(unsigned count) {
+        state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<unsigned>(state_ >> 33U) % count;
+    }
+    template <std::size_t Count>
+    unsigned one_of(const std::array<unsigned, Count>& values) {
+        return values[below(Count)];
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+/// The frames of one moment, each with its time in ms and its text.
+using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
+
+/// Requires the frames that the model has sent; prints both when they differ.
+inline void require_frames(const TimedFrames& said, const TimedFrames& expected, const char* file = __builtin_FILE(),
+                           int line = __builtin_LINE()) {
+    if (said == expected) {
+        return;
+    }
+    for (const auto& [ms, text] : said) {
+        std::fprintf(stderr, "device: %llu ms %s\n", static_cast<unsigned long long>(ms), text.c_str());
+    }
+    for (const auto& [ms, text] : expected) {
+        std::fprintf(stderr, "model:  %llu ms %s\n", static_cast<unsigned long long>(ms), text.c_str());
+    }
+    require(false, "the frames of the model", 0, file, line);
+}
+
+template <typename Unit, typename Model>
+class BesideModel {
+  public:
+    using Inputs = typename Unit::Inputs;
+
+    /// Begins with a device that has just been switched on.
+    BesideModel(DeviceWorld<Unit>& world, std::uint64_t seed) : world_{world}, choices_{seed}, model_{world.device()} {
+        model_.power_on(world_.inputs(), now_ms());
+        compare();
+        model_.begin(*this, choices_);
+        parameters_ = &known_parameters();
+    }
+    void run(const std::uint8_t* data, std::size_t size) {
+        end_ms_ = now_ms() + Model::longest_run_ms;
+        const std::size_t count = std::min(size / device_record_size, most_device_records);
+        for (std::size_t i = 0; i < count && goes_on(); ++i) {
+            happen(data + i * device_record_size);
+        }
+        for (unsigned i = 0; i < Model::further_events && goes_on(); ++i) {
+            happen(further_record().data());
+        }
+        if (const char* const why = model_.ends()) {
+            ++model_counts.ended[why];
+            return;
+        }
+        pass(5);
+        model_.finish(world_.device());
+    }
+
+    void receive(const Frame& frame) {
+        if (const char* const why = model_.unknown(frame, world_.device())) {
+            return leave_out(why);
+        }
+        world_.receive(frame);
+        model_.receive(frame);
+        happened();
+    }
+    void pass(std::uint64_t ms) {
+        const Instant end = world_.now() + milliseconds(ms);
+        while (world_.now() < end) {
+            const std::uint64_t before = now_ms();
+            world_.run_until(earliest(world_.device().next_deadline(), end));
+            model_.pass(now_ms() - before);
+            compare();
+        }
+    }
+
+  private:
+    bool goes_on() const { return now_ms() < end_ms_ && model_.ends() == nullptr; }
+    void happen(const std::uint8_t* record) {
+        switch (record[0] & 0x0FU) {
+            case 0xB:
+                return set_input(record);
+            case 0xC:
+                return pass(duration_in(record).us / 1000U % Model::longest_wait_ms);
+            case 0xD:
+                receive(known_frame(record, (record[1] & 1U) != 0 ? 5 : 0));
+                return power_cycle(record);
+            case 0xE:
+                return power_cycle(record);
+            case 0xF:
+                return receive(known_frame(record, 0));
+            case 4:
+            case 6:
+            case 7:
+            case 8:
+            case 9:
+            case 0xA:
+                if (const std::optional<Frame> frame = world_.frame_in(record)) {
+                    receive(*frame);
+                }
+                return;
+            default:
+                return receive(known_frame(record, record[0]));
+        }
+    }
+    using Record = std::array<std::uint8_t, device_record_size>;
+    static Record with_kind(const std::uint8_t* record, unsigned kind) {
+        Record other{};
+        std::copy_n(record, other.size(), other.begin());
+        other[0] = static_cast<std::uint8_t>(kind);
+        return other;
+    }
+    /// Returns a record for an event after those of the input: a frame, a parameter, an input or time.
+    Record further_record() {
+        constexpr std::array<unsigned, 8> kinds{0xF, 0xF, 0xF, 0xF, 0xB, 0xB, 0xC, 0xC};
+        Record record{};
+        for (std::uint8_t& byte : record) {
+            byte = static_cast<std::uint8_t>(choices_.below(256));
+        }
+        record[0] = static_cast<std::uint8_t>(choices_.one_of(kinds));
+        return record;
+    }
+    /// Returns the frame of a record of this kind if the model knows it, otherwise one that the model knows.
+    Frame known_frame(const std::uint8_t* record, unsigned kind) const {
+        const Frame frame = *world_.frame_in(with_kind(record, kind).data());
+        const std::uint8_t* const data = record + 2;
+        const bool is_known = (kind & 0x0FU) != 5U && model_.unknown(frame, world_.device()) == nullptr;
+        if (is_known) {
+            return frame;
+        }
+        return (data[9] & 1U) != 0 ? model_.usual_frame(node(), data[8], data) : parameters_->write(node(), data);
+    }
+    unsigned node() const { return world_.device().node_id(); }
+    void set_input(const std::uint8_t* record) {
+        Inputs next = world_.inputs();
+        put_input(next, record[1], record + 2);
+        if (model_.unknown(next) != nullptr) {
+            next = world_.inputs();
+            Model::put_usual_input(next, record[1], record + 2);
+        }
+        world_.set_inputs(next);
+        model_.set_inputs(next);
+        happened();
+        pass(Model::input_shows_after_ms);
+    }
+    void power_cycle(const std::uint8_t* record) {
+        world_.befall(with_kind(record, 0xE).data());
+        model_.power_on(world_.inputs(), now_ms());
+        happened();
+    }
+    void happened() {
+        ++model_counts.events;
+        compare();
+    }
+    void compare() { model_.compare(world_.device(), world_.take_sent(), now_ms()); }
+    static void leave_out(const char* why) { ++model_counts.left_out[why]; }
+    std::uint64_t now_ms() const { return world_.now().us / 1000U; }
+
+    /// Returns the parameters that the model knows; they are the same for each input.
+    const KnownParameters& known_parameters() const {
+        const auto is_known = [this](const Frame& write) { return model_.unknown(write, world_.device()) == nullptr; };
+        static const KnownParameters known{world_.device().objects(), is_known, node()};
+        return known;
+    }
+
+    DeviceWorld<Unit>& world_;
+    Choices choices_;
+    std::uint64_t end_ms_{0};
+    Model model_;
+    const KnownParameters* parameters_{nullptr};
+};
+
+/// A multiple of all LED patterns. It is not 0, so that the frames are not logged a second time (device_world.hpp).
+constexpr Circumstances beside_a_model{24'000'000U, 0U};
+
+/// Runs one input beside the model. The device of the last input is switched on again.
+template <typename Unit, typename Model>
+void run_beside_model(const std::uint8_t* data, std::size_t size) {
+    static Reused<DeviceWorld<Unit>> world{beside_a_model};
+    Digest digest;
+    digest.add(ByteView{data, std::min(size, device_record_size)});
+    BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
+}
+
+/// Lets the target run inputs beside a model. CANPROOF_COMPARED_ONE_IN in the environment sets how many.
+inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
+    beside_model = run;
+    if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {
+        compared_one_in = static_cast<unsigned>(std::max(1, std::atoi(one_in)));
+    }
+    return true;
+}
+
+}  // namespace canproof::fuzz

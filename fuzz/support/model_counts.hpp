@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts what a fuzz target compares with the naive model of its device, and what it leaves out, by reason.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace canproof::fuzz {
+
+struct ModelCounts {
+    unsigned long events{0};                        ///< events that device and model got
+    std::map<std::string, unsigned long> left_out;  ///< events that neither got, by reason
+    std::map<std::string, unsigned long> ended;     ///< inputs whose comparison ended early, by reason
+};
+
+inline ModelCounts model_counts;
+
+}  // namespace canproof::fuzz
