@@ -31,7 +31,7 @@ function(canproof_check_device root name)
   canproof_device_part("fuzz/devices/${name}/corpus/${word}/*" "7" "the seeds of its fuzz target")
   if(EXISTS ${root}/src/devices/README.md)  # the pages of this repository; an outside project has none
     canproof_device_rows("README.md" 1)
-    canproof_device_rows("src/target/README.md" 2)
+    canproof_device_rows("src/target/README.md" 3)
   endif()
 endfunction()
 
@@ -50,7 +50,7 @@ function(canproof_device_rows page least)
   list(LENGTH found rows)
   if(rows LESS least)
     message(FATAL_ERROR "device ${name} has no row in a table of ${page} (${rows} of ${least}): "
-                        "see step 8 of \"Add a device\" in src/devices/README.md")
+                        "run tests/program/readme_devices.py --write-readme: see step 8 of \"Add a device\" in src/devices/README.md")
   endif()
 endfunction()
 

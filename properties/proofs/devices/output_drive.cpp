@@ -12,8 +12,6 @@ namespace {
 
 using ax130751::DigitalOutput;
 using ax130751::DigitalOutputState;
-using ax130751::EnableAction;
-using ax130751::FaultAction;
 using ax130751::OutputConditions;
 using ax130751::OutputDrive;
 
@@ -36,18 +34,22 @@ void the_first_condition_drives_an_output() {
         "of a shutdown, an override, a disabling enable input and an input in error the first one that is present "
         "drives an output; the control drives it only when none is present");
     proves<req::AOR_OUT_007>();
-    const auto conditions = any<OutputConditions>();
+    auto conditions = any<OutputConditions>();
+    const std::array<OutputDrive, 4U> by_enable{OutputDrive::control, OutputDrive::shut_off, OutputDrive::ramp_off,
+                                                OutputDrive::keep};  // the drives in Tables 7 and 11
+    conditions.enable = by_enable[each(4U)];
+    conditions.on_error = (each(2U) == 0U) ? OutputDrive::keep : OutputDrive::fault_value;  // those in Tables 2 and 9
     const OutputDrive drive = ax130751::choose_drive(conditions);
-    const bool runs = conditions.enable == EnableAction::run;
+    const bool runs = conditions.enable == OutputDrive::control;
     const bool is_free = !conditions.shutdown && !conditions.overridden;
     claim((drive == OutputDrive::shutdown) == conditions.shutdown);
     claim((drive == OutputDrive::override_value) == (!conditions.shutdown && conditions.overridden));
     claim((drive == OutputDrive::control) == (is_free && runs && !conditions.input_in_error));
-    const bool keeps = conditions.on_error == FaultAction::keep;
+    const bool keeps = conditions.on_error == OutputDrive::keep;
     const bool fails = is_free && runs && conditions.input_in_error;
     claim((drive == OutputDrive::fault_value) == (fails && !keeps));
     claim((drive == OutputDrive::keep) ==
-          (is_free && (runs ? (fails && keeps) : (conditions.enable == EnableAction::keep))));
+          (is_free && (runs ? (fails && keeps) : (conditions.enable == OutputDrive::keep))));
 }
 
 void a_digital_output_is_off_in_a_shutdown() {

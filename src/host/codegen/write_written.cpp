@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "host/base/cia301.hpp"
 #include "host/codegen/cpp_text.hpp"
 #include "host/register/literals.hpp"
 
@@ -17,27 +18,34 @@ namespace canproof::host {
 namespace {
 
 /// A range of indices that families of objects fill together: `count` blocks of `step` indices each, from index `first`
-/// on. Block k contains member k of each family.
+/// on. Block k contains member `first_member` + k of each family. The first member of all is in the block at `origin`:
+/// a family whose indices contain the decimal digits of a number has several stretches.
 struct Stretch {
     unsigned first;
     unsigned step;
     unsigned count;
     int first_member;
+    unsigned origin;
 
     unsigned end() const { return first + step * count; }
+    bool contains(unsigned index) const { return index >= first && index < end(); }
+    bool names(unsigned index) const { return index >= origin && index < origin + step; }
 };
 
 /// Returns whether the firmware reports a write to one of the object's entries to the device.
 bool is_heard(const Object& object) {
     return std::any_of(object.entries.begin(), object.entries.end(), [&](const Entry& entry) {
         const bool writable = entry.access == "rw" || entry.access == "wo";
-        return entry.service == "program" || (writable && entry.service != "none" && object.index >= 0x2000U);
+        return entry.service == "program" ||
+               (writable && entry.service != "none" && object.index >= cia301::first_manufacturer_object);
     });
 }
 
+using Families = std::map<std::string, std::vector<const Object*>>;
+
 /// Returns the members of each family in the order of their numbers.
-std::map<std::string, std::vector<const Object*>> families_of(const Part& part) {
-    std::map<std::string, std::vector<const Object*>> families;
+Families families_of(const Part& part) {
+    Families families;
     for (const Object& object : part.objects) {
         if (!object.family.empty()) {
             families[object.family].push_back(&object);
@@ -46,35 +54,49 @@ std::map<std::string, std::vector<const Object*>> families_of(const Part& part) 
     return families;
 }
 
-/// Returns whether every object in the stretch belongs to a family that fits the stretch. Such a family has the
-/// stretch's step, number of members and first member, and begins in the first block.
-bool is_pure(const Part& part, const std::map<std::string, std::vector<const Object*>>& families,
-             const Stretch& stretch) {
+/// Returns the stretches of a family of two or more members. Their step is the distance of the first two.
+std::vector<Stretch> stretches_of(const std::vector<const Object*>& members) {
+    const unsigned step = members[1]->index - members[0]->index;
+    const unsigned origin = members[0]->index / step * step;
+    std::vector<Stretch> list;
+    for (const Object* const member : members) {
+        if (!list.empty() && list.back().contains(member->index - step)) {
+            ++list.back().count;
+        } else {
+            list.push_back({member->index / step * step, step, 1, member->member, origin});
+        }
+    }
+    return list;
+}
+
+/// Returns whether every object in the stretch belongs to a family of `size` members that fits the stretch: each member
+/// is in the block of its number.
+bool is_pure(const Part& part, const Families& families, const Stretch& stretch, std::size_t size) {
     return std::all_of(part.objects.begin(), part.objects.end(), [&](const Object& object) {
-        if (object.index < stretch.first || object.index >= stretch.end()) {
+        if (!stretch.contains(object.index)) {
             return true;
         }
         const auto found = families.find(object.family);
-        return found != families.end() && found->second.size() == stretch.count &&
-               found->second.front()->index < stretch.first + stretch.step &&
-               found->second.front()->member == stretch.first_member &&
-               object.index == found->second.front()->index +
-                                   static_cast<unsigned>(object.member - stretch.first_member) * stretch.step;
+        return found != families.end() && found->second.size() == size && stretch.names(found->second.front()->index) &&
+               object.index - stretch.first ==
+                   static_cast<unsigned>(object.member - stretch.first_member) * stretch.step +
+                       (found->second.front()->index - stretch.origin);
     });
 }
 
 std::vector<Stretch> stretches_of(const Part& part) {
-    const auto families = families_of(part);
+    const Families families = families_of(part);
     std::map<unsigned, Stretch> all;
     for (const auto& [name, members] : families) {
         if (members.size() < 2 || !is_heard(*members.front())) {
             continue;
         }
-        const unsigned step = members[1]->index - members[0]->index;
-        const Stretch one{members[0]->index / step * step, step, static_cast<unsigned>(members.size()),
-                          members[0]->member};
-        if (is_pure(part, families, one)) {
-            all.emplace(one.first, one);
+        const std::vector<Stretch> own = stretches_of(members);
+        if (std::all_of(own.begin(), own.end(),
+                        [&](const Stretch& one) { return is_pure(part, families, one, members.size()); })) {
+            for (const Stretch& one : own) {
+                all.emplace(one.first, one);
+            }
         }
     }
     std::vector<Stretch> list;
@@ -85,8 +107,8 @@ std::vector<Stretch> stretches_of(const Part& part) {
 }
 
 const Stretch* stretch_at(const std::vector<Stretch>& stretches, unsigned index) {
-    const auto found = std::find_if(stretches.begin(), stretches.end(),
-                                    [&](const Stretch& one) { return index >= one.first && index < one.end(); });
+    const auto found =
+        std::find_if(stretches.begin(), stretches.end(), [&](const Stretch& one) { return one.contains(index); });
     return found == stretches.end() ? nullptr : &*found;
 }
 
@@ -103,7 +125,7 @@ std::string enumerators(const Part& part, const std::vector<Stretch>& stretches)
     std::vector<std::pair<std::string, const Object*>> all;
     for (const Object& object : part.objects) {
         const Stretch* const stretch = stretch_at(stretches, object.index);
-        const bool is_later = stretch != nullptr && object.index >= stretch->first + stretch->step;
+        const bool is_later = stretch != nullptr && !stretch->names(object.index);
         if (is_heard(object) && !is_later) {
             all.emplace_back(stretch == nullptr ? cpp_word(object.name) : family_word(object.family), &object);
             ++uses[all.back().first];
@@ -139,10 +161,10 @@ std::string write_written(const Part& part) {
         text += fmt::format(
             "    if ((index >= 0x{0:04X}U) && (index < 0x{1:04X}U)) {{\n"
             "        const std::uint32_t offset = index - 0x{0:04X}U;\n"
-            "        return Written{{static_cast<Parameter>(0x{0:04X}U + (offset % 0x{2:02X}U)),\n"
+            "        return Written{{static_cast<Parameter>(0x{4:04X}U + (offset % 0x{2:02X}U)),\n"
             "                       static_cast<std::uint8_t>({3}U + (offset / 0x{2:02X}U)), subindex}};\n"
             "    }}\n",
-            one.first, one.end(), one.step, one.first_member);
+            one.first, one.end(), one.step, one.first_member, one.origin);
     }
     text += "    return Written{static_cast<Parameter>(index), 0U, subindex};\n}\n\n";
     return text + fmt::format("}}  // namespace canproof::generated::{}\n", part.cpp_name());

@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "host/base/cia301.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -28,20 +30,20 @@ CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
 /// Returns the usual COB-ID of an entry (CiA 301, 7.3.5 and 7.5.2). Returns nothing for an entry that is no such
 /// COB-ID.
 std::optional<CobId> usual(unsigned index, unsigned subindex) {
-    if (index == 0x1005 && subindex == 0) {
+    if (index == cia301::sync_cob_id && subindex == 0) {
         return CobId{0x80, false};
     }
-    if (index == 0x100E && subindex == 0) {
+    if (index == cia301::guarding_identifier && subindex == 0) {
         return CobId{0x700, true};
     }
-    if (index == 0x1014 && subindex == 0) {
+    if (index == cia301::emcy_cob_id && subindex == 0) {
         return CobId{0x80, true};
     }
-    if (index >= 0x1400 && index <= 0x15FF && subindex == 1) {
-        return of_pdo(index, 0x1400, 0x200);
+    if (index >= cia301::rpdo_communication && index <= cia301::last_rpdo_communication && subindex == 1) {
+        return of_pdo(index, cia301::rpdo_communication, 0x200);
     }
-    if (index >= 0x1800 && index <= 0x19FF && subindex == 1) {
-        return of_pdo(index, 0x1800, 0x180);
+    if (index >= cia301::tpdo_communication && index <= cia301::last_tpdo_communication && subindex == 1) {
+        return of_pdo(index, cia301::tpdo_communication, 0x180);
     }
     return std::nullopt;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "host/base/cia301.hpp"
+
 namespace canproof::host {
 
 namespace {
@@ -15,21 +17,21 @@ struct Area {
 };
 
 // The communication objects of CiA 301, 7.5.2, and the service to which each belongs.
-constexpr std::array<Area, 15> areas{{{0x1001, 0x1001, "emcy"},
-                                      {0x1003, 0x1003, "emcy"},
-                                      {0x1005, 0x1007, "sync"},
-                                      {0x100C, 0x100E, "guarding"},
-                                      {0x1010, 0x1011, "store"},
-                                      {0x1014, 0x1015, "emcy"},
-                                      {0x1016, 0x1017, "heartbeat"},
-                                      {0x1019, 0x1019, "sync"},
-                                      {0x1029, 0x1029, "error_behaviour"},
-                                      {0x1400, 0x15FF, "pdo"},
-                                      {0x1600, 0x17FF, "pdo"},
-                                      {0x1800, 0x19FF, "pdo"},
-                                      {0x1A00, 0x1BFF, "pdo"},
-                                      {0x1F80, 0x1F80, "nmt"},
-                                      {0x1F91, 0x1F91, "nmt"}}};
+constexpr std::array<Area, 15> areas{{{cia301::error_register, cia301::error_register, "emcy"},
+                                      {cia301::error_list, cia301::error_list, "emcy"},
+                                      {cia301::sync_cob_id, cia301::sync_window, "sync"},
+                                      {cia301::guard_time, cia301::guarding_identifier, "guarding"},
+                                      {cia301::store_parameters, cia301::restore_parameters, "store"},
+                                      {cia301::emcy_cob_id, cia301::emcy_inhibit_time, "emcy"},
+                                      {cia301::consumer_heartbeat_time, cia301::producer_heartbeat_time, "heartbeat"},
+                                      {cia301::sync_counter_overflow, cia301::sync_counter_overflow, "sync"},
+                                      {cia301::error_behaviour, cia301::error_behaviour, "error_behaviour"},
+                                      {cia301::rpdo_communication, cia301::last_rpdo_communication, "pdo"},
+                                      {cia301::rpdo_mapping, cia301::last_rpdo_mapping, "pdo"},
+                                      {cia301::tpdo_communication, cia301::last_tpdo_communication, "pdo"},
+                                      {cia301::tpdo_mapping, cia301::last_tpdo_mapping, "pdo"},
+                                      {cia301::nmt_startup, cia301::nmt_startup, "nmt"},
+                                      {cia301::self_starting_nodes, cia301::self_starting_nodes, "nmt"}}};
 
 const char* service_of(std::uint16_t index) {
     for (const Area& area : areas) {
@@ -41,7 +43,7 @@ const char* service_of(std::uint16_t index) {
 }
 
 bool is_live(std::uint16_t index) {
-    return index == 0x1001 || index == 0x1002 || index == 0x1003;
+    return index == cia301::error_register || index == cia301::manufacturer_status || index == cia301::error_list;
 }
 
 }  // namespace
@@ -50,12 +52,12 @@ void assign_services(Part& part) {
     for (Object& object : part.objects) {
         const std::string service = service_of(object.index);
         for (Entry& entry : object.entries) {
-            const bool is_command = object.index == 0x1003 || std::string_view{service} == "store";
+            const bool is_command = object.index == cia301::error_list || std::string_view{service} == "store";
             entry.service = service;
             entry.live = is_live(object.index);
             entry.stored =
                 std::string_view{entry.access} == "rw" && !is_command && std::string_view{entry.type} != "DOMAIN";
-            if (object.index == 0x1003 && object.kind != Object::Kind::var && entry.subindex == 0) {
+            if (object.index == cia301::error_list && object.kind != Object::Kind::var && entry.subindex == 0) {
                 // A write of 0 empties the list (CiA 301, 7.5.2.4). The limits in a data sheet apply to the counts that
                 // can be read, not to the value that can be written.
                 entry.range = Range{};

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 
+#include "host/base/cia301.hpp"
 #include "host/register/literals.hpp"
 
 namespace canproof::host {
@@ -81,7 +82,7 @@ unsigned object_code(const Object& object) {
 
 Object as_in_sheet(const Object& object) {
     Object sheet = object;
-    if (object.index == 0x1003 && object.kind != Object::Kind::var) {
+    if (object.index == cia301::error_list && object.kind != Object::Kind::var) {
         Range counted;
         counted.minimum.kind = counted.maximum.kind = Limit::Kind::number;
         counted.minimum.number = std::int64_t{0};
@@ -132,7 +133,7 @@ std::size_t count_objects(const Part& device, unsigned first, unsigned last) {
 std::size_t granularity(const Part& device) {
     bool changeable = false;
     for (const Object& object : device.objects) {
-        const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
+        const bool mapping = cia301::is_pdo_mapping(object.index);
         for (const Entry& entry : object.entries) {
             changeable = changeable || (mapping && entry.access == "rw");
         }

@@ -9,6 +9,7 @@
 #include <map>
 #include <tuple>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_cob_ids.hpp"
 #include "host/datasheet/eds_entry.hpp"
 #include "host/datasheet/eds_numbers.hpp"
@@ -20,7 +21,6 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::uint16_t first_object = 0x1000;  // lower indices are data types, which are no objects of a device
 /// Greatest number of entries. The rows of the dictionary have 16 bits for the number of entries and for the position
 /// of a value.
 constexpr std::size_t most_entries = 0xFFFF;
@@ -155,7 +155,7 @@ class EdsReader {
             const auto index = eds_unsigned(value.text);
             if (!index || *index > 0xFFFFU || *index == 0) {
                 tell_.note(value.line, fmt::format("{} is no index", value.text), "it is ignored");
-            } else if (*index >= first_object) {
+            } else if (*index >= cia301::first_object) {
                 read_object(static_cast<std::uint16_t>(*index), value.line);
             }
         }
@@ -201,7 +201,7 @@ class EdsReader {
     void read_unlisted() {
         for (const auto& [name, section] : ini_.sections()) {
             const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
-            if (index && *index >= first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
+            if (index && *index >= cia301::first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
                 tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
                            "the object exists");
                 read_object(static_cast<std::uint16_t>(*index), section.line);
@@ -341,7 +341,7 @@ class EdsReader {
             tell_.fault(1, fmt::format("the values take {} bytes", bytes),
                         fmt::format("a device can have at most {} bytes of values", most_bytes));
         }
-        for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
+        for (const unsigned index : {cia301::device_type, cia301::error_register, cia301::identity}) {
             if (seen_.count(static_cast<std::uint16_t>(index)) == 0) {
                 tell_.note(1, fmt::format("object {:04X}h, which every device has, is not described", index),
                            "the device runs without it");

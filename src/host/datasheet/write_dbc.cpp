@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/dbc_text.hpp"
 #include "host/datasheet/entry_index.hpp"
 #include "host/datasheet/entry_words.hpp"
@@ -64,10 +65,10 @@ class DbcWriter {
         file_.nodes = {host_, device_};
         add_network();
         for (unsigned number = 0; number < 512; ++number) {
-            add_pdo(0x1400 + number);
+            add_pdo(cia301::rpdo_communication + number);
         }
         for (unsigned number = 0; number < 512; ++number) {
-            add_pdo(0x1800 + number);
+            add_pdo(cia301::tpdo_communication + number);
         }
         add_sdo();
         file_.comment = fmt::format("{} at node-ID {}, written by canproof", part_.name, node_id_);
@@ -114,15 +115,15 @@ class DbcWriter {
                                           {0x82, "reset communication"}}),
                             plain_signal("NodeId", 8, 8, {{0, "all"}})};
         }
-        if (const auto sync = number(0x1005, 0)) {
-            const bool counts = number(0x1019, 0).value_or(0) > 1;
+        if (const auto sync = number(cia301::sync_cob_id, 0)) {
+            const bool counts = number(cia301::sync_counter_overflow, 0).value_or(0) > 1;
             DbcMessage* message = add(*sync, "SYNC", counts ? 1 : 0, false);
             if (message != nullptr && counts) {
                 message->signals = {plain_signal("Counter", 0, 8)};
             }
         }
         // Without 1014h COB-ID EMCY, the message has the identifier of the pre-defined connection set.
-        if (DbcMessage* emcy = add(number(0x1014, 0).value_or(0x80 + node_id_), "EMCY", 8, true)) {
+        if (DbcMessage* emcy = add(number(cia301::emcy_cob_id, 0).value_or(0x80 + node_id_), "EMCY", 8, true)) {
             emcy->signals = {plain_signal("ErrorCode", 0, 16,
                                           {{0x0000, "no error"},
                                            {0x8110, "CAN overrun"},
@@ -149,7 +150,7 @@ class DbcWriter {
         if (!cob_id || !count || *count == 0 || *count >= multiplexed_pdo) {
             return;
         }
-        const bool is_rpdo = index < 0x1800;
+        const bool is_rpdo = index < cia301::tpdo_communication;
         std::vector<DbcSignal> signals;
         DbcNames names;
         unsigned at = 0;

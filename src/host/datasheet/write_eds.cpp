@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {
@@ -28,11 +29,12 @@ class EdsWriter {
         device_info();
         dummy_usage();
         comments();
-        const auto mandatory = [](unsigned i) { return i == 0x1000U || i == 0x1001U || i == 0x1018U; };
-        const auto manufacturer = [](unsigned i) { return i >= 0x2000U && i < 0x6000U; };
+        const auto mandatory = [](unsigned i) {
+            return i == cia301::device_type || i == cia301::error_register || i == cia301::identity;
+        };
         objects("MandatoryObjects", mandatory);
-        objects("OptionalObjects", [&](unsigned i) { return !mandatory(i) && !manufacturer(i); });
-        objects("ManufacturerObjects", manufacturer);
+        objects("OptionalObjects", [&](unsigned i) { return !mandatory(i) && !cia301::is_of_manufacturer(i); });
+        objects("ManufacturerObjects", cia301::is_of_manufacturer);
         return out_;
     }
 
@@ -65,10 +67,10 @@ class EdsWriter {
         const DeviceInfo& info = device_.info;
         section("DeviceInfo");
         line("VendorName", info.vendor);
-        line("VendorNumber", fmt::format("0x{:X}", whole_default(device_, 0x1018, 1)));
+        line("VendorNumber", fmt::format("0x{:X}", whole_default(device_, cia301::identity, 1)));
         line("ProductName", info.title);
-        line("ProductNumber", fmt::format("0x{:X}", whole_default(device_, 0x1018, 2)));
-        line("RevisionNumber", fmt::format("0x{:X}", whole_default(device_, 0x1018, 3)));
+        line("ProductNumber", fmt::format("0x{:X}", whole_default(device_, cia301::identity, 2)));
+        line("RevisionNumber", fmt::format("0x{:X}", whole_default(device_, cia301::identity, 3)));
         line("OrderCode", info.part_numbers.empty() ? "" : info.part_numbers.front());
         for (const int rate : rates) {
             const bool has = std::count(info.bit_rates.begin(), info.bit_rates.end(), rate * 1000) > 0;
@@ -79,8 +81,8 @@ class EdsWriter {
         line("Granularity", granularity(device_));
         line("DynamicChannelsSupported", 0);
         line("GroupMessaging", 0);
-        line("NrOfRXPDO", count_objects(device_, 0x1400, 0x15FF));
-        line("NrOfTXPDO", count_objects(device_, 0x1800, 0x19FF));
+        line("NrOfRXPDO", count_objects(device_, cia301::rpdo_communication, cia301::last_rpdo_communication));
+        line("NrOfTXPDO", count_objects(device_, cia301::tpdo_communication, cia301::last_tpdo_communication));
         line("LSS_Supported", info.lss ? 1 : 0);
     }
 

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_values.hpp"
 
 namespace canproof::host {
@@ -55,9 +56,9 @@ pugi::xml_node add_body(pugi::xml_node& root, const Register& content, const Par
 void add_identity(pugi::xml_node& body, const Part& device) {
     auto identity = body.append_child("DeviceIdentity");
     add_text(identity, "vendorName", device.info.vendor);
-    add_text(identity, "vendorID", fmt::format("0x{:08X}", whole_default(device, 0x1018, 1)));
+    add_text(identity, "vendorID", fmt::format("0x{:08X}", whole_default(device, cia301::identity, 1)));
     add_text(identity, "productName", device.info.title);
-    add_text(identity, "productID", fmt::format("0x{:08X}", whole_default(device, 0x1018, 2)));
+    add_text(identity, "productID", fmt::format("0x{:08X}", whole_default(device, cia301::identity, 2)));
     for (const auto& number : device.info.part_numbers) {
         add_text(identity, "orderNumber", number);
     }
@@ -131,8 +132,10 @@ void add_network(pugi::xml_node& body, const Part& device) {
     }
     auto general = body.append_child("NetworkManagement").append_child("CANopenGeneralFeatures");
     add(general, "granularity", fmt::format("{}", granularity(device)));
-    add(general, "nrOfRxPDO", fmt::format("{}", count_objects(device, 0x1400, 0x15FF)));
-    add(general, "nrOfTxPDO", fmt::format("{}", count_objects(device, 0x1800, 0x19FF)));
+    add(general, "nrOfRxPDO",
+        fmt::format("{}", count_objects(device, cia301::rpdo_communication, cia301::last_rpdo_communication)));
+    add(general, "nrOfTxPDO",
+        fmt::format("{}", count_objects(device, cia301::tpdo_communication, cia301::last_tpdo_communication)));
     add(general, "layerSettingServiceSlave", info.lss ? "true" : "false");
     add(general, "bootUpSlave", "true");
 }
@@ -152,8 +155,10 @@ std::string write_xdd(const Register& content, const Part& part) {
     auto network_body = add_body(root, content, part, "CommunicationNetwork");
     auto layers = network_body.append_child("ApplicationLayers");
     auto list = layers.append_child("CANopenObjectList");
-    const std::size_t mandatory = count_objects(part, 0x1000, 0x1001) + count_objects(part, 0x1018, 0x1018);
-    const std::size_t manufacturer = count_objects(part, 0x2000, 0x5FFF);
+    const std::size_t mandatory = count_objects(part, cia301::device_type, cia301::error_register) +
+                                  count_objects(part, cia301::identity, cia301::identity);
+    const std::size_t manufacturer =
+        count_objects(part, cia301::first_manufacturer_object, cia301::last_manufacturer_object);
     add(list, "mandatoryObjects", fmt::format("{}", mandatory));
     add(list, "optionalObjects", fmt::format("{}", part.objects.size() - mandatory - manufacturer));
     add(list, "manufacturerObjects", fmt::format("{}", manufacturer));

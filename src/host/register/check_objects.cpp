@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/register/check_limits.hpp"
 #include "host/register/literals.hpp"
 
@@ -32,7 +33,7 @@ void check_subindices(const Object& object, Faults& faults) {
                               "give each entry its own sub-index"});
         }
     }
-    const bool mapping = (object.index & 0xFE00U) == 0x1600U || (object.index & 0xFE00U) == 0x1A00U;
+    const bool mapping = cia301::is_pdo_mapping(object.index);
     if (mapping && object.entries.size() > most_mapping_entries + 1) {
         faults.push_back({object.place,
                           fmt::format("{:04X}h has {} mapping entries", object.index, object.entries.size() - 1),
@@ -46,17 +47,18 @@ struct FixedKind {
     unsigned last;
     Object::Kind kind;
 };
-constexpr std::array<FixedKind, 11> fixed_kinds{{{0x1003, 0x1003, Object::Kind::array},
-                                                 {0x1010, 0x1011, Object::Kind::array},
-                                                 {0x1016, 0x1016, Object::Kind::array},
-                                                 {0x1018, 0x1018, Object::Kind::record},
-                                                 {0x1020, 0x1020, Object::Kind::array},
-                                                 {0x1028, 0x1029, Object::Kind::array},
-                                                 {0x1200, 0x12FF, Object::Kind::record},
-                                                 {0x1400, 0x15FF, Object::Kind::record},
-                                                 {0x1600, 0x17FF, Object::Kind::record},
-                                                 {0x1800, 0x19FF, Object::Kind::record},
-                                                 {0x1A00, 0x1BFF, Object::Kind::record}}};
+constexpr std::array<FixedKind, 11> fixed_kinds{
+    {{cia301::error_list, cia301::error_list, Object::Kind::array},
+     {cia301::store_parameters, cia301::restore_parameters, Object::Kind::array},
+     {cia301::consumer_heartbeat_time, cia301::consumer_heartbeat_time, Object::Kind::array},
+     {cia301::identity, cia301::identity, Object::Kind::record},
+     {cia301::verify_configuration, cia301::verify_configuration, Object::Kind::array},
+     {cia301::emcy_consumers, cia301::error_behaviour, Object::Kind::array},
+     {cia301::sdo_server_parameter, cia301::last_sdo_client_parameter, Object::Kind::record},
+     {cia301::rpdo_communication, cia301::last_rpdo_communication, Object::Kind::record},
+     {cia301::rpdo_mapping, cia301::last_rpdo_mapping, Object::Kind::record},
+     {cia301::tpdo_communication, cia301::last_tpdo_communication, Object::Kind::record},
+     {cia301::tpdo_mapping, cia301::last_tpdo_mapping, Object::Kind::record}}};
 
 void check_kind(const Object& object, Faults& faults) {
     for (const FixedKind& row : fixed_kinds) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "host/base/cia301.hpp"
+#include "host/register/object_family.hpp"
 #include "host/register/read_item.hpp"
 #include "host/register/service_words.hpp"
 
@@ -159,10 +161,6 @@ Entry sub_zero(const Place& place, std::size_t highest) {
     return entry;
 }
 
-Place place_of(const TomlItem& item, const toml::node& node) {
-    return {item.file(), static_cast<unsigned>(node.source().begin.line)};
-}
-
 const toml::node* default_for(const toml::node* node, std::int64_t n) {
     const auto table = node == nullptr ? nullptr : node->as_table();
     if (table == nullptr) {
@@ -206,9 +204,9 @@ std::vector<Range> read_element_ranges(TomlItem& item, const Entry& pattern, std
         const toml::node& one = *list->get(i);
         if (const auto table = one.as_table()) {
             TomlItem range{*table, item.file(), item.faults()};
-            ranges[i] = read_range(item, range, place_of(item, one));
+            ranges[i] = read_range(item, range, item.place(one));
         } else {
-            item.fault(place_of(item, one), fmt::format("range of element {} is no table", i + 1),
+            item.fault(item.place(one), fmt::format("range of element {} is no table", i + 1),
                        "write { min = …, max = … }");
         }
     }
@@ -234,7 +232,7 @@ void read_elements(TomlItem& item, Object& object, std::int64_t n, std::size_t c
             const toml::node* one = list->get(std::min(sub, list->size()) - 1);
             if (one != nullptr) {
                 set_default(entry, *one);
-                entry.default_place = place_of(item, *one);
+                entry.default_place = item.place(*one);
             }
         } else if (defaults != nullptr) {
             set_default(entry, *defaults);
@@ -248,43 +246,12 @@ void read_var(TomlItem& item, Object& object, std::int64_t n) {
     entry.name = object.name;
     if (const auto* node = default_for(item.node("default"), n)) {
         set_default(entry, *node);
-        entry.default_place = place_of(item, *node);
+        entry.default_place = item.place(*node);
     }
     object.entries.push_back(entry);
 }
 
-/// One object of a family whose members are numbered from `first` to `last`.
-struct Member {
-    std::int64_t n;
-    std::int64_t first;
-    std::int64_t last;
-};
-
-/// Checks that a default such as `{ 1 = 0, 2 = 5 }` contains each member of the family and no other number.
-void check_family_default(TomlItem& item, const Member& member) {
-    const toml::node* node = item.node("default");
-    const auto table = node == nullptr ? nullptr : node->as_table();
-    if (table == nullptr) {
-        return;
-    }
-    for (std::int64_t n = member.first; n <= member.last; ++n) {
-        if (!table->contains(std::to_string(n))) {
-            item.fault(item.place("default"), fmt::format("default gives no value for member {}", n),
-                       fmt::format("add `{} = …`", n));
-        }
-    }
-    for (const auto& [key, value] : *table) {
-        const std::string word{key.str()};
-        const bool number =
-            !word.empty() && word.size() < 4 && word.find_first_not_of("0123456789") == std::string::npos;
-        if (!number || std::stoll(word) < member.first || std::stoll(word) > member.last) {
-            item.fault(place_of(item, value), fmt::format("default names member {}, which the family lacks", word),
-                       fmt::format("use members {} to {}", member.first, member.last));
-        }
-    }
-}
-
-void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
+void read_listed_entries(TomlItem& item, Object& object, const FamilyMember& member) {
     for (TomlItem& sub : item.items("entry")) {
         Entry entry = read_entry_fields(sub);
         entry.subindex = static_cast<std::uint8_t>(sub.integer("sub", 0, 254));
@@ -296,7 +263,7 @@ void read_listed_entries(TomlItem& item, Object& object, const Member& member) {
         check_family_default(sub, member);
         if (const auto* node = default_for(sub.node("default"), member.n)) {
             set_default(entry, *node);
-            entry.default_place = place_of(sub, *node);
+            entry.default_place = sub.place(*node);
         }
         sub.finish();
         object.entries.push_back(entry);
@@ -327,7 +294,7 @@ Object::Kind read_kind(TomlItem& item, Object::Kind usual) {
     return word == "array" ? Object::Kind::array : Object::Kind::record;
 }
 
-Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, const Member& member) {
+Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, const FamilyMember& member) {
     Object object;
     read_common(item, object, false);
     object.id_place = item.place("index");
@@ -361,31 +328,23 @@ Object read_one(TomlItem& item, const std::string& prefix, std::int64_t index, c
 }  // namespace
 
 std::vector<Object> read_objects(TomlItem& item, const std::string& prefix) {
-    std::int64_t first = 1;
-    std::int64_t last = 1;
-    std::int64_t step = 0;
-    if (auto repeat = item.item("repeat")) {
-        first = repeat->integer("first", 0, 255);
-        last = repeat->integer("last", first, 255);
-        step = repeat->integer("step", 1, 0x1000);
-        repeat->finish();
-    }
+    ObjectFamily family = read_family(item);
     const std::size_t before_index = item.faults().size();
-    const std::int64_t base = item.integer("index", 0x1000, 0xFFFF);
+    const std::int64_t base = item.integer("index", cia301::first_object, 0xFFFF);
     const bool has_index = item.faults().size() == before_index;
-    if (base + (last - first) * step > 0xFFFF) {
-        item.fault(item.place("repeat"), fmt::format("family reaches index {:X}h", base + (last - first) * step),
+    if (const std::int64_t highest = base + family.offset(family.last); highest > 0xFFFF) {
+        item.fault(item.place("repeat"), fmt::format("family reaches index {:X}h", highest),
                    "lower `last` or `step`: the greatest index is FFFFh");
-        last = first;
+        family.last = family.first;
     }
-    check_family_default(item, Member{first, first, last});
+    check_family_default(item, FamilyMember{family.first, family.first, family.last});
     std::vector<Object> all;
     // All members of a family have the same faults, so only the faults of the first member are kept.
     const std::size_t faults_before = item.faults().size();
     std::size_t faults_after = faults_before;
-    for (std::int64_t n = first; n <= last; ++n) {
-        all.push_back(read_one(item, prefix, base + (n - first) * step, Member{n, first, last}));
-        if (n == first) {
+    for (std::int64_t n = family.first; n <= family.last; ++n) {
+        all.push_back(read_one(item, prefix, base + family.offset(n), FamilyMember{n, family.first, family.last}));
+        if (n == family.first) {
             faults_after = item.faults().size();
         }
     }

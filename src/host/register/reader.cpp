@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "host/base/cia301.hpp"
 #include "host/register/read_hazard.hpp"
 #include "host/register/read_item.hpp"
 #include "host/register/read_manual.hpp"
@@ -218,7 +219,8 @@ Decision read_decision(TomlItem& item) {
 StandardObject read_standard_object(TomlItem& item) {
     StandardObject object;
     object.place = item.place();
-    object.index = static_cast<std::uint16_t>(item.integer("index", 0x1000, 0x1FFF));
+    object.index =
+        static_cast<std::uint16_t>(item.integer("index", cia301::first_object, cia301::last_communication_object));
     object.name = item.text("name");
     item.finish();
     return object;

@@ -27,7 +27,11 @@ bool is_hexadecimal(const toml::node& node) {
 }
 
 Place TomlItem::place() const {
-    return Place{file_, static_cast<unsigned>(table_.source().begin.line)};
+    return place(table_);
+}
+
+Place TomlItem::place(const toml::node& node) const {
+    return Place{file_, static_cast<unsigned>(node.source().begin.line)};
 }
 
 bool TomlItem::has(const std::string& key) const {
@@ -36,7 +40,7 @@ bool TomlItem::has(const std::string& key) const {
 
 Place TomlItem::place(const std::string& key) const {
     const toml::node* found = table_.get(key);
-    return found == nullptr ? place() : Place{file_, static_cast<unsigned>(found->source().begin.line)};
+    return found == nullptr ? place() : place(*found);
 }
 
 const toml::node* TomlItem::node(const std::string& key) {
@@ -215,8 +219,7 @@ void TomlItem::finish() {
     for (const auto& [key, node] : table_) {
         const std::string name{key.str()};
         if (asked_.count(name) == 0) {
-            fault(Place{file_, static_cast<unsigned>(node.source().begin.line)},
-                  fmt::format("the key `{}` is unknown", name),
+            fault(place(node), fmt::format("the key `{}` is unknown", name),
                   "remove the key or correct its spelling (spec/README.md lists the keys)");
         }
     }

@@ -27,6 +27,7 @@ class TomlItem {
 
     Place place() const;
     Place place(const std::string& key) const;
+    Place place(const toml::node& node) const;
     bool has(const std::string& key) const;
 
     /// Returns a required string. Adds a fault when it is missing, empty or no string.

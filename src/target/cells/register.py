@@ -71,6 +71,7 @@ class Part:
     def _members(self, item):
         """Yields the objects that one [[object]] stands for; a family has several."""
         family = item.get("repeat", {"first": 0, "last": 0, "step": 0})
+        base = 16 if family.get("decimal") else 10  # with `decimal`, the decimal digits of the number are read as hexadecimal ones
         for n in range(family["first"], family["last"] + 1):
             entries = [self._entry(one, one["sub"], self._default(one, n)) for one in item.get("entry", [])]
             usual = RECORD
@@ -84,7 +85,7 @@ class Part:
             if usual != VAR and all(one["sub"] != 0 for one in entries):
                 highest = {"type": "UNSIGNED8", "access": "const"}
                 entries.append(self._entry(highest, 0, max(one["sub"] for one in entries)))
-            yield {"index": item["index"] + (n - family["first"]) * family["step"],
+            yield {"index": item["index"] + (int(str(n), base) - int(str(family["first"]), base)) * family["step"],
                    "kind": {"array": ARRAY, "record": RECORD}.get(item.get("kind"), usual),
                    "entries": sorted(entries, key=lambda one: one["sub"])}
 

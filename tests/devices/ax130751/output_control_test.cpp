@@ -82,7 +82,7 @@ TEST_F(Ax130751Output, OutputRespondsWithinTenMilliseconds) {
 // --- enable, override, fault (Tables 7 to 9, Figure 4) -------------------------------------------------------------
 
 TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
-    verifies<req::AOR_OUT_009, req::AOR_T07, req::AOR_OUT_014, req::AOR_E_ENABLE_ACTION>();
+    verifies<req::AOR_OUT_009, req::AOR_T07, req::AOR_OUT_014, req::AOR_E_OUTPUT_DRIVE>();
     for (int response = 0; response < 6; ++response) {
         SCOPED_TRACE(response);
         make(10);
@@ -212,7 +212,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
 }
 
 TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
-    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_FAULT_ACTION,
+    verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_OUTPUT_DRIVE,
              req::AOR_OUT_042>();
     make(10);
     set16(0x7341, 1, 1500);

@@ -111,7 +111,7 @@ TEST_F(Ax130751Relay, UnlatchingPutsTheInverseLatchOn) {
 }
 
 TEST_F(Ax130751Relay, EnableResponsesFollowTable11) {
-    verifies<req::AOR_RELAY_009, req::AOR_T11, req::AOR_E_ENABLE_ACTION, req::AOR_RELAY_027>();
+    verifies<req::AOR_RELAY_009, req::AOR_T11, req::AOR_E_OUTPUT_DRIVE, req::AOR_RELAY_027>();
     connect(0x2280, 1);
     // Returns two states of the relay while the control is ON: first with enable ON when `on_first` is true, otherwise
     // OFF; then with the opposite enable.

@@ -37,12 +37,12 @@ TEST(Ax130751Tables, Table1DigitalOutputPolarityFollowsTheManual) {
 }
 
 TEST(Ax130751Tables, Tables2And9FaultModesFollowTheManual) {
-    verifies<req::AOR_T02, req::AOR_T09, req::AOR_E_FAULT_ACTION>();
-    EXPECT_EQ(own::digital_error_response::find(0)->action, own::FaultAction::keep);
-    EXPECT_EQ(own::digital_error_response::find(1)->action, own::FaultAction::fault_value);
+    verifies<req::AOR_T02, req::AOR_T09, req::AOR_E_OUTPUT_DRIVE>();
+    EXPECT_EQ(own::digital_error_response::find(0)->drive, own::OutputDrive::keep);
+    EXPECT_EQ(own::digital_error_response::find(1)->drive, own::OutputDrive::fault_value);
     EXPECT_EQ(own::digital_error_response::rows.size(), 2U);
-    EXPECT_EQ(own::analogue_error_response::find(0)->action, own::FaultAction::keep);
-    EXPECT_EQ(own::analogue_error_response::find(1)->action, own::FaultAction::fault_value);
+    EXPECT_EQ(own::analogue_error_response::find(0)->drive, own::OutputDrive::keep);
+    EXPECT_EQ(own::analogue_error_response::find(1)->drive, own::OutputDrive::fault_value);
     EXPECT_EQ(own::analogue_error_response::rows.size(), 2U);
 }
 
@@ -178,21 +178,21 @@ TEST(Ax130751Tables, Table6ControlResponseFollowsTheManual) {
 }
 
 TEST(Ax130751Tables, Table7EnableResponseFollowsTheManual) {
-    verifies<req::AOR_T07, req::AOR_E_ENABLE_ACTION>();
-    using A = own::EnableAction;
+    verifies<req::AOR_T07, req::AOR_E_OUTPUT_DRIVE>();
+    using A = own::OutputDrive;
     struct Row {
         A on;
         A off;
     };
-    const std::array<Row, 6> expected{{{A::run, A::shut_off},
-                                       {A::run, A::ramp_off},
-                                       {A::run, A::keep},
-                                       {A::shut_off, A::run},
-                                       {A::ramp_off, A::run},
-                                       {A::keep, A::run}}};
+    const std::array<Row, 6> expected{{{A::control, A::shut_off},
+                                       {A::control, A::ramp_off},
+                                       {A::control, A::keep},
+                                       {A::shut_off, A::control},
+                                       {A::ramp_off, A::control},
+                                       {A::keep, A::control}}};
     for (std::uint8_t response = 0; response < 6; ++response) {
-        EXPECT_EQ(own::enable_response::find(response, true)->action, expected[response].on) << int{response};
-        EXPECT_EQ(own::enable_response::find(response, false)->action, expected[response].off) << int{response};
+        EXPECT_EQ(own::enable_response::find(response, true)->drive, expected[response].on) << int{response};
+        EXPECT_EQ(own::enable_response::find(response, false)->drive, expected[response].off) << int{response};
     }
     EXPECT_EQ(own::enable_response::find(6, true), nullptr);
 }
@@ -245,18 +245,17 @@ TEST(Ax130751Tables, Tables1And10HaveTheSameDrives) {
 }
 
 TEST(Ax130751Tables, Table11RelayEnableResponseFollowsTheManual) {
-    verifies<req::AOR_T11, req::AOR_E_ENABLE_ACTION>();
-    using A = own::EnableAction;
-    const std::array<std::pair<A, A>, 6> on_and_off{{{A::run, A::shut_off},
-                                                     {A::shut_off, A::run},
-                                                     {A::shut_off, A::run},
-                                                     {A::run, A::shut_off},
-                                                     {A::run, A::keep},
-                                                     {A::keep, A::run}}};
+    verifies<req::AOR_T11, req::AOR_E_OUTPUT_DRIVE>();
+    using A = own::OutputDrive;
+    const std::array<std::pair<A, A>, 6> on_and_off{{{A::control, A::shut_off},
+                                                     {A::shut_off, A::control},
+                                                     {A::shut_off, A::control},
+                                                     {A::control, A::shut_off},
+                                                     {A::control, A::keep},
+                                                     {A::keep, A::control}}};
     for (std::uint8_t response = 0; response < 6; ++response) {
-        EXPECT_EQ(own::relay_enable_response::find(response, true)->action, on_and_off[response].first)
-            << int{response};
-        EXPECT_EQ(own::relay_enable_response::find(response, false)->action, on_and_off[response].second)
+        EXPECT_EQ(own::relay_enable_response::find(response, true)->drive, on_and_off[response].first) << int{response};
+        EXPECT_EQ(own::relay_enable_response::find(response, false)->drive, on_and_off[response].second)
             << int{response};
     }
 }

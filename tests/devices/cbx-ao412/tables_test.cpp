@@ -99,19 +99,20 @@ TEST(CbxTables, LedEFollowsTheManual) {
     EXPECT_EQ(led(false, t::Can::error_active, false), State::off);
 }
 
-// CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6
+// CAN-CBX-AO412, 3.2.3 Table 7 and 3.2.6. The application does not run in the boot loader and with an invalid node-ID.
+// In initialising the LED shows the pattern of pre-operational (AO4-D-156).
 TEST(CbxTables, LedSFollowsTheManual) {
     verifies<req::AO4_T7>();
     namespace t = own::status_led;
-    for (const auto& [mode, led] :
-         std::array<std::pair<t::Mode, State>, 5>{{{t::Mode::pre_operational, State::blinking},
-                                                   {t::Mode::operational, State::on},
-                                                   {t::Mode::stopped, State::flash1},
-                                                   {t::Mode::boot_loader, State::flash3},
-                                                   {t::Mode::invalid_node_id, State::flash3}}}) {
-        const auto* row = t::find(mode);
-        ASSERT_NE(row, nullptr);
-        EXPECT_EQ(row->led, led) << static_cast<int>(mode);
+    for (const auto& [state, led] :
+         std::array<std::pair<t::State, State>, 4>{{{t::State::initialising, State::blinking},
+                                                    {t::State::pre_operational, State::blinking},
+                                                    {t::State::operational, State::on},
+                                                    {t::State::stopped, State::flash1}}}) {
+        ASSERT_NE(t::find(true, state), nullptr);
+        EXPECT_EQ(t::find(true, state)->led, led) << static_cast<int>(state);
+        ASSERT_NE(t::find(false, state), nullptr);
+        EXPECT_EQ(t::find(false, state)->led, State::flash3) << static_cast<int>(state);
     }
 }
 

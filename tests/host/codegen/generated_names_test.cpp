@@ -208,6 +208,28 @@ TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneNa
     EXPECT_THAT(mixed, HasSubstr("    block_2_source = 0x3020U,\n    block_2_gain = 0x3024U,\n    other = 0x3025U,\n"));
 }
 
+TEST(GeneratedNames, FamilyWithDecimalDigitsInItsIndicesHasOneName) {
+    const std::string repeat = "service = \"device\"\nrepeat = { first = 8, last = 11, step = 0x10, decimal = true }\n";
+    const Part box =
+        box_with(object("0x3080", "Block {n} source") + repeat + object("0x3084", "Block {n} gain") + repeat);
+    std::vector<unsigned> indices;
+    for (const Object& one : box.objects) {
+        indices.push_back(one.index);
+    }
+    EXPECT_THAT(indices, testing::UnorderedElementsAre(0x3080, 0x3084, 0x3090, 0x3094, 0x3100, 0x3104, 0x3110, 0x3114));
+    const std::string text = write_written(box);
+    EXPECT_THAT(text, HasSubstr("{\n    block_source = 0x3080U,\n    block_gain = 0x3084U,\n};\n"));
+    EXPECT_THAT(text, HasSubstr("    if ((index >= 0x3080U) && (index < 0x30A0U)) {\n"
+                                "        const std::uint32_t offset = index - 0x3080U;\n"
+                                "        return Written{static_cast<Parameter>(0x3080U + (offset % 0x10U)),\n"
+                                "                       static_cast<std::uint8_t>(8U + (offset / 0x10U)), subindex};"));
+    EXPECT_THAT(text,
+                HasSubstr("    if ((index >= 0x3100U) && (index < 0x3120U)) {\n"
+                          "        const std::uint32_t offset = index - 0x3100U;\n"
+                          "        return Written{static_cast<Parameter>(0x3080U + (offset % 0x10U)),\n"
+                          "                       static_cast<std::uint8_t>(10U + (offset / 0x10U)), subindex};"));
+}
+
 TEST(GeneratedNames, NumbersKeepTheNotationOfTheRegister) {
     const std::string constant =
         "[[constant]]\nid = \"AO4-K-1\"\nname = \"request\"\nvalue = 0x7E5\n"

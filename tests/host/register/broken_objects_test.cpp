@@ -189,6 +189,10 @@ const std::vector<Broken> cases{
      "[[object]]\nindex = 0xFFF0\nname = \"a{n}\"\nrepeat = { first = 1, last = 2, step = 0x10 }\nsource = [\"M1:1\"]\n"
      "type = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n",
      4, "family reaches index 10000h", "the greatest index is FFFFh"},
+    {"DecimalFamilyBeyondLastIndex", items_file,
+     "[[object]]\nindex = 0xFF00\nname = \"a{n}\"\nrepeat = { first = 0, last = 10, step = 0x10, decimal = true }\n"
+     "source = [\"M1:1\"]\ntype = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\n",
+     4, "family reaches index 10000h", "the greatest index is FFFFh"},
     {"FamilyDefaultMissing", items_file, rw16 + "repeat = { first = 1, last = 2, step = 1 }\ndefault = { 1 = 5 }\n", 8,
      "default gives no value for member 2", "add `2 = …`"},
     {"FamilyDefaultForStranger", items_file,

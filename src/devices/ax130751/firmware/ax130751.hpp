@@ -65,7 +65,8 @@ class Device final : private Application {
     void tell_errors(Instant now) noexcept;
     void wake(Instant now) noexcept;
     Instant next_change() const noexcept;
-    void follow_minima(const EntryRef& entry) noexcept;
+    void take_type(std::uint8_t output) noexcept;
+    void follow_minima(const generated::ax130751::Written& change) noexcept;
     std::uint32_t wanted_bit_rate() const noexcept;
     void show_bit_rate() noexcept;
     void show_node_id() noexcept;

@@ -7,7 +7,6 @@
 
 #include "devices/ax130751/firmware/lookup_table.hpp"
 #include "firmware/canopen/object_dictionary.hpp"
-#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/objects.hpp"
 
 namespace canproof::ax130751 {
@@ -26,25 +25,6 @@ bool replace(ObjectDictionary& objects, const Field<T> entry, const T value) noe
     const bool changes = objects.get(entry) != value;
     objects.set(entry, value);
     return changes;
-}
-
-/// The lookup table to which an index of 3yz0h to 3yz8h belongs, and the position of the index in that table.
-struct TableEntry {
-    std::uint8_t table{0U};    ///< 0: not an index of a lookup table
-    std::uint16_t offset{0U};  ///< 0 if `table` is 0
-};
-
-constexpr TableEntry table_entry(const std::uint16_t index) noexcept {
-    namespace of = generated::ax130751::index;
-    constexpr std::uint32_t index_step = of::lt2_input_x_axis_source - of::lt1_input_x_axis_source;
-    constexpr std::uint32_t place_before_tables = (of::lt1_input_x_axis_source / index_step) - 1U;
-    constexpr std::uint32_t tenth_table_place = of::lt10_input_x_axis_source / index_step;
-    const std::uint32_t place = index / index_step;
-    // The subtraction wraps for an index before the tables, so the result exceeds table_count.
-    const std::uint32_t table = (place == tenth_table_place) ? table_count : (place - place_before_tables);
-    return (table <= table_count)
-               ? TableEntry{static_cast<std::uint8_t>(table), static_cast<std::uint16_t>(index % index_step)}
-               : TableEntry{};
 }
 
 /// The objects of one lookup table: 3yz0h to 3yz8h.

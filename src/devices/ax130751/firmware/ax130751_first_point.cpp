@@ -4,43 +4,57 @@
 #include "devices/ax130751/firmware/ax130751_blocks.hpp"
 #include "firmware/base/requirement.hpp"
 #include "firmware/base/table_row.hpp"
-#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
 namespace {
 
-namespace index = generated::ax130751::index;
+namespace own = generated::ax130751;
 
-/// Returns whether a write to `entry` may have changed the minimum of the source `ref` (Table 5). Quantities without a
-/// case below have no minimum below 0.
-bool moves_minimum(const EntryRef& entry, const SourceRef& ref) noexcept {
-    const std::uint32_t index = entry.index;
-    const bool of_channel = std::uint32_t{entry.row->subindex} == ref.channel;
-    switch (ref.quantity) {
-        case Quantity::output_command:
-            return of_channel &&
-                   ((index == index::ao_output_scaling_1_pv) || (index == index::ao_output_scaling_2_pv) ||
-                    (index == index::ao_decimal_digits_pv) || (index == index::ao_output_type));
-        case Quantity::commanded_value:
-        case Quantity::feedback_value:
-            return of_channel &&
-                   ((index == index::ao_output_scaling_1_fv) || (index == index::ao_output_scaling_2_fv) ||
-                    (index == index::ao_decimal_digits_fv) || (index == index::ao_output_type));
-        case Quantity::extra_received:
-            return of_channel && ((index == index::ec_scaling_1_pv) || (index == index::ec_scaling_2_pv) ||
-                                  (index == index::ec_decimal_digits_pv));
-        case Quantity::math:
-            return of_channel &&
-                   ((index == index::math_output_scaling_1_pv) || (index == index::math_output_scaling_2_pv) ||
-                    (index == index::math_output_decimal_digits_pv));
-        case Quantity::lookup_table:
-            return std::uint32_t{table_entry(entry.index).table} == ref.channel;
-        case Quantity::temperature:
-            return (index == index::over_temperature_threshold) ||
-                   (index == index::hysteresis_to_clear_temperature_fault);
-        default:
+/// Returns whether a write may have moved point 1 of table `number`, whose source is `ref`: a write to the table
+/// itself, or to what sets the minimum of the source (Table 5). A quantity that no case names has no minimum below 0.
+bool moves_point(const own::Written& change, const std::uint8_t number, const SourceRef& ref) noexcept {
+    using own::Parameter;
+    const bool of_channel = std::uint32_t{change.subindex} == ref.channel;
+    const bool of_field_value =
+        of_channel && ((ref.quantity == Quantity::commanded_value) || (ref.quantity == Quantity::feedback_value));
+    const bool of_command = of_channel && (ref.quantity == Quantity::output_command);
+    switch (change.parameter) {
+        case Parameter::lt_input_x_axis_source:
+        case Parameter::lt_input_x_axis_number:
+        case Parameter::lt_auto_repeat:
+        case Parameter::lt_x_axis_decimal_digits_pv:
+        case Parameter::lt_y_axis_decimal_digits_pv:
+        case Parameter::lt_point_response:
+        case Parameter::lt_point_x_axis_pv:
+        case Parameter::lt_point_y_axis_pv:
+            return (std::uint32_t{change.member} == number) ||
+                   ((ref.quantity == Quantity::lookup_table) && (std::uint32_t{change.member} == ref.channel));
+        case Parameter::ao_output_type:
+            return of_command || of_field_value;
+        case Parameter::ao_decimal_digits_pv:
+        case Parameter::ao_output_scaling_1_pv:
+        case Parameter::ao_output_scaling_2_pv:
+            return of_command;
+        case Parameter::ao_decimal_digits_fv:
+        case Parameter::ao_output_scaling_1_fv:
+        case Parameter::ao_output_scaling_2_fv:
+            return of_field_value;
+        case Parameter::ec_decimal_digits_pv:
+        case Parameter::ec_scaling_1_pv:
+        case Parameter::ec_scaling_2_pv:
+            return of_channel && (ref.quantity == Quantity::extra_received);
+        case Parameter::math_output_decimal_digits_pv:
+        case Parameter::math_output_scaling_1_pv:
+        case Parameter::math_output_scaling_2_pv:
+            return of_channel && (ref.quantity == Quantity::math);
+        case Parameter::over_temperature_threshold:
+        case Parameter::hysteresis_to_clear_temperature_fault:
+            return ref.quantity == Quantity::temperature;
+        case Parameter::ao_override_field_value:
+        case Parameter::ao_fault_field_value:
+        default:  // -Wswitch-enum demands a label for each parameter
             return false;
     }
 }
@@ -63,12 +77,11 @@ void FirstPoint::begin(const std::uint8_t number, const ObjectDictionary& object
 }
 
 static_assert(implements<req::AOR_LT_017> && implements<req::AOR_LT_018>);
-bool FirstPoint::follow(const std::uint8_t number, const EntryRef& entry, ObjectDictionary& objects,
+bool FirstPoint::follow(const std::uint8_t number, const own::Written& change, ObjectDictionary& objects,
                         const Sources& sources) noexcept {
     const LookupFields& fields = lookup_fields[number - 1U];
-    const bool own = std::uint32_t{table_entry(entry.index).table} == number;
     const SourceRef& ref = source_.follow(objects.get(fields.source), objects.get(fields.number));
-    if ((!own) && (!moves_minimum(entry, ref))) {
+    if (!moves_point(change, number, ref)) {
         return false;
     }
     const std::int32_t wanted = place_of(number, objects, sources);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751_sources.hpp"
+#include "generated/ax130751/written.hpp"
 
 namespace canproof::ax130751 {
 
@@ -11,16 +12,16 @@ class FirstPoint {
   public:
     /// Initialises for table `number` (1…10) after its parameters were loaded; point 1 stays where it is.
     void begin(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
-    /// Moves point 1 after a write to `entry` if the minimum of the source changed. Returns true when it moved. A point
-    /// 1 that the user has set to another value stays, and so does one that would move above point 2.
-    bool follow(std::uint8_t number, const EntryRef& entry, ObjectDictionary& objects, const Sources& sources) noexcept;
+    /// Moves point 1 after a write if the minimum of the source changed. Returns true when it moved. A point 1 that the
+    /// user has set to another value stays, and so does one that would move above point 2.
+    bool follow(std::uint8_t number, const generated::ax130751::Written& change, ObjectDictionary& objects,
+                const Sources& sources) noexcept;
 
   private:
     std::int32_t place_of(std::uint8_t number, const ObjectDictionary& objects, const Sources& sources) noexcept;
 
     SourceChoice source_{};
-    /// The X that followed from the last minimum of the source. It depends on the entries of the table and on those
-    /// that moves_minimum() names.
+    /// The X that followed from the last minimum of the source. It depends on the parameters that moves_point() names.
     std::int32_t x_{0};
 };
 

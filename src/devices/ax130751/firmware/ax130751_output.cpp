@@ -15,10 +15,10 @@ namespace {
 
 namespace own = generated::ax130751;
 
-static_assert(implements<req::AOR_T07> && implements<req::AOR_E_ENABLE_ACTION>);
-EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
+static_assert(implements<req::AOR_T07> && implements<req::AOR_E_OUTPUT_DRIVE>);
+OutputDrive enable_drive(const std::uint8_t response, const bool on) noexcept {
     namespace table = own::enable_response;
-    return cell_or(table::find(response, on), &table::Row::action, EnableAction::shut_off);
+    return cell_or(table::find(response, on), &table::Row::drive, OutputDrive::shut_off);
 }
 
 static_assert(implements<req::AOR_T01>);
@@ -87,16 +87,16 @@ UniversalOutput::InputSignals UniversalOutput::read_inputs() noexcept {
     return signals;
 }
 
-static_assert(implements<req::AOR_T02> && implements<req::AOR_T09> && implements<req::AOR_E_FAULT_ACTION>);
-FaultAction UniversalOutput::fault_action(const bool digital) const noexcept {
+static_assert(implements<req::AOR_T02> && implements<req::AOR_T09> && implements<req::AOR_E_OUTPUT_DRIVE>);
+OutputDrive UniversalOutput::error_drive(const bool digital) const noexcept {
     if (digital) {
         namespace table = own::digital_error_response;
         const std::uint8_t mode = objects_.get(field::o6250_do_fault_mode_1_output_line[number_]);
-        return cell_or(table::find(mode), &table::Row::action, FaultAction::fault_value);
+        return cell_or(table::find(mode), &table::Row::drive, OutputDrive::fault_value);
     }
     namespace table = own::analogue_error_response;
     const std::uint8_t mode = objects_.get(field::o6340_ao_fault_mode[number_]);
-    return cell_or(table::find(mode), &table::Row::action, FaultAction::fault_value);
+    return cell_or(table::find(mode), &table::Row::drive, OutputDrive::fault_value);
 }
 
 static_assert(implements<req::AOR_OUT_028> && implements<req::AOR_OUT_029> && implements<req::AOR_OUT_033>);
@@ -106,18 +106,18 @@ OutputDrive UniversalOutput::drive_of(const InputSignals& signals, const bool sh
         shutdown || enable_choice_.lacks(signals.enable) || override_choice_.lacks(signals.override_input);
     conditions.input_in_error =
         signals.control.is_in_error() || signals.enable.is_in_error() || signals.override_input.is_in_error();
-    conditions.on_error = fault_action(digital);
+    conditions.on_error = error_drive(digital);
     static_assert(implements<req::AOR_OUT_008>);
     conditions.overridden = signals.override_input.is_valid() &&
                             is_overridden(objects_.get(field::o2362_ao_override_response[number_]), override_.on());
     conditions.enable = signals.enable.is_valid()
-                            ? enable_action(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
-                            : EnableAction::run;
-    const bool runs = (conditions.enable == EnableAction::run) && (!conditions.input_in_error);
+                            ? enable_drive(objects_.get(field::o2352_ao_enable_response[number_]), enable_.on())
+                            : OutputDrive::control;
+    const bool runs = (conditions.enable == OutputDrive::control) && (!conditions.input_in_error);
     if (digital && runs && (!signals.control.is_available())) {
         static_assert(implements<req::AOR_OUT_032>);
         // Without a control signal the output is OFF, whatever the polarity.
-        conditions.enable = EnableAction::shut_off;
+        conditions.enable = OutputDrive::shut_off;
     }
     return choose_drive(conditions);
 }

@@ -58,7 +58,7 @@ class UniversalOutput {
     bool follow_type() noexcept;
     InputSignals read_inputs() noexcept;
     OutputDrive drive_of(const InputSignals& signals, bool shutdown, bool digital) noexcept;
-    FaultAction fault_action(bool digital) const noexcept;
+    OutputDrive error_drive(bool digital) const noexcept;
     double control_value(const BlockSignal& control, const LinearScaling& scaling) const noexcept;
     double carried(Kind kind, double value, const Inputs& inputs) const noexcept;
     /// The last physical values of the parameters, which are rarely written and read in every cycle. This cache depends

@@ -3,23 +3,13 @@
 
 #include "devices/ax130751/firmware/ax130751.hpp"
 #include "firmware/base/requirement.hpp"
-#include "generated/ax130751/index.hpp"
 #include "generated/ax130751/requirements.hpp"
 
 namespace canproof::ax130751 {
 
 namespace {
 
-namespace index = generated::ax130751::index;
-
-// Distance from 3yz0h of a table to its responses, and to the X of its points.
-constexpr std::uint32_t point_response_offset = index::lt1_point_response - index::lt1_input_x_axis_source;
-constexpr std::uint32_t point_x_offset = index::lt1_point_x_axis_pv - index::lt1_input_x_axis_source;
-
-bool is_field_value(const std::uint16_t index) noexcept {
-    return (index == index::ao_override_field_value) || (index == index::ao_output_scaling_1_fv) ||
-           (index == index::ao_output_scaling_2_fv) || (index == index::ao_fault_field_value);
-}
+namespace own = generated::ax130751;
 
 std::int16_t to_int16(const ByteView value) noexcept {
     return static_cast<std::int16_t>(static_cast<std::uint16_t>(read_le(value, 0U, sizeof(std::int16_t))));
@@ -32,39 +22,100 @@ std::int32_t to_int32(const ByteView value) noexcept {
 }  // namespace
 
 AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
-    const TableEntry place = table_entry(entry.index);
-    if (place.offset == point_x_offset) {
-        return check_point(objects_, sources_, place.table, entry.row->subindex, to_int32(value));
+    using own::Parameter;
+    const own::Written change = own::written(entry.index, entry.row->subindex);
+    switch (change.parameter) {
+        case Parameter::lt_point_x_axis_pv:
+            return check_point(objects_, sources_, change.member, change.subindex, to_int32(value));
+        case Parameter::ao_override_field_value:
+        case Parameter::ao_output_scaling_1_fv:
+        case Parameter::ao_output_scaling_2_fv:
+        case Parameter::ao_fault_field_value:
+            return universal_[change.subindex - 1U].check_field_value(to_int16(value));
+        case Parameter::lt_input_x_axis_source:
+        case Parameter::lt_input_x_axis_number:
+        case Parameter::lt_auto_repeat:
+        case Parameter::lt_x_axis_decimal_digits_pv:
+        case Parameter::lt_y_axis_decimal_digits_pv:
+        case Parameter::lt_point_response:
+        case Parameter::lt_point_y_axis_pv:
+        case Parameter::ec_decimal_digits_pv:
+        case Parameter::ec_scaling_1_pv:
+        case Parameter::ec_scaling_2_pv:
+        case Parameter::math_output_scaling_1_pv:
+        case Parameter::math_output_scaling_2_pv:
+        case Parameter::math_output_decimal_digits_pv:
+        case Parameter::over_temperature_threshold:
+        case Parameter::hysteresis_to_clear_temperature_fault:
+        case Parameter::ao_decimal_digits_pv:
+        case Parameter::ao_output_type:
+        case Parameter::ao_decimal_digits_fv:
+        case Parameter::ao_output_scaling_1_pv:
+        case Parameter::ao_output_scaling_2_pv:
+        default:  // -Wswitch-enum demands a label for each parameter
+            return AbortCode::none;
     }
-    return is_field_value(entry.index) ? universal_[entry.row->subindex - 1U].check_field_value(to_int16(value))
-                                       : AbortCode::none;
 }
 
-static_assert(implements<req::AOR_OUT_022> && implements<req::AOR_LT_018>);
+static_assert(implements<req::AOR_LT_018>);
 void Device::after_write(const EntryRef& entry, const Instant) {
-    const TableEntry place = table_entry(entry.index);
-    if (place.table != 0U) {
-        if ((place.offset == point_response_offset) && (entry.row->subindex == 1U) &&
-            is_over_time(objects_, place.table)) {
-            begin_time_response(objects_, place.table);
-        }
-        tables_[place.table - 1U].reread();
+    using own::Parameter;
+    const own::Written change = own::written(entry.index, entry.row->subindex);
+    switch (change.parameter) {
+        case Parameter::lt_point_response:
+            if ((change.subindex == 1U) && is_over_time(objects_, change.member)) {
+                begin_time_response(objects_, change.member);
+            }
+            tables_[change.member - 1U].reread();
+            break;
+        case Parameter::lt_input_x_axis_source:
+        case Parameter::lt_input_x_axis_number:
+        case Parameter::lt_auto_repeat:
+        case Parameter::lt_x_axis_decimal_digits_pv:
+        case Parameter::lt_y_axis_decimal_digits_pv:
+        case Parameter::lt_point_x_axis_pv:
+        case Parameter::lt_point_y_axis_pv:
+            tables_[change.member - 1U].reread();
+            break;
+        case Parameter::ao_output_type:
+            take_type(change.subindex);
+            break;
+        case Parameter::ao_override_field_value:
+        case Parameter::ec_decimal_digits_pv:
+        case Parameter::ec_scaling_1_pv:
+        case Parameter::ec_scaling_2_pv:
+        case Parameter::math_output_scaling_1_pv:
+        case Parameter::math_output_scaling_2_pv:
+        case Parameter::math_output_decimal_digits_pv:
+        case Parameter::over_temperature_threshold:
+        case Parameter::hysteresis_to_clear_temperature_fault:
+        case Parameter::ao_decimal_digits_pv:
+        case Parameter::ao_decimal_digits_fv:
+        case Parameter::ao_output_scaling_1_pv:
+        case Parameter::ao_output_scaling_1_fv:
+        case Parameter::ao_output_scaling_2_pv:
+        case Parameter::ao_output_scaling_2_fv:
+        case Parameter::ao_fault_field_value:
+            break;  // each cycle reads these; only the minimum of a source may have moved
+        default:
+            break;  // -Wswitch-enum demands a label for each parameter
     }
-    if (entry.index == index::ao_output_type) {
-        const std::uint8_t output = entry.row->subindex;
-        const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
-        if (std::uint32_t{type} != types_[output - 1U]) {
-            types_[output - 1U] = type;
-            universal_[output - 1U].take_type_defaults();
-        }
+    follow_minima(change);
+}
+
+static_assert(implements<req::AOR_OUT_022>);
+void Device::take_type(const std::uint8_t output) noexcept {
+    const std::uint16_t type = objects_.get(field::o6310_ao_output_type[output]);
+    if (std::uint32_t{type} != types_[output - 1U]) {
+        types_[output - 1U] = type;
+        universal_[output - 1U].take_type_defaults();
     }
-    follow_minima(entry);
 }
 
 /// Moves the first points after a write. It need not run in each cycle, because a minimum depends only on parameters.
-void Device::follow_minima(const EntryRef& entry) noexcept {
+void Device::follow_minima(const own::Written& change) noexcept {
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
-        if (first_points_[table - 1U].follow(table, entry, objects_, sources_)) {
+        if (first_points_[table - 1U].follow(table, change, objects_, sources_)) {
             tables_[table - 1U].reread();
         }
     }

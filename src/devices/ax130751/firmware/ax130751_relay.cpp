@@ -29,10 +29,10 @@ UnlatchEffect unlatch_effect(const std::uint8_t value) noexcept {
     return cell_or(table::find(value, false, false), &table::Row::unlatch, UnlatchEffect::ignored);
 }
 
-static_assert(implements<req::AOR_T11> && implements<req::AOR_E_ENABLE_ACTION>);
-EnableAction enable_action(const std::uint8_t response, const bool on) noexcept {
+static_assert(implements<req::AOR_T11> && implements<req::AOR_E_OUTPUT_DRIVE>);
+OutputDrive enable_drive(const std::uint8_t response, const bool on) noexcept {
     namespace table = own::relay_enable_response;
-    return cell_or(table::find(response, on), &table::Row::action, EnableAction::shut_off);
+    return cell_or(table::find(response, on), &table::Row::drive, OutputDrive::shut_off);
 }
 
 static_assert(implements<req::AOR_T12>);
@@ -90,10 +90,10 @@ OutputDrive RelayOutput::drive_of(const RelayPolarity& polarity, const bool shut
     conditions.overridden =
         forced.is_available() && is_overridden(objects_.get(field::o2292_relay_override_response[1U]), override_on);
     conditions.enable = enable.is_available()
-                            ? enable_action(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
-                            : EnableAction::run;
-    if ((!control.is_available()) && (conditions.enable == EnableAction::run)) {
-        conditions.enable = EnableAction::shut_off;  // without a control signal the relay is OFF, whatever the polarity
+                            ? enable_drive(objects_.get(field::o2282_relay_enable_response[1U]), enabled)
+                            : OutputDrive::control;
+    if ((!control.is_available()) && (conditions.enable == OutputDrive::control)) {
+        conditions.enable = OutputDrive::shut_off;  // without a control signal the relay is OFF, whatever the polarity
     }
     return choose_drive(conditions);
 }

@@ -6,24 +6,6 @@
 
 namespace canproof::ax130751 {
 
-namespace {
-
-OutputDrive drive_of(const EnableAction action) noexcept {
-    switch (action) {
-        case EnableAction::run:
-            return OutputDrive::control;
-        case EnableAction::ramp_off:
-            return OutputDrive::ramp_off;
-        case EnableAction::keep:
-            return OutputDrive::keep;
-        case EnableAction::shut_off:
-        default:
-            return OutputDrive::shut_off;
-    }
-}
-
-}  // namespace
-
 static_assert(implements<req::AOR_OUT_007>);
 OutputDrive choose_drive(const OutputConditions& conditions) noexcept {
     if (conditions.shutdown) {
@@ -32,10 +14,10 @@ OutputDrive choose_drive(const OutputConditions& conditions) noexcept {
     if (conditions.overridden) {
         return OutputDrive::override_value;
     }
-    if (conditions.input_in_error && (conditions.enable == EnableAction::run)) {
-        return (conditions.on_error == FaultAction::keep) ? OutputDrive::keep : OutputDrive::fault_value;
+    if (conditions.input_in_error && (conditions.enable == OutputDrive::control)) {
+        return conditions.on_error;
     }
-    return drive_of(conditions.enable);
+    return conditions.enable;
 }
 
 }  // namespace canproof::ax130751

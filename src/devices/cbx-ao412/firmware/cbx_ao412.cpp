@@ -246,20 +246,7 @@ void Device::drive_output(const std::uint8_t number) noexcept {
 
 static_assert(implements<req::AO4_LED_001> && implements<req::AO4_T7>);
 IndicatorState Device::status_indicator() const noexcept {
-    namespace table = own::status_led;
-    if (!runs_) {
-        return led_of(table::find(table::Mode::invalid_node_id));
-    }
-    switch (node_.state()) {
-        case NmtState::operational:
-            return led_of(table::find(table::Mode::operational));
-        case NmtState::stopped:
-            return led_of(table::find(table::Mode::stopped));
-        case NmtState::initialising:
-        case NmtState::pre_operational:
-        default:
-            return led_of(table::find(table::Mode::pre_operational));
-    }
+    return led_of(own::status_led::find(runs_, node_.state()));
 }
 
 static_assert(implements<req::AO4_LED_002> && implements<req::AO4_T6>);

@@ -2,6 +2,7 @@
 #include "host/app/cli/assess_commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "host/app/cli/audit_command.hpp"
 #include "host/app/cli/coverage_command.hpp"
@@ -33,19 +34,21 @@ class FuzzCommand : Command {
         command->add_option("--targets", options_.targets, "a,b: only these targets")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history")
+        command->add_option("--root", options_.root, "the project's folder, with the folders that are not given")
             ->capture_default_str();
-        command->add_option("--out", options_.out, "folder of the report")->capture_default_str();
+        add_folder(command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history"),
+                   options_.corpus);
+        add_folder(command->add_option("--out", options_.out, "folder of the report"), options_.out);
         command->add_option("--jobs", options_.jobs, "parallel processes; default: all cores");
         command->add_option("--seed", options_.seed, "seed of the random numbers; default: from the clock");
-        command->add_option("--build", options_.build, "folder of the build with libFuzzer and sanitizers")
-            ->capture_default_str();
-        command
-            ->add_option("--replay-build", options_.replay_build,
-                         "folder of the build without libFuzzer and sanitizers, for valgrind and frame logs")
-            ->capture_default_str();
-        command->add_option("--coverage-build", options_.coverage_build, "folder of the build for coverage")
-            ->capture_default_str();
+        add_folder(command->add_option("--build", options_.build, "folder of the build with libFuzzer and sanitizers"),
+                   options_.build);
+        add_folder(
+            command->add_option("--replay-build", options_.replay_build,
+                                "folder of the build without libFuzzer and sanitizers, for valgrind and frame logs"),
+            options_.replay_build);
+        add_folder(command->add_option("--coverage-build", options_.coverage_build, "folder of the build for coverage"),
+                   options_.coverage_build);
         command->add_option("--land", options_.land,
                             "findings become regression tests in TARGET below this folder; default: the target's own "
                             "corpus; '' for none");
@@ -65,13 +68,32 @@ class FuzzCommand : Command {
                 if (shard->count() != 0) {
                     options_.shard = parse_shard(shard_);
                 }
+                put_folders_below_root();
                 return fuzz_targets(options_);
             };
         });
     }
 
   private:
+    /// A folder whose default is below the project's folder.
+    struct Folder {
+        const CLI::Option* option;
+        std::string* path;
+    };
+
+    void add_folder(CLI::Option* option, std::string& path) {
+        folders_.push_back({option->capture_default_str(), &path});
+    }
+    void put_folders_below_root() const {
+        for (const Folder& folder : folders_) {
+            if (folder.option->count() == 0) {
+                *folder.path = (std::filesystem::path{options_.root} / *folder.path).lexically_normal().string();
+            }
+        }
+    }
+
     CampaignOptions options_;
+    std::vector<Folder> folders_;
     std::string shard_;
     double hours_{0.0};  ///< duration of the campaign in hours; 0: --minutes sets the duration
 };

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "host/app/new/templates.hpp"
+#include "host/base/cia301.hpp"
 #include "host/base/input_error.hpp"
 #include "host/datasheet/write_objects_toml.hpp"
 #include "host/register/literals.hpp"
@@ -98,7 +99,7 @@ std::int64_t number_of(const Entry* entry) {
 std::string emergency_of(const Part& part) {
     constexpr int node = 5;
     constexpr std::int64_t switched_off = 0x80000000;
-    const Entry* const cob_id = first_entry(part, 0x1014);
+    const Entry* const cob_id = first_entry(part, cia301::emcy_cob_id);
     const std::int64_t base = cob_id == nullptr ? 0x80 : number_of(cob_id);
     if ((base & switched_off) != 0) {
         return "/// Returns no frame: the default of 1014h (COB-ID EMCY) switches emergency messages off.\n"
@@ -140,7 +141,7 @@ Words words_of(const NewProject& project, const std::string& prefix) {
     words["boot_id"] = fmt::format("{:03X}", 0x700 + node);
     words["bit_rate"] = std::to_string(bit_rate);
     words["bit_rates"] = bit_rates_with(bit_rate);
-    words["device_type"] = fmt::format("0x{:08X}", number_of(first_entry(sheet, 0x1000)));
+    words["device_type"] = fmt::format("0x{:08X}", number_of(first_entry(sheet, cia301::device_type)));
     words["emergency"] = emergency_of(sheet);
     return words;
 }

@@ -7,13 +7,13 @@
 
 #include "generated/canopen/constants.hpp"
 #include "generated/canopen/index.hpp"
+#include "host/base/cia301.hpp"
 
 namespace canproof::host {
 
 namespace {
 
 using generated::canopen::index::error_register;
-constexpr std::uint16_t first_of_manufacturer = 0x2000U;  // lower indices are not specific to the manufacturer
 
 /// Returns the unit of a sub-index. In a list such as `0.1 degC; 0.1 V`, the first unit is that of sub-index 1. A text
 /// without `;` is the unit of every sub-index.
@@ -74,7 +74,8 @@ void add_entries(const SimulatedDevice& device, const Part* part, const DeviceFa
         for (const Entry& entry : object.entries) {
             const bool setting =
                 std::find(face.settings.begin(), face.settings.end(), entry.name) != face.settings.end();
-            const bool measured = entry.live && object.index >= first_of_manufacturer && type_size(entry.type) != 0U;
+            const bool measured =
+                entry.live && object.index >= cia301::first_manufacturer_object && type_size(entry.type) != 0U;
             const auto found = device.objects()->find(object.index, entry.subindex);
             if ((!setting && !measured) || !found.ok()) {
                 continue;

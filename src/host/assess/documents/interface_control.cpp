@@ -8,6 +8,7 @@
 
 #include "host/assess/documents/error_tables.hpp"
 #include "host/assess/documents/words.hpp"
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_values.hpp"
 #include "host/datasheet/entry_index.hpp"
 #include "host/datasheet/entry_words.hpp"
@@ -16,8 +17,6 @@ namespace canproof::host {
 
 namespace {
 
-constexpr unsigned first_rpdo = 0x1400;
-constexpr unsigned first_tpdo = 0x1800;
 constexpr unsigned pdos = 512;
 constexpr unsigned to_mapping = 0x200;
 constexpr unsigned most_mapped = 64;
@@ -45,17 +44,17 @@ DocumentTable message_table(const Part& part, const EntryIndex& entries) {
         table.rows.push_back({name, direction, fmt::format("{:03X}h", id), bytes, ""});
     };
     fixed("NMT", "received", 0x000, "2");
-    if (const auto sync = entries.number(0x1005, 0, node)) {
-        const bool counts = entries.number(0x1019, 0, node).value_or(0) > 1;
+    if (const auto sync = entries.number(cia301::sync_cob_id, 0, node)) {
+        const bool counts = entries.number(cia301::sync_counter_overflow, 0, node).value_or(0) > 1;
         table.rows.push_back(
             {"SYNC", (*sync & 0x40000000U) != 0 ? "sent" : "received", identifier(*sync), counts ? "1" : "0", "1005h"});
     }
-    const auto emcy = entries.number(0x1014, 0, node);
+    const auto emcy = entries.number(cia301::emcy_cob_id, 0, node);
     table.rows.push_back({"EMCY", "sent", identifier(emcy.value_or(0x80 + node)), "8", emcy ? "1014h" : ""});
     fixed("SDO request", "received", 0x600 + node, "8");
     fixed("SDO response", "sent", 0x580 + node, "8");
     table.rows.push_back({"Boot-up, heartbeat, node guarding", "sent", fmt::format("{:03X}h", 0x700 + node), "1",
-                          entries.named(0x1017, 0) == nullptr ? "" : "1017h"});
+                          entries.named(cia301::producer_heartbeat_time, 0) == nullptr ? "" : "1017h"});
     if (part.info.lss) {
         fixed("LSS request", "received", 0x7E5, "8");
         fixed("LSS response", "sent", 0x7E4, "8");
@@ -104,7 +103,7 @@ DocumentTable pdo_table(const Part& part, const EntryIndex& entries, const bool 
         const auto value = entries.number(index, sub, node);
         return !value ? "" : *value == 0 ? "off" : fmt::format("{:g} ms", *value * milliseconds);
     };
-    const unsigned first = received ? first_rpdo : first_tpdo;
+    const unsigned first = received ? cia301::rpdo_communication : cia301::tpdo_communication;
     for (unsigned index = first; index < first + pdos; ++index) {
         if (const auto cob_id = entries.number(index, 1, node)) {
             table.rows.push_back({fmt::format("{}PDO{}, {:04X}h", received ? "R" : "T", index - first + 1, index),
@@ -129,13 +128,13 @@ DocumentTable service_table(const Part& part) {
              {"SDO, expedited and segmented", "yes"},
              {"SDO, block", yes(part.info.block_sdo)},
              {"LSS", yes(part.info.lss)},
-             {"SYNC, 1005h", has(0x1005)},
-             {"Heartbeat producer, 1017h", has(0x1017)},
-             {"Heartbeat consumer, 1016h", has(0x1016)},
-             {"Life guarding, 100Ch", has(0x100C)},
-             {"Store parameters, 1010h", has(0x1010)},
-             {"Restore defaults, 1011h", has(0x1011)},
-             {"TIME, 1012h", has(0x1012)},
+             {"SYNC, 1005h", has(cia301::sync_cob_id)},
+             {"Heartbeat producer, 1017h", has(cia301::producer_heartbeat_time)},
+             {"Heartbeat consumer, 1016h", has(cia301::consumer_heartbeat_time)},
+             {"Life guarding, 100Ch", has(cia301::guard_time)},
+             {"Store parameters, 1010h", has(cia301::store_parameters)},
+             {"Restore defaults, 1011h", has(cia301::restore_parameters)},
+             {"TIME, 1012h", has(cia301::time_cob_id)},
              {"Abort code for limits", part.info.limit_abort == "range" ? "06090030h" : "06090031h and 06090032h"},
              {"1003h lists", part.info.error_list == "active" ? "active errors" : "past errors as well"},
              {"Event of TPDOs of type 254 and 255",

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "host/base/cia301.hpp"
 #include "host/conform/language/object_reference.hpp"
 #include "host/datasheet/eds_values.hpp"
 
@@ -15,8 +16,6 @@ namespace canproof::host::conform {
 namespace {
 
 using Test = std::function<bool(const SheetEntry&)>;
-
-constexpr unsigned first_application_index = 0x2000;
 
 bool is_integer(const Entry& entry) {
     return integer_limits(entry.type) && entry.type != "BOOLEAN";
@@ -40,9 +39,24 @@ bool has_lower_limit(const SheetEntry& one) {
 /// a communication service and a DOMAIN.
 bool is_special(const SheetEntry& one) {
     const unsigned index = one.object->index;
-    static const std::set<unsigned> special{0x1003, 0x1005, 0x1006, 0x1007, 0x1010, 0x1011, 0x1012, 0x1014, 0x1015,
-                                            0x1016, 0x1017, 0x1019, 0x1020, 0x100C, 0x100D, 0x1029, 0x1F80};
-    const bool servers_and_pdos = index >= 0x1200U && index < 0x2000U;
+    static const std::set<unsigned> special{cia301::error_list,
+                                            cia301::sync_cob_id,
+                                            cia301::sync_period,
+                                            cia301::sync_window,
+                                            cia301::store_parameters,
+                                            cia301::restore_parameters,
+                                            cia301::time_cob_id,
+                                            cia301::emcy_cob_id,
+                                            cia301::emcy_inhibit_time,
+                                            cia301::consumer_heartbeat_time,
+                                            cia301::producer_heartbeat_time,
+                                            cia301::sync_counter_overflow,
+                                            cia301::verify_configuration,
+                                            cia301::guard_time,
+                                            cia301::life_time_factor,
+                                            cia301::error_behaviour,
+                                            cia301::nmt_startup};
+    const bool servers_and_pdos = index >= cia301::sdo_server_parameter && index < cia301::first_manufacturer_object;
     return special.count(index) != 0 || servers_and_pdos || one.entry->type == "DOMAIN";
 }
 
@@ -84,9 +98,11 @@ const std::map<std::string, Test>& word_tests() {
         {"unmappable", [](const SheetEntry& one) { return one.entry->mapping == "none"; }},
         {"mappable tpdo", mapping("tpdo")},
         {"mappable rpdo", mapping("rpdo")},
-        {"application", [](const SheetEntry& one) { return one.object->index >= first_application_index; }},
+        {"application", [](const SheetEntry& one) { return one.object->index >= cia301::first_manufacturer_object; }},
         {"communication",
-         [](const SheetEntry& one) { return one.object->index >= 0x1000U && one.object->index < 0x2000U; }},
+         [](const SheetEntry& one) {
+             return one.object->index >= cia301::first_object && one.object->index < cia301::first_manufacturer_object;
+         }},
         {"rpdo only", [](const SheetEntry& one) { return one.entry->mapping == "rpdo"; }},
         {"tpdo only", [](const SheetEntry& one) { return one.entry->mapping == "tpdo"; }},
         {"plain", [](const SheetEntry& one) { return !is_special(one); }},

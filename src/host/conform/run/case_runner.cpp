@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "host/base/cia301.hpp"
 #include "host/base/input_error.hpp"
 #include "host/conform/language/data_pattern.hpp"
 #include "host/sim/devices/advance_device.hpp"
@@ -19,10 +20,6 @@ constexpr Duration tolerated_delay =
 constexpr Duration power_off_time = milliseconds(200);
 // longest wait for a slave that sent no boot-up message after an earlier reset
 constexpr Duration silent_boot_limit = milliseconds(500);
-constexpr std::uint16_t first_application_index = 0x2000;
-constexpr std::uint16_t identity_index = 0x1018;
-constexpr std::uint16_t store_index = 0x1010;
-constexpr std::uint16_t restore_index = 0x1011;
 constexpr std::uint8_t highest_node = 127;
 const char* const return_outside = "a `return` stands outside of a procedure";
 
@@ -31,7 +28,7 @@ std::set<std::uint32_t> listened_to(const ConformSheet& sheet) {
     for (const Object& object : sheet.part.objects) {
         for (const Entry& entry : object.entries) {
             const auto* number = std::get_if<std::int64_t>(&entry.value);
-            if (object.index >= 0x1000 && object.index < 0x1600 && number != nullptr) {
+            if (object.index >= cia301::first_object && object.index < cia301::rpdo_mapping && number != nullptr) {
                 ids.insert(static_cast<std::uint32_t>(*number + (entry.node_id ? sheet.node_id : 0)) & 0x7FFU);
             }
         }
@@ -61,7 +58,8 @@ void CaseRunner::note_sent(const Frame& frame) {
             const Bytes bytes = data_of(frame);
             const auto index = static_cast<std::uint16_t>(from_little_endian(bytes, 1, 2));
             written_.insert({index, frame.data[3]});
-            store_changed_ = store_changed_ || (may_store_ && (index == store_index || index == restore_index));
+            store_changed_ = store_changed_ ||
+                             (may_store_ && (index == cia301::store_parameters || index == cia301::restore_parameters));
         }
     } else if (frame.id != 0U && function != 0x600U) {
         sent_other_ = true;
@@ -99,7 +97,7 @@ bool CaseRunner::reset(NmtCommand command) {
 
 /// Returns whether the SDO server answers at all. A wrong answer counts as an answer.
 bool CaseRunner::answers() {
-    constexpr ObjectPlace device_type{0x1000, 0};
+    constexpr ObjectPlace device_type{cia301::device_type, 0};
     link_.forget();
     sdo_.allow_unasked(true);
     try {
@@ -145,11 +143,13 @@ void CaseRunner::begin(ConformReport& report) {
     }
     for (const auto& [subindex, name] :
          std::map<std::uint8_t, const char*>{{1, "vendor"}, {2, "product"}, {3, "revision"}, {4, "serial"}}) {
-        identity_[name] = from_little_endian(read_at_start({identity_index, subindex}, report), 0, 4);
+        identity_[name] = from_little_endian(read_at_start({cia301::identity, subindex}, report), 0, 4);
         report.identity[name] = fmt::format("{:08X}h", identity_[name]);
     }
-    for (const auto& [index, name] : std::map<std::uint16_t, const char*>{
-             {0x1008, "name"}, {0x1009, "hardware version"}, {0x100A, "software version"}}) {
+    for (const auto& [index, name] :
+         std::map<std::uint16_t, const char*>{{cia301::device_name, "name"},
+                                              {cia301::hardware_version, "hardware version"},
+                                              {cia301::software_version, "software version"}}) {
         const Bytes text = read_at_start({index, 0}, report);
         if (!text.empty()) {
             report.identity[name] = std::string(text.begin(), text.end());
@@ -330,7 +330,7 @@ void CaseRunner::check_unasked(const Case& one) {
 
 void CaseRunner::save_parameters() {
     const std::string signature = "save";
-    sdo_.write({store_index, 1}, Bytes(signature.begin(), signature.end()), Transfer::automatic);
+    sdo_.write({cia301::store_parameters, 1}, Bytes(signature.begin(), signature.end()), Transfer::automatic);
     store_changed_ = false;
     fresh_ = Fresh::no;
 }
@@ -357,7 +357,8 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
         }
     }
     const std::set<ObjectPlace> written = written_;
-    const bool application = sent_other_ || (!written.empty() && written.rbegin()->index >= first_application_index);
+    const bool application =
+        sent_other_ || (!written.empty() && written.rbegin()->index >= cia301::first_manufacturer_object);
     if (written.empty() && !application) {
         return;
     }

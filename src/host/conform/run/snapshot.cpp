@@ -6,25 +6,24 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
+
 namespace canproof::host::conform {
 
 namespace {
 
 constexpr std::uint32_t cob_id_off = 0x80000000U;
 constexpr std::uint32_t sync_producer = 0x40000000U;
-constexpr std::uint16_t sync_id = 0x1005;
-constexpr std::uint16_t sync_period = 0x1006;
-constexpr std::uint16_t sync_overflow = 0x1019;
-constexpr std::uint16_t consumers = 0x1016;
 constexpr std::uint16_t mapping_offset = 0x200;
 
 /// Returns whether a write to the object is a command, or its value is no parameter.
 bool is_command(std::uint16_t index) {
-    return index == 0x1003 || index == 0x1010 || index == 0x1011 || (index >= 0x1F50 && index < 0x1F80);
+    return index == cia301::error_list || index == cia301::store_parameters || index == cia301::restore_parameters ||
+           (index >= cia301::program_data && index < cia301::nmt_startup);
 }
 
 bool is_pdo(std::uint16_t index) {
-    return index >= 0x1400 && index < 0x1C00;
+    return index >= cia301::rpdo_communication && index <= cia301::last_tpdo_mapping;
 }
 
 /// Returns the communication parameter object of a mapping object: 1400h… for 1600h…, 1800h… for 1A00h….
@@ -34,8 +33,9 @@ std::uint16_t communication_of(std::uint16_t index) {
 
 /// Returns whether the entry is a COB-ID whose other bits may change only while its bit 31 is set.
 bool is_cob_id(const ObjectPlace& place) {
-    return place.index == 0x1012 || place.index == 0x1014 ||
-           (place.index >= 0x1200 && place.index < 0x1300 && (place.subindex == 1 || place.subindex == 2));
+    return place.index == cia301::time_cob_id || place.index == cia301::emcy_cob_id ||
+           (place.index >= cia301::sdo_server_parameter && place.index <= cia301::last_sdo_client_parameter &&
+            (place.subindex == 1 || place.subindex == 2));
 }
 
 }  // namespace
@@ -132,16 +132,16 @@ void Snapshot::put_back_pdo(SdoClient& sdo, std::uint16_t communication, Places&
 
 /// Restores the SYNC objects. The counter overflow value may change only while the slave sends no SYNC.
 void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
-    const std::array<std::uint16_t, 3> order{sync_overflow, sync_period, sync_id};
+    const std::array<std::uint16_t, 3> order{cia301::sync_counter_overflow, cia301::sync_period, cia301::sync_cob_id};
     const bool wanted = std::any_of(order.begin(), order.end(), [&](std::uint16_t index) {
         return open.count({index, 0}) != 0;
     });
-    const Bytes* const id = find({sync_id, 0});
+    const Bytes* const id = find({cia301::sync_cob_id, 0});
     if (!wanted || id == nullptr) {
         return;
     }
-    write(sdo, {sync_id, 0}, from_little_endian(*id, 0, 4) & ~std::int64_t{sync_producer});
-    write(sdo, {sync_period, 0}, 0);
+    write(sdo, {cia301::sync_cob_id, 0}, from_little_endian(*id, 0, 4) & ~std::int64_t{sync_producer});
+    write(sdo, {cia301::sync_period, 0}, 0);
     for (const std::uint16_t index : order) {
         write(sdo, {index, 0});
         open.erase({index, 0});
@@ -150,7 +150,7 @@ void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
 
 void Snapshot::put_back_others(SdoClient& sdo, const Places& open) {
     for (const ObjectPlace& one : open) {
-        if (one.index == consumers) {
+        if (one.index == cia301::consumer_heartbeat_time) {
             write(sdo, one, 0);  // two entries must not contain the same node-ID
         } else if (is_cob_id(one)) {
             write(sdo, one, from_little_endian(*find(one), 0, 4) | cob_id_off);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/base/cia301.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/sha256.hpp"
 #include "host/datasheet/read_eds.hpp"
@@ -14,8 +15,6 @@ namespace canproof::host::conform {
 
 namespace {
 
-constexpr unsigned first_receive_pdo = 0x1400U;
-constexpr unsigned first_transmit_pdo = 0x1800U;
 constexpr unsigned pdos_of_a_kind = 0x200U;
 
 std::string faults_text(const Faults& faults) {
@@ -50,7 +49,7 @@ SheetEntry ConformSheet::find(std::uint16_t index, std::uint8_t subindex) const 
 }
 
 std::vector<unsigned> ConformSheet::pdos(bool transmit) const {
-    const unsigned first = transmit ? first_transmit_pdo : first_receive_pdo;
+    const unsigned first = transmit ? cia301::tpdo_communication : cia301::rpdo_communication;
     std::vector<unsigned> all;
     for (const Object& one : part.objects) {
         if (one.index >= first && one.index < first + pdos_of_a_kind) {

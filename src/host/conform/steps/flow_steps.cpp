@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "host/base/cia301.hpp"
 #include "host/conform/language/expression.hpp"
 #include "host/conform/language/filter.hpp"
 #include "host/datasheet/check/check_eds.hpp"
@@ -256,9 +257,11 @@ Value pdo_value(unsigned number, bool transmit) {
     value.fields = [number, transmit](const std::string& field) -> std::optional<Value> {
         const std::int64_t offset = std::int64_t{number} - 1;
         return field == "number" ? std::optional{Value{std::int64_t{number}}}
-               : field == "comm" ? std::optional{Value{(transmit ? 0x1800 : 0x1400) + offset}}
-               : field == "map"  ? std::optional{Value{(transmit ? 0x1A00 : 0x1600) + offset}}
-                                 : std::nullopt;
+               : field == "comm"
+                   ? std::optional{Value{(transmit ? cia301::tpdo_communication : cia301::rpdo_communication) + offset}}
+               : field == "map"
+                   ? std::optional{Value{(transmit ? cia301::tpdo_mapping : cia301::rpdo_mapping) + offset}}
+                   : std::nullopt;
     };
     return value;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/conform/language/expression.hpp"
 #include "host/conform/language/filter.hpp"
 
@@ -32,9 +33,9 @@ std::string ask_block(Context& context, bool upload) {
         try {
             SdoOutcome outcome;
             if (upload) {
-                outcome = context.sdo.block_read({0x1000, 0}, {});
+                outcome = context.sdo.block_read({cia301::device_type, 0}, {});
             } else {
-                const ObjectPlace place{0x1017, 0};
+                const ObjectPlace place{cia301::producer_heartbeat_time, 0};
                 if (!has(context, place.index)) {
                     return "the EDS has no object 1017h (Producer heartbeat time) that a block download could write";
                 }
@@ -74,15 +75,16 @@ Unmet parse_word_need(Scanner& line) {
     static const std::vector<Word> all{
         {"guarding",
          [](Context& c) {
-             return unless(has(c, 0x100C) && has(c, 0x100D), "the EDS has no guarding (100Ch and 100Dh)");
+             return unless(has(c, cia301::guard_time) && has(c, cia301::life_time_factor),
+                           "the EDS has no guarding (100Ch and 100Dh)");
          }},
         {"lss", [](Context& c) { return unless(c.sheet.part.info.lss, "the EDS says that there is no LSS"); }},
         {"block upload", [](Context& c) { return ask_block(c, true); }},
         {"block download", [](Context& c) { return ask_block(c, false); }},
         {"sync producer",
          [](Context& c) {
-             const SheetEntry id = c.sheet.find(0x1005, 0);
-             const bool met = id.entry != nullptr && is_writable(*id.entry) && has(c, 0x1006);
+             const SheetEntry id = c.sheet.find(cia301::sync_cob_id, 0);
+             const bool met = id.entry != nullptr && is_writable(*id.entry) && has(c, cia301::sync_period);
              return unless(met, "the EDS has no SYNC producer (1005h writable, and 1006h)");
          }},
         {"power",
@@ -99,8 +101,8 @@ Unmet parse_word_need(Scanner& line) {
          [](Context& c) { return unless(c.link.target().follows_bit_rate(), "this bus keeps its bit rate"); }},
         {"remote frames",
          [](Context& c) { return unless(c.link.target().has_remote_frames(), "this bus carries no remote frames"); }},
-        {"saves", [](Context& c) { return ask_capability(c, 0x1010); }},
-        {"restores", [](Context& c) { return ask_capability(c, 0x1011); }},
+        {"saves", [](Context& c) { return ask_capability(c, cia301::store_parameters); }},
+        {"restores", [](Context& c) { return ask_capability(c, cia301::restore_parameters); }},
     };
     for (const Word& one : all) {
         if (line.take_word(one.words)) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/check/known_names.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
@@ -35,8 +36,8 @@ class DeviceInfoCheck {
         check_number("RevisionNumber", "deviceinfo-revision-differs", 3);
         check_rates();
         check_boot_up();
-        check_count("NrOfRXPDO", "deviceinfo-rpdo-count", 0x1400);
-        check_count("NrOfTXPDO", "deviceinfo-tpdo-count", 0x1800);
+        check_count("NrOfRXPDO", "deviceinfo-rpdo-count", cia301::rpdo_communication);
+        check_count("NrOfTXPDO", "deviceinfo-tpdo-count", cia301::tpdo_communication);
         check_granularity();
         check_lss();
         check_features();
@@ -91,7 +92,7 @@ class DeviceInfoCheck {
             findings_.add("deviceinfo-number", value->line, fmt::format("{} {} is no UNSIGNED32", key, value->text));
             return;
         }
-        const EdsSheetEntry* entry = sheet_.entry(0x1018, sub);
+        const EdsSheetEntry* entry = sheet_.entry(cia301::identity, sub);
         const auto in_object = entry == nullptr ? std::nullopt : entry->number();
         if (in_object && in_object->bits != *found) {
             findings_.add(
@@ -131,7 +132,7 @@ class DeviceInfoCheck {
     bool has_writable_mapping() const {
         const auto& objects = sheet_.objects();
         return std::any_of(objects.begin(), objects.end(), [](const auto& one) {
-            const bool is_mapping = (one.first & 0xFE00U) == 0x1600U || (one.first & 0xFE00U) == 0x1A00U;
+            const bool is_mapping = cia301::is_pdo_mapping(one.first);
             const auto& entries = one.second.entries;
             return is_mapping && std::any_of(entries.begin(), entries.end(), [](const EdsSheetEntry& entry) {
                        return entry.access.rfind("rw", 0) == 0 || entry.access == "wo";
@@ -162,7 +163,7 @@ class DeviceInfoCheck {
             return;
         }
         for (unsigned sub = 1; sub <= 4; ++sub) {
-            if (sheet_.entry(0x1018, sub) == nullptr) {
+            if (sheet_.entry(cia301::identity, sub) == nullptr) {
                 findings_.add("deviceinfo-lss-identity", line_of("LSS_Supported"),
                               fmt::format("LSS_Supported is 1, but there is no 1018h:{:02X}", sub));
             }
@@ -177,7 +178,7 @@ class DeviceInfoCheck {
                                   : "there is [DynamicChannels], but DynamicChannelsSupported is not 1");
         }
         for (const auto& [index, object] : sheet_.objects()) {
-            const bool mapping = (index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U;
+            const bool mapping = cia301::is_pdo_mapping(index);
             const EdsSheetEntry* count = mapping ? object.entry(0) : nullptr;
             const auto value = count == nullptr ? std::nullopt : count->number();
             if (value && (value->bits == 254 || value->bits == 255) && number("GroupMessaging").value_or(0) != 1) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
 namespace canproof::host {
@@ -135,7 +136,8 @@ class EntryCheck {
             findings_.add("mapping-no-direction", entry_.line_of("AccessType"),
                           fmt::format("{} can be mapped, but rw names no direction", entry_.title()));
         }
-        const bool parameters = entry_.index >= 0x1200 && entry_.index <= 0x1FFF;
+        const bool parameters =
+            entry_.index >= cia301::sdo_server_parameter && entry_.index <= cia301::last_communication_object;
         if (parameters) {
             findings_.add("mapping-parameter", entry_.line_of("PDOMapping"),
                           fmt::format("{} is a communication parameter, but can be mapped", entry_.title()));

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
 namespace canproof::host {
@@ -20,12 +21,14 @@ constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 306, object lists";
 
 constexpr std::array<const char*, 3> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
-constexpr unsigned first_object = 0x1000;  // lower indices are data types
 
 /// Returns the number of the list that must contain an object: 0 mandatory, 1 optional, 2 manufacturer.
 std::size_t list_of(unsigned index) {
-    const bool mandatory = index == 0x1000 || index == 0x1001 || index == 0x1018;
-    return mandatory ? 0 : index >= 0x2000 && index <= 0x5FFF ? 2 : 1;
+    const bool mandatory = index == cia301::device_type || index == cia301::error_register || index == cia301::identity;
+    if (mandatory) {
+        return 0;
+    }
+    return cia301::is_of_manufacturer(index) ? 2 : 1;
 }
 
 struct ListEntry {
@@ -102,7 +105,7 @@ class ListCheck {
             }
         }
         for (const auto& [index, object] : sheet_.objects()) {
-            if (object.section != nullptr && index >= first_object) {
+            if (object.section != nullptr && index >= cia301::first_object) {
                 right[list_of(index)].insert(index);
             }
         }
@@ -178,7 +181,7 @@ class ListCheck {
                 findings_.add("list-no-section", entry.value->line,
                               fmt::format("{} is listed, but there is no [{:04X}]", title, entry.index));
             }
-            if (entry.index < first_object) {
+            if (entry.index < cia301::first_object) {
                 findings_.add("list-data-type", entry.value->line,
                               fmt::format("{} is the index of a data type", title));
             } else if (list_of(entry.index) != at) {
@@ -191,7 +194,7 @@ class ListCheck {
 
     void check_unlisted() {
         for (const auto& [index, object] : sheet_.objects()) {
-            if (object.section != nullptr && index >= first_object && listed_.count(index) == 0) {
+            if (object.section != nullptr && index >= cia301::first_object && listed_.count(index) == 0) {
                 findings_.add("list-none", object.section->line,
                               fmt::format("[{}] is in none of the lists", object.section->name), fix_);
             }

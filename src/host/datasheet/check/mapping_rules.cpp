@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
 namespace canproof::host {
@@ -19,13 +20,12 @@ constexpr const char* source = "CiA 301, PDO mapping (1600h and 1A00h)";
 constexpr const char* access_source = "CiA 306, AccessType; CiA 301, PDO mapping (1600h and 1A00h)";
 
 constexpr unsigned most_bits = 64;
-constexpr unsigned first_object = 0x1000;
 constexpr unsigned first_multiplexed = 254;
 
 class MappingCheck {
   public:
     MappingCheck(const EdsSheet& sheet, const EdsSheetObject& object, EdsFindings& findings)
-        : sheet_{sheet}, object_{object}, findings_{findings}, is_rpdo_{object.index < 0x1800} {}
+        : sheet_{sheet}, object_{object}, findings_{findings}, is_rpdo_{object.index < cia301::tpdo_communication} {}
 
     void run() {
         const EdsSheetEntry* zero = object_.entry(0);
@@ -74,7 +74,7 @@ class MappingCheck {
                 fmt::format("{} is 0: sub-index 0 counts this entry, but the entry maps nothing", at.title()));
             return;
         }
-        if (index < first_object) {
+        if (index < cia301::first_object) {
             check_dummy(at, index, length);
             return;
         }
@@ -190,7 +190,7 @@ const std::vector<EdsRule>& mapping_rules() {
 
 void check_mapping(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [index, object] : sheet.objects()) {
-        if ((index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U) {
+        if (cia301::is_pdo_mapping(index)) {
             MappingCheck{sheet, object, findings}.run();
         }
     }

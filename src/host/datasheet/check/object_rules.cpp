@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/check/known_names.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
@@ -20,19 +21,14 @@ constexpr const char* source = "CiA 306, object sections";
 constexpr const char* compact_source = "CiA 306, CompactSubObj";
 constexpr const char* types_source = "CiA 306, ObjectType; CiA 301, object codes";
 
-constexpr unsigned first_object = 0x1000;
 constexpr std::size_t longest_name = 241;  // longest ParameterName of CiA 306
-
-bool is_mapping(unsigned index) {
-    return (index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U;
-}
 
 class ObjectCheck {
   public:
     ObjectCheck(const EdsSheet& sheet, EdsFindings& findings) : sheet_{sheet}, findings_{findings} {}
 
     void run() {
-        for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
+        for (const unsigned index : {cia301::device_type, cia301::error_register, cia301::identity}) {
             if (sheet_.object(index) == nullptr) {
                 findings_.add("object-mandatory", 1, fmt::format("there is no object {}", eds_index_text(index)));
             }
@@ -70,10 +66,10 @@ class ObjectCheck {
             findings_.add("object-type-unknown", type == nullptr ? section.line : type->line,
                           fmt::format("ObjectType {} is unknown", type == nullptr ? "" : type->text));
         }
-        if ((code == 5 || code == 6) && object.index >= first_object) {
+        if ((code == 5 || code == 6) && object.index >= cia301::first_object) {
             findings_.add("object-type-place", type->line,
                           fmt::format("{} is described as a data type", object.title()));
-        } else if (object.index < first_object && code != 5 && code != 6) {
+        } else if (object.index < cia301::first_object && code != 5 && code != 6) {
             findings_.add("object-data-type", section.line,
                           fmt::format("[{}] is at the index of a data type, but describes none", section.name));
         }
@@ -81,7 +77,7 @@ class ObjectCheck {
             findings_.add("object-single-subs", section.line,
                           fmt::format("{} is a single value, but has sub-objects", object.title()));
         }
-        if (object.index >= 0xC000) {
+        if (object.index >= cia301::first_reserved_index) {
             findings_.add("object-reserved", section.line, fmt::format("{} is reserved", object.title()));
         }
         if (flags != nullptr && eds_unsigned(flags->text).value_or(4) > 3) {
@@ -168,10 +164,10 @@ class ObjectCheck {
             findings_.add("sub0-type", zero->line_of("DataType"),
                           fmt::format("{} is {} instead of UNSIGNED8", zero->title(), zero->type->name));
         }
-        const bool counts = is_mapping(object.index) || object.index == 0x1003;
-        const bool communication = object.index < 0x2000;
+        const bool counts = cia301::is_pdo_mapping(object.index) || object.index == cia301::error_list;
+        const bool communication = object.index < cia301::first_manufacturer_object;
         if (zero->access == "wo" || (communication && !counts && zero->access != "ro" && zero->access != "const" &&
-                                     object.index != 0x1016 && !zero->access.empty())) {
+                                     object.index != cia301::consumer_heartbeat_time && !zero->access.empty())) {
             findings_.add("sub0-access", zero->line_of("AccessType"),
                           fmt::format("{} has the access {}", zero->title(), zero->access));
         }
@@ -182,7 +178,7 @@ class ObjectCheck {
         }
         const unsigned highest = object.entries.back().sub;
         const bool fixed = zero->access == "ro" || zero->access == "const";
-        const bool multiplexed = is_mapping(object.index) && value && value->bits >= 254;
+        const bool multiplexed = cia301::is_pdo_mapping(object.index) && value && value->bits >= 254;
         if (value && !counts && !multiplexed && (fixed ? value->bits != highest : value->bits > highest)) {
             findings_.add(
                 "sub0-value", zero->value->line,

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/check/cob_ids.hpp"
 
 namespace canproof::host {
@@ -19,18 +20,10 @@ constexpr auto warning = EdsSeverity::warning;
 constexpr const char* source = "CiA 301, PDO communication parameter (1400h and 1800h)";
 constexpr const char* mapping_source = "CiA 301, PDO parameters (1400h to 1BFFh)";
 
-bool is_communication(unsigned index) {
-    return (index & 0xFE00U) == 0x1400U || (index & 0xFE00U) == 0x1800U;
-}
-
-bool is_mapping(unsigned index) {
-    return (index & 0xFE00U) == 0x1600U || (index & 0xFE00U) == 0x1A00U;
-}
-
 class PdoCheck {
   public:
     PdoCheck(const EdsSheet& sheet, const EdsSheetObject& object, EdsFindings& findings)
-        : sheet_{sheet}, object_{object}, findings_{findings}, is_rpdo_{object.index < 0x1800} {}
+        : sheet_{sheet}, object_{object}, findings_{findings}, is_rpdo_{object.index < cia301::tpdo_communication} {}
 
     void run() {
         if (object_.code != std::uint64_t{9} && object_.section != nullptr) {
@@ -117,7 +110,7 @@ class PdoCheck {
                                       value->bits));
         }
         const bool synchronous = value->bits <= 240 || value->bits == 252;
-        if (synchronous && has_id && !is_off(id) && sheet_.object(0x1005) == nullptr) {
+        if (synchronous && has_id && !is_off(id) && sheet_.object(cia301::sync_cob_id) == nullptr) {
             findings_.add(
                 "pdo-without-sync", entry->value_line(),
                 fmt::format("{} is {}, which waits for SYNC, but there is no 1005h", entry->title(), value->bits));
@@ -167,7 +160,7 @@ class PdoCheck {
 void check_same(const EdsSheet& sheet, EdsFindings& findings) {
     std::map<std::pair<std::uint64_t, bool>, std::string> used;
     for (const auto& [index, object] : sheet.objects()) {
-        const EdsSheetEntry* entry = is_communication(index) ? object.entry(1) : nullptr;
+        const EdsSheetEntry* entry = cia301::is_pdo_communication(index) ? object.entry(1) : nullptr;
         const auto value = entry == nullptr ? std::nullopt : entry->number();
         if (!value || is_off(value->bits)) {
             continue;
@@ -219,13 +212,13 @@ const std::vector<EdsRule>& pdo_rules() {
 
 void check_pdo(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [index, object] : sheet.objects()) {
-        if (is_communication(index)) {
+        if (cia301::is_pdo_communication(index)) {
             PdoCheck{sheet, object, findings}.run();
             if (sheet.object(index + 0x200U) == nullptr) {
                 findings.add("pdo-no-mapping", object.line(),
                              fmt::format("there is {}, but no {}", object.title(), eds_index_text(index + 0x200U)));
             }
-        } else if (is_mapping(index) && sheet.object(index - 0x200U) == nullptr) {
+        } else if (cia301::is_pdo_mapping(index) && sheet.object(index - 0x200U) == nullptr) {
             findings.add("pdo-no-communication", object.line(),
                          fmt::format("there is {}, but no {}", object.title(), eds_index_text(index - 0x200U)));
         }

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/check/cob_ids.hpp"
 #include "host/datasheet/check/standard_objects.hpp"
 
@@ -82,14 +83,14 @@ class ServiceCheck {
     }
 
     void check_identity() {
-        const EdsSheetObject* identity = sheet_.object(0x1018);
+        const EdsSheetObject* identity = sheet_.object(cia301::identity);
         if (identity == nullptr) {
             return;
         }
         if (identity->entry(1) == nullptr) {
             findings_.add("identity-vendor", identity->line(), "1018h has no vendor-ID, sub-index 1");
-        } else if (number(0x1018, 1) && plain(0x1018, 1) == 0) {
-            add("identity-vendor-zero", 0x1018, 1, "the vendor-ID, 1018h:01, is 0");
+        } else if (number(cia301::identity, 1) && plain(cia301::identity, 1) == 0) {
+            add("identity-vendor-zero", cia301::identity, 1, "the vendor-ID, 1018h:01, is 0");
         }
         if (!identity->entries.empty() && identity->entries.back().sub > 4) {
             findings_.add("identity-sub", identity->entries.back().section->line,
@@ -98,22 +99,26 @@ class ServiceCheck {
     }
 
     void check_errors() {
-        if (number(0x1003) && sheet_.object(0x1003)->is_several() && plain(0x1003) != 0) {
-            add("error-list-default", 0x1003, 0, fmt::format("1003h:00 is {} by default", plain(0x1003)));
+        if (number(cia301::error_list) && sheet_.object(cia301::error_list)->is_several() &&
+            plain(cia301::error_list) != 0) {
+            add("error-list-default", cia301::error_list, 0,
+                fmt::format("1003h:00 is {} by default", plain(cia301::error_list)));
         }
-        const EdsSheetEntry* count = entry(0x1003);
+        const EdsSheetEntry* count = entry(cia301::error_list);
         if (count != nullptr && !count->is_single && count->access != "rw" && !count->access.empty()) {
             findings_.add("error-list-access", count->line_of("AccessType"),
                           fmt::format("1003h:00 is {}, but a write of 0 must clear the list", count->access));
         }
-        const auto cob_id = number(0x1014);
+        const auto cob_id = number(cia301::emcy_cob_id);
         if (cob_id && !is_off(cob_id->bits) && (!cob_id->node_id || (cob_id->bits & 0x7FFU) != 0x80)) {
-            add("emcy-cob-id", 0x1014, 0, fmt::format("1014h is {}, not $NODEID+0x80", entry(0x1014)->value->text));
+            add("emcy-cob-id", cia301::emcy_cob_id, 0,
+                fmt::format("1014h is {}, not $NODEID+0x80", entry(cia301::emcy_cob_id)->value->text));
         }
-        if (entry(0x1015) != nullptr && entry(0x1014) == nullptr) {
-            findings_.add("emcy-inhibit-alone", entry(0x1015)->section->line, "there is 1015h, but no 1014h");
+        if (entry(cia301::emcy_inhibit_time) != nullptr && entry(cia301::emcy_cob_id) == nullptr) {
+            findings_.add("emcy-inhibit-alone", entry(cia301::emcy_inhibit_time)->section->line,
+                          "there is 1015h, but no 1014h");
         }
-        const EdsSheetObject* behaviour = sheet_.object(0x1029);
+        const EdsSheetObject* behaviour = sheet_.object(cia301::error_behaviour);
         for (std::size_t i = 0; behaviour != nullptr && i < behaviour->entries.size(); ++i) {
             const EdsSheetEntry& one = behaviour->entries[i];
             const auto value = one.number();
@@ -126,50 +131,55 @@ class ServiceCheck {
 
     void check_sync() {
         constexpr std::uint64_t producer = 0x40000000;
-        const auto cob_id = number(0x1005);
+        const auto cob_id = number(cia301::sync_cob_id);
         if (cob_id && (cob_id->node_id || (cob_id->bits & 0x1FFFFFFFU) != 0x80)) {
-            add("sync-cob-id", 0x1005, 0, fmt::format("1005h is {}, not 0x80", entry(0x1005)->value->text));
+            add("sync-cob-id", cia301::sync_cob_id, 0,
+                fmt::format("1005h is {}, not 0x80", entry(cia301::sync_cob_id)->value->text));
         }
-        if (cob_id && (cob_id->bits & producer) != 0 && entry(0x1006) == nullptr) {
-            add("sync-producer", 0x1005, 0, "1005h produces SYNC, but there is no 1006h");
+        if (cob_id && (cob_id->bits & producer) != 0 && entry(cia301::sync_period) == nullptr) {
+            add("sync-producer", cia301::sync_cob_id, 0, "1005h produces SYNC, but there is no 1006h");
         }
-        for (const unsigned index : {0x1006U, 0x1007U, 0x1019U}) {
-            if (entry(index) != nullptr && entry(0x1005) == nullptr) {
+        for (const unsigned index : {cia301::sync_period, cia301::sync_window, cia301::sync_counter_overflow}) {
+            if (entry(index) != nullptr && entry(cia301::sync_cob_id) == nullptr) {
                 findings_.add("sync-alone", entry(index)->section->line,
                               fmt::format("there is {}, but no 1005h", eds_index_text(index)));
             }
         }
-        const std::uint64_t overflow = plain(0x1019);
+        const std::uint64_t overflow = plain(cia301::sync_counter_overflow);
         if (overflow == 1 || overflow > 240) {
-            add("sync-counter", 0x1019, 0, fmt::format("1019h is {}, not 0 or 2 to 240", overflow));
+            add("sync-counter", cia301::sync_counter_overflow, 0,
+                fmt::format("1019h is {}, not 0 or 2 to 240", overflow));
         }
-        const auto time = number(0x1012);
+        const auto time = number(cia301::time_cob_id);
         if (time && (time->node_id || (time->bits & 0x1FFFFFFFU) != 0x100)) {
-            add("time-cob-id", 0x1012, 0, fmt::format("1012h is {}, not 0x100", entry(0x1012)->value->text));
+            add("time-cob-id", cia301::time_cob_id, 0,
+                fmt::format("1012h is {}, not 0x100", entry(cia301::time_cob_id)->value->text));
         }
     }
 
     void check_error_control() {
-        const bool guard = entry(0x100C) != nullptr;
-        const bool factor = entry(0x100D) != nullptr;
-        const bool heartbeat = entry(0x1017) != nullptr;
+        const bool guard = entry(cia301::guard_time) != nullptr;
+        const bool factor = entry(cia301::life_time_factor) != nullptr;
+        const bool heartbeat = entry(cia301::producer_heartbeat_time) != nullptr;
         if (guard != factor) {
-            const unsigned there = guard ? 0x100C : 0x100D;
-            findings_.add(
-                "guarding-half", entry(there)->section->line,
-                fmt::format("there is {}, but no {}", eds_index_text(there), eds_index_text(guard ? 0x100D : 0x100C)));
+            const unsigned there = guard ? cia301::guard_time : cia301::life_time_factor;
+            findings_.add("guarding-half", entry(there)->section->line,
+                          fmt::format("there is {}, but no {}", eds_index_text(there),
+                                      eds_index_text(guard ? cia301::life_time_factor : cia301::guard_time)));
         }
         if (!heartbeat && !(guard && factor)) {
             findings_.add("error-control-missing", 1, "there is neither 1017h nor 100Ch with 100Dh");
         }
-        if (plain(0x1017) != 0 && plain(0x100C) != 0 && plain(0x100D) != 0) {
-            add("heartbeat-guarding", 0x1017, 0,
-                fmt::format("1017h is {} and 100Ch {} by default", plain(0x1017), plain(0x100C)));
+        if (plain(cia301::producer_heartbeat_time) != 0 && plain(cia301::guard_time) != 0 &&
+            plain(cia301::life_time_factor) != 0) {
+            add("heartbeat-guarding", cia301::producer_heartbeat_time, 0,
+                fmt::format("1017h is {} and 100Ch {} by default", plain(cia301::producer_heartbeat_time),
+                            plain(cia301::guard_time)));
         }
     }
 
     void check_consumers() {
-        const EdsSheetObject* object = sheet_.object(0x1016);
+        const EdsSheetObject* object = sheet_.object(cia301::consumer_heartbeat_time);
         std::map<std::uint64_t, std::string> nodes;
         for (std::size_t i = 0; object != nullptr && i < object->entries.size(); ++i) {
             const EdsSheetEntry& one = object->entries[i];
@@ -194,12 +204,12 @@ class ServiceCheck {
     }
 
     void check_storage() {
-        for (const unsigned index : {0x1010U, 0x1011U}) {
+        for (const unsigned index : {cia301::store_parameters, cia301::restore_parameters}) {
             const EdsSheetObject* object = sheet_.object(index);
             for (std::size_t i = 0; object != nullptr && i < object->entries.size(); ++i) {
                 const EdsSheetEntry& one = object->entries[i];
                 const auto value = one.number();
-                const std::uint64_t most = index == 0x1010 ? 3 : 1;
+                const std::uint64_t most = index == cia301::store_parameters ? 3 : 1;
                 if (one.sub != 0 && value && value->bits > most) {
                     findings_.add("storage-default", one.value_line(),
                                   fmt::format("{} is 0x{:X}, but a read returns the capability, 0 to {}", one.title(),
@@ -211,8 +221,8 @@ class ServiceCheck {
 
     void check_sdo_servers() {
         const auto& objects = sheet_.objects();
-        const auto end = objects.upper_bound(0x127F);
-        for (auto at = objects.lower_bound(0x1200); at != end; ++at) {
+        const auto end = objects.upper_bound(cia301::last_sdo_server_parameter);
+        for (auto at = objects.lower_bound(cia301::sdo_server_parameter); at != end; ++at) {
             const EdsSheetObject& object = at->second;
             if (object.code != std::uint64_t{9} && object.section != nullptr) {
                 findings_.add("sdo-record", object.line(), fmt::format("{} is no RECORD", object.title()));
@@ -224,17 +234,18 @@ class ServiceCheck {
                 if (one == nullptr) {
                     findings_.add("sdo-entry-missing", object.line(),
                                   fmt::format("{} has no sub-index {}", object.title(), sub));
-                } else if (at->first == 0x1200 && value && (!value->node_id || value->bits != base)) {
+                } else if (at->first == cia301::sdo_server_parameter && value &&
+                           (!value->node_id || value->bits != base)) {
                     findings_.add("sdo-default-cob-id", one->value_line(),
                                   fmt::format("{} is {}, not $NODEID+0x{:X}", one->title(), one->value->text, base));
-                } else if (at->first != 0x1200 && value && !is_off(value->bits) && !value->node_id &&
-                           is_reserved(static_cast<unsigned>(value->bits & 0x7FFU))) {
+                } else if (at->first != cia301::sdo_server_parameter && value && !is_off(value->bits) &&
+                           !value->node_id && is_reserved(static_cast<unsigned>(value->bits & 0x7FFU))) {
                     findings_.add(
                         "sdo-further-cob-id", one->value_line(),
                         fmt::format("{} is {}, an identifier of another service", one->title(), one->value->text));
                 }
-                if (one != nullptr && at->first == 0x1200 && one->access != "ro" && one->access != "const" &&
-                    !one->access.empty()) {
+                if (one != nullptr && at->first == cia301::sdo_server_parameter && one->access != "ro" &&
+                    one->access != "const" && !one->access.empty()) {
                     findings_.add("sdo-default-access", one->line_of("AccessType"),
                                   fmt::format("{} has the access {}", one->title(), one->access));
                 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "host/base/cia301.hpp"
 #include "host/datasheet/check/known_names.hpp"
 #include "host/datasheet/eds_numbers.hpp"
 
@@ -70,9 +71,9 @@ void check_comments(const EdsSheet& sheet, EdsFindings& findings) {
 void check_dummies(const EdsSheet& sheet, EdsFindings& findings) {
     const IniSection* section = sheet.section("DummyUsage");
     const auto& objects = sheet.objects();
-    const auto rpdo = objects.lower_bound(0x1600);
+    const auto rpdo = objects.lower_bound(cia301::rpdo_mapping);
     if (section == nullptr) {
-        if (rpdo != objects.end() && rpdo->first <= 0x17FF) {
+        if (rpdo != objects.end() && rpdo->first <= cia301::last_rpdo_mapping) {
             findings.add("dummy-missing", rpdo->second.line(), "there are receive PDOs, but there is no [DummyUsage]");
         }
         return;

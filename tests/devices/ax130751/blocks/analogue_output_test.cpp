@@ -20,7 +20,7 @@ const RampTimes none{5.0, milliseconds(0), milliseconds(0)};
 constexpr AnalogueDemand demand{4.0, 2.0, 1.0};  // control, override, fault
 
 /// Returns the drive for the conditions shutdown, input in error and overridden.
-OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool overridden, EnableAction enable) {
+OutputDrive chosen(bool shutdown, bool in_error, OutputDrive on_error, bool overridden, OutputDrive enable) {
     return choose_drive(OutputConditions{shutdown, in_error, on_error, overridden, enable});
 }
 
@@ -28,21 +28,21 @@ OutputDrive chosen(bool shutdown, bool in_error, FaultAction on_error, bool over
 
 TEST(OutputPriority, ShutdownPrecedesOverrideWhichPrecedesEnableWhichPrecedesError) {
     verifies<req::AOR_OUT_007, req::AOR_OUT_029, req::AOR_OUT_033>();
-    const auto fault = FaultAction::fault_value;
-    EXPECT_EQ(chosen(true, true, fault, true, EnableAction::keep), OutputDrive::shutdown);
-    EXPECT_EQ(chosen(true, false, fault, false, EnableAction::run), OutputDrive::shutdown);
-    EXPECT_EQ(chosen(false, true, fault, true, EnableAction::shut_off), OutputDrive::override_value);
-    EXPECT_EQ(chosen(false, true, FaultAction::keep, true, EnableAction::run), OutputDrive::override_value);
-    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
-    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);
-    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::keep), OutputDrive::keep);
-    EXPECT_EQ(chosen(false, true, fault, false, EnableAction::run), OutputDrive::fault_value);
-    EXPECT_EQ(chosen(false, true, FaultAction::keep, false, EnableAction::run), OutputDrive::keep);
-    EXPECT_EQ(chosen(false, false, fault, true, EnableAction::shut_off), OutputDrive::override_value);
-    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::shut_off), OutputDrive::shut_off);
-    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::ramp_off), OutputDrive::ramp_off);
-    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::keep), OutputDrive::keep);
-    EXPECT_EQ(chosen(false, false, fault, false, EnableAction::run), OutputDrive::control);
+    const auto fault = OutputDrive::fault_value;
+    EXPECT_EQ(chosen(true, true, fault, true, OutputDrive::keep), OutputDrive::shutdown);
+    EXPECT_EQ(chosen(true, false, fault, false, OutputDrive::control), OutputDrive::shutdown);
+    EXPECT_EQ(chosen(false, true, fault, true, OutputDrive::shut_off), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, OutputDrive::keep, true, OutputDrive::control), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, true, fault, false, OutputDrive::shut_off), OutputDrive::shut_off);
+    EXPECT_EQ(chosen(false, true, fault, false, OutputDrive::ramp_off), OutputDrive::ramp_off);
+    EXPECT_EQ(chosen(false, true, fault, false, OutputDrive::keep), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, true, fault, false, OutputDrive::control), OutputDrive::fault_value);
+    EXPECT_EQ(chosen(false, true, OutputDrive::keep, false, OutputDrive::control), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, false, fault, true, OutputDrive::shut_off), OutputDrive::override_value);
+    EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::shut_off), OutputDrive::shut_off);
+    EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::ramp_off), OutputDrive::ramp_off);
+    EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::keep), OutputDrive::keep);
+    EXPECT_EQ(chosen(false, false, fault, false, OutputDrive::control), OutputDrive::control);
 }
 
 TEST(AnalogueOutput, ControlRampsTheValueAndSetsTheTargetAtOnce) {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Families of objects: one [[object]] with `repeat` describes several objects of the dictionary.
+#pragma once
+
+#include <cstdint>
+
+#include "host/register/toml_item.hpp"
+
+namespace canproof::host {
+
+/// The numbers of a family, and the distance of each member's index from that of the first one.
+struct ObjectFamily {
+    std::int64_t first{1};
+    std::int64_t last{1};
+    std::int64_t step{0};
+    bool decimal{false};  ///< the decimal digits of a number are hexadecimal digits of the index
+
+    std::int64_t offset(std::int64_t n) const;
+};
+
+/// One object of a family whose members are numbered from `first` to `last`.
+struct FamilyMember {
+    std::int64_t n;
+    std::int64_t first;
+    std::int64_t last;
+};
+
+/// Reads `repeat` of an [[object]]. Returns a family of one member when it is missing.
+ObjectFamily read_family(TomlItem& item);
+
+/// Checks that a default such as `{ 1 = 0, 2 = 5 }` contains each member of the family and no other number.
+void check_family_default(TomlItem& item, const FamilyMember& member);
+
+}  // namespace canproof::host
