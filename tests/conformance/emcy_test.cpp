@@ -172,6 +172,19 @@ TEST_F(Errors, EmcyMessagesAreAtLeastTheInhibitTimeApart) {
     EXPECT_EQ(pass(20), (Frames{"10:083#2081110200000000", "20:083#0000110200000000"}));
 }
 
+TEST_F(Errors, EmcyInhibitTimeCountsFromALateMessage) {
+    verifies<req::CO_EMCY_003>();
+    write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
+    EXPECT_EQ(overrun(true).size(), 1U);
+    EXPECT_TRUE(can_state(2).empty());
+    EXPECT_TRUE(overrun(false).empty());
+    now = now + milliseconds(14);  // 4 ms late
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"083#2081110200000000"}));
+    EXPECT_TRUE(pass(9).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:083#0000110200000000"}));
+}
+
 TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_018>();
     write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms

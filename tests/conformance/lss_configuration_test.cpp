@@ -304,6 +304,20 @@ TEST_F(Lss, BusOffOutlastsTheSwitchDelays) {
     talk({{"7E5#5E00000000000000", {"7E4#5E05000000000000"}}});
 }
 
+TEST_F(Lss, SecondSwitchDelayCountsFromALateChangeOfTheBitRate) {
+    verifies<req::CO_LSS_015>();
+    talk({{"605#2B17100003000000", {"585#6017100000000000"}},  // 1017h producer heartbeat time: 3 ms
+          {"7E5#0401000000000000", {}},
+          {"7E5#1300030000000000", {"7E4#1300000000000000"}},
+          {"7E5#150A000000000000", {}}});
+    now = now + milliseconds(14);  // 4 ms late
+    device->advance(now);
+    EXPECT_EQ(bit_rate(), 250000U);
+    EXPECT_EQ(sent(), Frames{});
+    EXPECT_EQ(pass(9), Frames{});
+    EXPECT_FALSE(pass(4).empty());
+}
+
 TEST_F(Lss, NodeInBusOffSendsNothingAfterTheSwitchDelays) {
     verifies<req::CO_EMCY_017, req::CO_LSS_015>();
     talk({{"605#2B17100003000000", {"585#6017100000000000"}},  // 1017h producer heartbeat time: 3 ms

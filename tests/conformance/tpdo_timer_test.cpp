@@ -109,6 +109,19 @@ TEST_F(Tpdo, TpdosAreSentAtLeastTheInhibitTimeApart) {
     EXPECT_EQ(pass(5), (Frames{"1:185#4400"}));
 }
 
+TEST_F(Tpdo, InhibitTimeCountsFromALateTransmission) {
+    verifies<req::CO_PDO_017>();
+    set_inhibit_time("6400");  // 100 * 100 us = 10 ms
+    start();
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"585#6001200100000000"}));
+    now = now + milliseconds(14);  // 4 ms late
+    device->advance(now);
+    EXPECT_EQ(sent(), (Frames{"185#1100"}));
+    EXPECT_EQ(send("605#2F01200122000000"), (Frames{"585#6001200100000000"}));
+    EXPECT_TRUE(pass(9).empty());
+    EXPECT_EQ(pass(1), (Frames{"1:185#2200"}));
+}
+
 TEST_F(Tpdo, InhibitTimeEndsWhenOperationalIsLeft) {
     verifies<req::CO_PDO_017, req::CO_PDO_018>();
     set_inhibit_time("6400");  // 100 * 100 us = 10 ms
