@@ -220,7 +220,7 @@ TEST(LssStore, FailedReadCountsAsNothingStored) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
-// CiA 305, 6.4.2: 1 to 127, and 255 for none
+// CiA 305, 6.4.2: valid node-IDs are 1 to 127, and 255 for no node-ID
 TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {

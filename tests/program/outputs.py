@@ -141,7 +141,7 @@ def no_folder(folder):
     for command in (["conform", "--list", "--cases"], ["inject", "cbx-ao412", "--merge"]):
         for name, why in ((folder / "none", "No such file or directory"), (full, "Not a directory")):
             refused(canproof(*command, name), f"{command} {name}",
-                    f"canproof: cannot read the folder {name}: {why}; name an existing folder that you may read")
+                    f"canproof: cannot read the folder {name}: {why}; name a folder that exists and can be read")
 
 
 def file_that_cannot_be_emptied(folder):

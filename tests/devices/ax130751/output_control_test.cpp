@@ -134,7 +134,7 @@ TEST_F(Ax130751Output, OverridePrecedesEnable) {
     verifies<req::AOR_OUT_007>();
     make(10);
     set16(0x2300, 1, 1000);
-    connect(0x2350, 1);  // response 3: enabled while OFF
+    connect(0x2350, 1);  // enable response 3, the default: the output is enabled while this input is OFF
     connect(0x2360, 2);
     command(1, 4000);
     extra(1, 100);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings of the terminals: times, gain, steps, mains hum (AX188001, 1.1, 3.3).
+// Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
+// (AX188001, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"

@@ -140,9 +140,9 @@ TEST(GeneratedNames, TableOfErrorsHasOnlyPropertiesOfAnError) {
                 HasSubstr("AO4-T1 column colour is no property of an error"));
     EXPECT_THAT(faults_of("\"listed\"", "true"), HasSubstr("AO4-T1 has errors but no column code"));
     EXPECT_THAT(faults_of("\"code\", \"channel\"", "1, 2"),
-                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
     EXPECT_THAT(faults_of("\"code\", \"detail\", \"description\", \"channel\"", "1, 2, 3, 4"),
-                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
 }
 
 TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
