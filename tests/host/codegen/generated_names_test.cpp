@@ -90,7 +90,7 @@ TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
                 HasSubstr("inline const NodeProfile profile{"));
 }
 
-TEST(GeneratedNames, ProfileOfADeviceWithoutSettingsHasTheDefaults) {
+TEST(GeneratedNames, ProfileHasTheDefaultsOfTheKeysThatDeviceTomlOmits) {
     SpecFiles files = small_register();
     std::string& device = files[device_file];
     device.replace(device.find("lss = true"), 10, "lss = false");
@@ -154,7 +154,7 @@ TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
     EXPECT_THAT(faults, HasSubstr("rpdos_answering_remote names RPDO 9"));
 }
 
-TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
+TEST(GeneratedNames, NameOfATableComesFromItsKeyNameOrItsTitle) {
     const std::string rows = "[\"a\", 1]";
     const std::string one = table("id = \"AO4-T1\"\ntitle = \"Enable response: what an output does\"\n", rows);
     const std::string other =

@@ -68,7 +68,7 @@ TEST(Ini, SectionsWithTheirKeysInAnyOrderAreRead) {
     EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(Ini, RepeatedKeyIsNotedEvenWhenTheSectionBeforeHasAsManyKeys) {
+TEST(Ini, RepeatedKeyIsReportedEvenWhenTheSectionBeforeHasAsManyKeys) {
     const Read read{"[A]\nb=1\na=2\n[B]\na=3\nA=4\n[C]\nb=5\na=6\n"};
     EXPECT_EQ(read.value("B", "a") + read.value("B", "b"), "3absent");
     EXPECT_EQ(read.value("C", "a") + read.value("C", "b"), "65");

@@ -302,7 +302,7 @@ TEST(WriteDbc, EmcyWithoutObject1014hHasThePredefinedIdentifier) {
     EXPECT_EQ(database_of(patched_sheet("-[1014]").text, 9).messages.at(0x089).name, "box_EMCY");
 }
 
-TEST(WriteDbc, DisabledOrDuplicateMessagesAreNamedAndLeftOut) {
+TEST(WriteDbc, DisabledOrDuplicateMessagesAreLeftOutAndListedInTheComment) {
     const EdsResult read = read_eds(patched_sheet("[1400sub1] DefaultValue=$NODEID+0x80000200 | "
                                                   "[1401sub1] DefaultValue=$NODEID+0x180")
                                         .text,

@@ -209,13 +209,13 @@ TEST(Panel, ReplayOfPanelActionsGivesTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, StimuliNameTheirDeviceWhenThereAreSeveral) {
+TEST(Panel, StimuliContainTheNameOfTheirDeviceWhenThereAreSeveral) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");
 }
 
-TEST(Panel, ReaderGetsOnlyNewFrames) {
+TEST(Panel, PageGetsOnlyFramesThatItHasNotReceivedBefore) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(100);
     const nlohmann::json first = bench.get("/api/state");

@@ -50,7 +50,7 @@ TEST_F(AuditPages, OverviewCountsTheItemsOfEachServiceAndLinksToThem) {
     EXPECT_THAT(page, HasSubstr("<li>D-A-002: a test that claims this item has failed"));
 }
 
-TEST_F(AuditPages, KindsAndStatesCanBeChosen) {
+TEST_F(AuditPages, ItemsCanBeFilteredByKindAndState) {
     const std::string page = make().at("audit-device.html");
     EXPECT_THAT(page,
                 HasSubstr("<select data-of=\".kind\"><option value=\"\">all</option><option>requirement</option>"));

@@ -212,7 +212,7 @@ TEST(MutationReport, MutationReportIsReadBackByItem) {
     EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
 }
 
-TEST(CodeMutation, EachTestIsReadWithItsReachableMutants) {
+TEST(CodeMutation, EachTestIsReadWithTheMutantsThatItReaches) {
     const RecordFile file{"Suite.First\ttests/a_test.cpp\t0.250\t0\t7\nSuite.Second\tb\t0.001\n"};
     const auto tests = read_told(file.path());
     ASSERT_EQ(tests.size(), 2U);

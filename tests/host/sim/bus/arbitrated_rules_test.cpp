@@ -280,7 +280,7 @@ TEST(ArbitratedRules, FullBusHasALoadOfOneWhenABitLastsAFractionOfAMicrosecond) 
     EXPECT_NEAR(bus.report(Instant{10000}).load, 1.0, 1.0e-9);
 }
 
-TEST(ArbitratedRules, UserFramesWaitUpTo256) {
+TEST(ArbitratedRules, UpTo256UserFramesWait) {
     ErrorBench bench;
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bench.bus.put(parse_frame("123#", "test"), Instant{0})) << i;
@@ -288,7 +288,7 @@ TEST(ArbitratedRules, UserFramesWaitUpTo256) {
     EXPECT_FALSE(bench.bus.put(parse_frame("123#", "test"), Instant{0}));
 }
 
-TEST(BitRateVote, MostVotesWin) {
+TEST(BitRateVote, BitRateWithMostVotesWins) {
     EXPECT_EQ(vote_on({{125000, 1}, {250000, 3}, {500000, 2}}, 125000), 250000U);
     EXPECT_EQ(vote_on({{125000, 1}, {250000, 2}, {500000, 3}}, 125000), 500000U);
     EXPECT_EQ(vote_on({{125000, 1}}, 500000), 125000U);  // nobody votes for the present rate

@@ -51,7 +51,7 @@ TEST(Delivery, NodeReceivesTheFramesThatItsFiltersAccept) {
     EXPECT_EQ(bus.report(Instant{10000}).frames, 2U);
 }
 
-TEST(Delivery, NodeThatReportsNewFiltersReceivesByTheNewFilters) {
+TEST(Delivery, NodeThatReportsNewFiltersReceivesWhatTheyAccept) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};

@@ -20,7 +20,7 @@ Frame frame_of(const char* text) {
 
 }  // namespace
 
-TEST(FrameReaders, FrameHasTheReadersOfItsIdentifierInAscendingOrder) {
+TEST(FrameReaders, ReadersOfAnIdentifierAreListedInAscendingOrder) {
     FrameReaders readers;
     readers.set(7, {{0x080, 0x7FF, false}, {0x205, 0x7FF, false}});
     readers.set(2, {{0x080, 0x7FF, false}});

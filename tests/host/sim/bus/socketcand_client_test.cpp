@@ -96,7 +96,7 @@ TEST_F(SocketcandClientText, RefusalTextOfTheServerIsKept) {
     EXPECT_EQ(client.complaint(), "32 clients have joined, which is the most");
 }
 
-TEST(SocketcandPlace, MissingPartsOfThePlaceHaveTheirDefaults) {
+TEST(SocketcandPlace, MissingHostPortOrBusOfAnAddressGetsItsDefault) {
     const SocketcandPlace usual = parse_socketcand_place("");
     EXPECT_EQ(usual.host, "127.0.0.1");
     EXPECT_EQ(usual.port, 29536);
@@ -109,7 +109,7 @@ TEST(SocketcandPlace, MissingPartsOfThePlaceHaveTheirDefaults) {
     EXPECT_EQ(parse_socketcand_place("/can1").bus, "can1");
 }
 
-TEST(SocketcandPlace, InvalidPlaceIsRefused) {
+TEST(SocketcandPlace, InvalidServerAddressIsRefused) {
     for (const char* wrong :
          {"127.0.0.1:x", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:1234/", "a:1/b c", "a:1/b >", "a:1/b/c"}) {
         EXPECT_THROW(parse_socketcand_place(wrong), InputError) << wrong;

@@ -130,7 +130,7 @@ TEST_F(SocketcandClient, EndlessCommandsAreCutOff_AndTheNextIsExecuted) {
     EXPECT_THAT(say("< echo >"), HasSubstr("< echo >"));
 }
 
-TEST_F(SocketcandClient, FloodingClientWaitsUntilTheBusHasTakenItsFrames) {
+TEST_F(SocketcandClient, FloodingClientWaitsUntilItsFramesHaveLeftTheGateway) {
     join();
     std::string flood;
     for (int i = 0; i < 500; ++i) {

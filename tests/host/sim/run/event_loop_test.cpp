@@ -113,7 +113,7 @@ TEST(EventLoop, IgnoredHangupSignalDoesNotEndTheLoop) {
     std::signal(SIGHUP, before);
 }
 
-TEST(LineInput, WholeLinesAreGivenAsTheyArrive) {
+TEST(LineInput, LineIsReturnedWhenItsEndHasArrived) {
     Pipe pipe;
     LineInput input{pipe.reader()};
     using Lines = std::vector<std::string>;

@@ -33,7 +33,7 @@ std::string bytes(const std::string& digits) {
 
 }  // namespace
 
-TEST(FrameLog, PlainLinesAreThoseOfCandump) {
+TEST(FrameLog, UnmarkedLinesHaveTheFormatOfCandump) {
     EXPECT_EQ(written(LogFormat::candump), "(1.000001) vcan0 603#4000100000000000\n(1.000002) vcan0 703#00\n");
 }
 
@@ -53,7 +53,7 @@ TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
-TEST(FrameLog, LogIsWantedWithAStreamOnlyAndIgnoresFramesWithoutOne) {
+TEST(FrameLog, LogWithoutAStreamIsNotWantedAndIgnoresFrames) {
     for (const LogFormat format : {LogFormat::candump, LogFormat::marked, LogFormat::pcap, LogFormat::pcapng}) {
         std::ostringstream out;
         EXPECT_TRUE((FrameLog{&out, format}.is_wanted()));

@@ -160,7 +160,7 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
     EXPECT_TRUE(overtaken);
 }
 
-TEST(RunSession, OwnFramesAreNotTakenForThoseOfOthersInReplay) {
+TEST(RunSession, OwnFramesAreNotConfusedWithThoseOfOthersInReplay) {
     // The device monitors the heartbeat of its own node-ID for 50 ms and sends it every 100 ms. On a bus it never
     // receives its own frames, so the monitoring never begins. If a replay passed it its own frames, it would report
     // their absence.
@@ -217,7 +217,7 @@ TEST(RunSession, StimulusNamesOneDeviceOrAll) {
     EXPECT_EQ(frames("cbx-ao412@4.can_state"), (std::pair<std::uint64_t, std::uint64_t>{2, 1}));
 }
 
-TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
+TEST(RunSession, DeviceOfANodeInBusOffReceivesNothing_AndReportsTheRecovery) {
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4"}};
     run.session->advance_to(Instant{10000});
     auto& bus = dynamic_cast<ArbitratedBus&>(run.session->bus());
@@ -231,7 +231,7 @@ TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
     EXPECT_THAT(run.log.str(), HasSubstr("083#4081"));
 }
 
-TEST(RunSession, OutputsAreWrittenWithTheirDeviceWhenThereAreSeveral) {
+TEST(RunSession, OutputsAreWrittenWithTheNameOfTheirDeviceWhenThereAreSeveral) {
     TestRun one{{"cbx-ao412@3"}};
     one.session->advance_to(Instant{1000});
     EXPECT_THAT(one.changes.str(), testing::StartsWith("seconds,signal,value\n0.000000,"));
