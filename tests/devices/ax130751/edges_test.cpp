@@ -65,7 +65,7 @@ class Ax130751Edges : public Ax130751Blocks {
         extra_as_percent(1);
         set8(0x2360, 1, canopen);
         set8(0x2361, 1, 4);
-        set8(0x2362, 1, 1);  // override when OFF
+        set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     }
     /// Sets up math block 1 with 2500h:1 (EC Extra Received Process Value) and 2500h:2, fractions of 10000, and one
     /// operator.

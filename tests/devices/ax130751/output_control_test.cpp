@@ -122,7 +122,7 @@ TEST_F(Ax130751Output, OverrideSetsTheValueOf2300hAtOnce) {
     extra(2, 100);
     EXPECT_FLOAT_EQ(volts(1), -7.5F);
     EXPECT_EQ(get16(0x7330, 1), -7500);
-    set8(0x2362, 1, 1);  // override when OFF
+    set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     extra(2, 0);
     EXPECT_FLOAT_EQ(volts(1), -7.5F);
     extra(2, 100);
@@ -171,7 +171,7 @@ TEST_F(Ax130751Output, UnusedOverrideIsNotReadAsOff) {
     make(10);
     set16(0x2300, 1, -3000);
     set8(0x2360, 1, not_used);
-    set8(0x2362, 1, 1);  // override when OFF
+    set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     command(1, 4000);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
     connect(0x2360, 2);

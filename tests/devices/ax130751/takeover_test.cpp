@@ -232,8 +232,8 @@ TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     inputs.cpu_temperature = 99.0F;
     set_inputs();
     EXPECT_EQ(pass(1), Frames{});
-    EXPECT_EQ(read(0x5020, 0), 0x41480000U);  // 12.5
-    EXPECT_EQ(read(0x5030, 0), 0x42C60000U);  // 99.0
+    EXPECT_EQ(read(0x5020, 0), 0x41480000U);  // 12.5 as REAL32
+    EXPECT_EQ(read(0x5030, 0), 0x42C60000U);  // 99.0 as REAL32
 }
 
 }  // namespace canproof::test

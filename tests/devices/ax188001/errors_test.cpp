@@ -194,7 +194,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // no reception yet
+    EXPECT_TRUE(listed().empty());  // the monitoring begins with the first reception
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());

@@ -210,7 +210,7 @@ TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
     pass(1000);
     write(0x4030, 1, 2, 2000);
     EXPECT_EQ(pass(1164), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms: 2000 ms after the reading at 165 ms
 }
 
 TEST_F(Limits, DelayIsAtMostOneMinute) {
@@ -269,7 +269,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
     EXPECT_EQ(status_at(-6266.0), 0);
     EXPECT_EQ(status_at(-6267.7), 0);     // step -10515: -6267.45, 9.45 uV beyond
-    EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05
+    EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05, 10.05 uV beyond
     read_once();
     EXPECT_EQ(status(1), 0x04);
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);

@@ -75,7 +75,7 @@ TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     verifies<req::TCS_PDO_004, req::TCS_OD_1A02, req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_5040>();
     EXPECT_EQ(write(0x1802, 1, 4, 0xC00003FF), 0U);
     EXPECT_EQ(write(0x1A02, 0, 1, 0), 0U);
-    EXPECT_EQ(write(0x1A02, 1, 4, 0x50400220), 0U);  // supply, FLOAT32
+    EXPECT_EQ(write(0x1A02, 1, 4, 0x50400220), 0U);  // maps 5040h:2 (FD Field Value), the supply voltage as REAL32
     EXPECT_EQ(write(0x1A02, 2, 4, 0x61500108), 0U);
     EXPECT_EQ(write(0x1A02, 3, 4, 0x61500208), 0U);
     EXPECT_EQ(write(0x1A02, 4, 4, 0x71300110), 0U);

@@ -292,7 +292,7 @@ TEST(AngleFilter, BlockOf60000SamplesIsRightAfter480000Turns) {
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);
         const std::array<float, 3U> stands{{0.0F, 120.0F * side, -120.0F * side}};
-        for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks
+        for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks of 60,000 samples
             filter.add(stands[i % 3U]);
         }
         // The mean of 0, 120, 240, … 59,999 * 120 is 3,599,940 degrees, 10,000 turns minus 60 degrees.

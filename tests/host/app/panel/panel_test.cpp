@@ -34,7 +34,7 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
-    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1: no delay
+    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 = 0: the fault is reported without a delay
     bench.run_until(1100);
     // The default of 4020h:1 is 250.0 °C.
     ASSERT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 300.0), 200);

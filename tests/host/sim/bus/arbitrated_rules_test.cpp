@@ -220,7 +220,7 @@ TEST(ArbitratedRules, EachReceivedFrameReducesTheReceiveErrorCounterByOne) {
     const Instant begin = bench.now;
     bench.pass_frames(1);
     const Instant end = begin + Duration{length_of("123#") * 8};
-    EXPECT_EQ(bench.node.states.back(), fmt::format("{} 0", end.us));  // 95 errors
+    EXPECT_EQ(bench.node.states.back(), fmt::format("{} 0", end.us));  // 95 errors are below the warning limit
 }
 
 TEST(ArbitratedRules, DisconnectedNodeCountsNoErrors) {
@@ -244,7 +244,7 @@ TEST(ArbitratedRules, FrameThatAReceiverLosesDoesNotReduceItsErrorCounter) {
     ASSERT_GT(received, 0U);
     ASSERT_LT(received, 40U);
     bench.pass_errors(received);
-    EXPECT_THAT(bench.node.states, IsEmpty());  // 95 errors
+    EXPECT_THAT(bench.node.states, IsEmpty());  // 95 errors are below the warning limit
     bench.pass_errors(1);
     EXPECT_THAT(bench.node.states, SizeIs(1));
 }

@@ -103,7 +103,7 @@ TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
 }
 
 TEST(EventLoop, IgnoredHangupSignalDoesNotEndTheLoop) {
-    const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    const auto before = std::signal(SIGHUP, SIG_IGN);  // SIGHUP is ignored, as under nohup
     {
         EventLoop loop;
         std::raise(SIGHUP);
