@@ -48,7 +48,7 @@ TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     check_error_list(4);
 }
 
-// 4.2.10: off, or 10 to 65535 ms
+// 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::INC_OD_1017>();
     check_producer_heartbeat();

@@ -248,7 +248,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
 
 TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
-    // index, first and last sub-index, number of bits
+    // index, first and last sub-index, number of bits of mappable entries
     struct Mappable {
         std::uint16_t index;
         int from, to, bits;

@@ -160,7 +160,7 @@ TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenDetectionIsOf
 
 TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesRoundedToTenths) {
     verifies<req::AOR_SRC_008>();
-    // Table 1: Y = X in tenths, from -300.0 to 300.0.
+    // Lookup table 1 has Y = X, in tenths, from -300.0 to 300.0.
     set8(0x3013, 0, 2);
     set8(0x3014, 0, 2);
     set16(0x3017, 1, -30000);

@@ -71,7 +71,7 @@ TEST_F(Ax130751Output, OutputRespondsWithinTenMilliseconds) {
     no_ramps(1);
     pass(100);
     for (int i = 1; i <= 20; ++i) {
-        // RPDO1: 7300h:1, 7300h:2, 6220h:3
+        // RPDO1 maps 7300h:1, 7300h:2 and 6220h:3
         send(fmt::format("27F#{}0000{:02X}", little_endian(static_cast<std::uint64_t>(200 * i), 2), i % 2));
         pass(9);
         EXPECT_FLOAT_EQ(volts(1), 0.2F * static_cast<float>(i));

@@ -159,7 +159,7 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
-// 3.2.14: destroy, disable, modify, enable, create
+// 3.2.14: re-mapping destroys the PDO, disables, modifies and enables its mapping, and creates the PDO
 TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
     verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists

@@ -11,7 +11,7 @@ class Ax130751Sources : public Ax130751Blocks {
   protected:
     void SetUp() override {
         Ax130751Blocks::SetUp();
-        // Y = X from -300 to 300, in tenths on both axes
+        // lookup table 1 has Y = X from -300 to 300, in tenths on both axes
         set8(0x3013, 0, 1);
         set8(0x3014, 0, 1);
         for (int point = 1; point <= 11; ++point) {

@@ -198,7 +198,7 @@ TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
     heat(1, 100.0);
     pass(1000);
     write(0x4030, 1, 2, 0);
-    // 4010h:1 = 90.0 degC
+    // 4010h:1 (TC High Temperature Warning Threshold) = 90.0 degC
     EXPECT_EQ(send("67F#2B10400184030000"), (Frames{"0FF#11F0010110000000", "5FF#6010400100000000"}));
     // 4010h:1 (TC High Temperature Warning Threshold) = 125.0 degC
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));

@@ -211,7 +211,7 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
-            // mean of the samples from n - 127 to n
+            // the output is the mean of the samples from n - 127 to n
             ASSERT_NEAR(filter.output(), 0.01F * (static_cast<float>(sample) - 63.5F), 0.02F) << sample;
         }
     }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace ax130751;
 
-// 10 units in 1 s up, in 500 ms down
+// the ramps cross 10 units in 1 s upwards, and in 500 ms downwards
 const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace

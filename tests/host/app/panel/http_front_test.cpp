@@ -236,7 +236,7 @@ TEST_F(PanelOverHttp, ForeignOriginHostContentTypeAndMethodAreRefused) {
 TEST_F(PanelOverHttp, OversizedBodiesAreRefused_AnnouncedOrChunked) {
     const std::string long_body(5000, ' ');
     EXPECT_THAT(post(long_body, own_page()), StartsWith("HTTP/1.1 413 "));
-    // Chunked: 1388h is 5000.
+    // The body is chunked; 1388h is 5000.
     EXPECT_THAT(exchange("POST /api/frame HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
                          "Transfer-Encoding: chunked\r\n\r\n1388\r\n" +
                          long_body + "\r\n0\r\n\r\n"),

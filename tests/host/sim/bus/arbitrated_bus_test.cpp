@@ -202,7 +202,7 @@ TEST_F(ArbitratedBusTest, BusOffLasts128Times11Bits_AndEndsErrorActive) {
     b.send("703#05");
     a.send("083#");  // sent while the node is off the bus
     run_until(*bus, Instant{1000}, Instant{100000});
-    // 128 × 11 bits × 8 us = 11264 us
+    // bus-off lasts 128 × 11 bits × 8 us = 11264 us
     EXPECT_THAT(a.states, ElementsAre("1000 3", "12264 0"));
     EXPECT_THAT(a.heard, IsEmpty());
     EXPECT_THAT(log, ElementsAre("b 703#05", "a 083#"));

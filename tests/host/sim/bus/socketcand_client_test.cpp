@@ -47,7 +47,7 @@ TEST_F(SocketcandClientText, ClientOpensTheBusAndEntersRawMode) {
 TEST_F(SocketcandClientText, FramesAreReadAsServersWriteThem) {
     join();
     hear("< frame 703 1700000001.234567 05 >< frame 583 0.0 4300100091010800 >");
-    // With the blanks of the manual of socketcand.
+    // the blanks are those of socketcand's manual
     hear("< frame 00000123 1.0 01 >< frame 080 1.000000  >< frame 123 23.424242 11 22 33 44 >");
     EXPECT_THAT(frames, ElementsAre("703#05", "583#4300100091010800", "00000123#01", "080#", "123#11223344"));
 }

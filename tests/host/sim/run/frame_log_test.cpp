@@ -83,7 +83,7 @@ TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
 TEST(FrameLog, PcapHasAHeaderAndPackets) {
     // version 2.4, no time zone, no accuracy, at most 65,535 bytes (FFFFh), link type 227 (E3h)
     const std::string header = "D4C3B2A1 0200 0400 00000000 00000000 FFFF0000 E3000000";
-    // 1 s and 1 us; 16 bytes captured of 16, as in a pcapng packet
+    // time stamp 1 s and 1 us; 16 bytes captured of 16, as in a pcapng packet
     const std::string heard = "01000000 01000000 10000000 10000000 00000603 08 000000 4000100000000000";
     const std::string own = "01000000 02000000 10000000 10000000 00000703 01 000000 0000000000000000";
     EXPECT_EQ(written(LogFormat::pcap), bytes(header + " " + heard + " " + own));
