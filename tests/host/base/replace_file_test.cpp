@@ -65,7 +65,7 @@ TEST(ReplaceFile, DeviceFileIsWrittenDirectly) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(FileBeside, TemporaryFileBecomesTheTargetOnlyIfThatDoesNotExist_AndIsLocked) {
+TEST(FileBeside, TemporaryFileReplacesNoExistingTarget_AndTheNewTargetIsLocked) {
     const ScratchFolder folder;
     FileBeside first{folder / "a"};
     FileBeside second{folder / "a"};

@@ -42,7 +42,7 @@ TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, FileInThePlaceOfTheFolderOrAboveItStays) {
+TEST(ReplaceFolder, FileWhereTheFolderOrItsParentShouldBeIsNotReplaced) {
     const ScratchFolder folder;
     ScratchFolder::fill(folder / "empty", "");
     for (const char* place : {"empty", "empty/", "empty/pack", "empty/a/pack"}) {
@@ -64,7 +64,7 @@ TEST(ReplaceFolder, FolderThatAKilledProgramMovedAwayIsRestored) {
     EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "2");
 }
 
-TEST(ReplaceFolder, OldFolderOfAKilledProgramIsRemovedWhenTheNewOneIsThere) {
+TEST(ReplaceFolder, OldFolderOfAKilledProgramIsRemovedWhenTheNewFolderExists) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     std::filesystem::create_directories(folder / ".pack.new.old");

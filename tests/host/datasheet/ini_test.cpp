@@ -77,7 +77,7 @@ TEST(Ini, RepeatedKeyIsReportedEvenWhenTheSectionBeforeHasAsManyKeys) {
     EXPECT_EQ(read.notes.front().what, "A is already in line 5");
 }
 
-TEST(Ini, AssignedFileHasOnlyTheSectionsOfItsNewText) {
+TEST(Ini, AssignmentReplacesAllSectionsOfAnIniFile) {
     Read read{"[A]\na=1\n"};
     const Read other{"[B]\nb=2\n"};
     read.file = read_ini("[C]\nc=3\n", EdsTelling{read.name, read.faults, read.notes});

@@ -242,7 +242,7 @@ TEST(Panel, FramesInOneAnswerAreBounded) {
     EXPECT_GE(state.at("next_frame").get<std::uint64_t>(), 6000U);
 }
 
-TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
+TEST(Panel, ViewOfADeviceUsesOnlySignalsOfThisDevice) {
     PanelBench bench{{"ax060805", "ax130751@1", "ax188001@2", "cbx-ao412@3"}};
     const nlohmann::json panel = bench.get("/api/panel");
     for (const auto& device : panel.at("devices")) {

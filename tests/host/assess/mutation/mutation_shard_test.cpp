@@ -66,7 +66,7 @@ class MutationShards : public testing::Test {
     std::vector<MutationOutcome> whole = seven_outcomes();
 };
 
-TEST_F(MutationShards, MergedShardsGiveTheSameBytesAsOneMachine) {
+TEST_F(MutationShards, MergedShardsEqualTheResultOfOneMachineByteForByte) {
     for (const std::size_t count : {1U, 2U, 3U, 7U, 9U}) {
         fs::remove_all(folder);
         for (std::size_t number = count; number >= 1; --number) {

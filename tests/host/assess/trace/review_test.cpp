@@ -118,7 +118,7 @@ TEST(Review, ReviewOfTheWordingRecordsCodeAndTestMarksAsUnread) {
     EXPECT_EQ(both.part("box")->reviews.at("AO4-R-1").marked, "");
 }
 
-TEST(Review, RenewalChangesNamedItemsOnly) {
+TEST(Review, NewReviewChangesOnlyTheItemsThatItNames) {
     const std::string first = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "one");
     const Register edited = read("a, but other", "b, but other", first);
     EXPECT_THAT(waiting_items(edited), ElementsAre("AO4-R-1", "AO4-R-2"));

@@ -153,7 +153,7 @@ TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
                 ElementsAre("0.000000 on", "1.000000 080#", "3000.000000 due", "6000.000000 due", "9000.000000 due"));
 }
 
-TEST_F(ReplayEdges, OptionUntilUsesTheTimeOfALogThatStartsLater) {
+TEST_F(ReplayEdges, OptionUntilCountsInTheTimeOfALogThatStartsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
     input.until = Instant{2010000};

@@ -202,7 +202,7 @@ TEST(RunSession, EventsKeepTheirTimesWhenTheClockIsReadLate) {
     EXPECT_EQ(often.log.str(), seldom.log.str());
 }
 
-TEST(RunSession, StimulusNamesOneDeviceOrAll) {
+TEST(RunSession, StimulusAppliesToTheDeviceThatItNamesOrToAllDevices) {
     // From 10 ms on, the selected devices are bus-off and do not answer. Counted frames: the boot-up message and the
     // answer.
     const auto frames = [](const std::string& signal) {
