@@ -42,7 +42,7 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Runs commands that print with a standard output that is full, or with a log or outputs that are."""
+    """Standard output, log or outputs on a full disk: each command ends with status 2 and one line that states the reason."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"

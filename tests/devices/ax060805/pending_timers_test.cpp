@@ -81,7 +81,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 
 }  // namespace
 
-// Without an additional filter the latest sample is shown.
+// Without an additional filter, the device gives the angle of the latest sample.
 TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};

@@ -132,7 +132,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // These sources are never below 0.
+    // The values of these three sources are never below 0.
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);

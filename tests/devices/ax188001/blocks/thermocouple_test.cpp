@@ -361,7 +361,7 @@ TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
     step.highest = to_fixed(1e6);
-    // It ends in the middle of the first interval that is at most 1e-5 degC long.
+    // The search ends in the middle of the first interval that is at most 1e-5 degC long.
     EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 5e-6);
 }
 

@@ -87,7 +87,7 @@ TEST_F(ArbitratedBusTest, ReportCountsLoadAndWorstLatency) {
     const BusReport report = bus->report(Instant{1000000});
     EXPECT_EQ(report.frames, 2U);
     EXPECT_EQ(report.errors, 0U);
-    // of one second, the bus is busy during the two frames and the 3 bits of intermission after each
+    // in one second, the bus is busy during the two frames and the 3 bits of intermission after each
     EXPECT_NEAR(report.load, static_cast<double>(first + second + 6 * 8) / 1.0e6, 1.0e-9);
     EXPECT_EQ(report.worst_latency.us, first + 3 * 8 + second);
     EXPECT_EQ(report.bit_rate, 125000U);
