@@ -156,7 +156,7 @@ def file_that_cannot_be_emptied(folder):
                     ["run", "cbx-ao412@3", "--seconds", "0.01", "--outputs"],
                     ["run", "cbx-ao412@3", "--seconds", "0.01", "--log"]):
         refused(canproof(*command, path), f"{command} of a sealed file",
-                f"cannot write {path} (Operation not permitted); name a file that you may write")
+                f"cannot write {path} (Operation not permitted); name another file")
     expect(os.pread(sealed, 100, 0) == b"kept\n", "the sealed file was changed")
     os.close(sealed)
 
