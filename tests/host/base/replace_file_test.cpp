@@ -80,7 +80,7 @@ TEST(FileBeside, TemporaryFileReplacesNoExistingTarget_AndTheNewTargetIsLocked) 
     EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), 0);
 }
 
-TEST(FileBeside, LeftoversOfTheTargetAreRemovedAndNothingElse) {
+TEST(FileBeside, OnlyTheLeftTemporaryFilesOfTheTargetAreRemoved) {
     const ScratchFolder folder;
     for (const char* name : {"a", ".a.12-0.new", ".a.new", ".a.mine.new", ".b.12-0.new", ".a.12-0.old"}) {
         ScratchFolder::fill(folder / name, "x");

@@ -34,7 +34,7 @@ TEST(ReplaceFolder, FolderMayHaveARelativePath) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
+TEST(ReplaceFolder, OldFolderStaysWhenANewFileCannotBeWritten) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);

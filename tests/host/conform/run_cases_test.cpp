@@ -69,7 +69,7 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchEndsBeforeTheRestoreSteps) {
+TEST(ConformRun, WatchTakesNoFramesFromTheRestoreSteps) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");

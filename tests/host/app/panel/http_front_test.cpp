@@ -106,7 +106,7 @@ TEST_F(HttpFrontEnd, SlowClientsDoNotDelayOtherClients) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(HttpFrontEnd, ConnectionsAreBounded_AndALateClientIsStillServed) {
+TEST_F(HttpFrontEnd, OldestConnectionIsClosedAboveTheLimit_AndALateClientIsServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
     EXPECT_TRUE(slow.front()->ended());  // the server has closed the oldest connection

@@ -121,7 +121,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n");
 }
 
-TEST(Panel, DeviceMayBeNamedWithoutItsNodeIdWhenUnique) {
+TEST(Panel, NodeIdOfADeviceMayBeOmittedWhenItsNameIsUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
     EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request of the README
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
@@ -231,7 +231,7 @@ TEST(Panel, PageGetsOnlyFramesThatItHasNotReceivedBefore) {
     EXPECT_EQ(bench.get("/api/state", 1U << 30U, 1U << 30U).at("frames").size(), 0U);
 }
 
-TEST(Panel, FramesInOneAnswerAreBounded) {
+TEST(Panel, NumberOfFramesInOneAnswerIsLimited) {
     PanelBench bench{{"cbx-ao412@3"}};
     for (std::uint64_t ms = 1; ms <= 3000; ++ms) {
         ASSERT_EQ(bench.send("703#R"), 200);

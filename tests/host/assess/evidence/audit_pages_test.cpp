@@ -69,7 +69,7 @@ TEST_F(AuditPages, CodeAndTestsAreLinksToTheirLines) {
     EXPECT_THAT(page, Not(HasSubstr("two.cpp.html")));
 }
 
-TEST_F(AuditPages, ItemShowsItsReviewOrWhyItNoLongerCounts) {
+TEST_F(AuditPages, PageOfAnItemShowsItsReviewOrWhyTheReviewExpired) {
     EXPECT_THAT(make().at("audit-device.html"),
                 HasSubstr("reviewed 2026-01-02 by someone, author of the change; read: item"));
     content_.parts[0].requirements[0].text = "edited";

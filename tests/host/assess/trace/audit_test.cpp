@@ -235,7 +235,7 @@ TEST_F(AuditOfASmallRegister, FilterAddsTheManualToASectionWithoutOne) {
     EXPECT_EQ(resolved({"M:Table 7", "requirement", ""}, content, all).section, "M:Table 7");
 }
 
-TEST_F(AuditOfASmallRegister, FilterRefusesUnknownNames) {
+TEST_F(AuditOfASmallRegister, FilterRefusesUnknownSectionsManualsAndKinds) {
     const std::vector<PartAudit> all{audit()};
     const auto refusal = [&](const AuditFilter& filter) -> std::string {
         try {

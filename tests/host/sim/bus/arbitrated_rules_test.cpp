@@ -260,7 +260,7 @@ TEST(ArbitratedRules, LoadOfAnEarlierTimeCountsTheFramesUpToThatTime) {
     EXPECT_DOUBLE_EQ(bench.bus.report(Instant{100}).load, 1.0);
 }
 
-TEST(ArbitratedRules, LoadCountsTheFramesOfALaterSecond) {
+TEST(ArbitratedRules, LoadAfterIdleSecondsIsThatOfTheLastSecond) {
     ErrorBench bench;
     bench.pass(milliseconds(3000));
     bench.node.send("703#05");

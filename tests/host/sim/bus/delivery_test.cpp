@@ -69,7 +69,7 @@ TEST(Delivery, NodeThatReportsNewFiltersReceivesWhatTheyAccept) {
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
 }
 
-TEST(Delivery, DeadlineIsThatOfTheFirstNodeThatMaySend) {
+TEST(Delivery, NextDeadlineIsThatOfTheFirstNodeThatMaySend) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};

@@ -193,7 +193,7 @@ TEST_F(SocketcandClient, StatisticsAreSentAtTheirPeriod) {
 
 /// Statistics are those of the bus. A client gets none of these frames: it has subscribed to another identifier, the
 /// second frame is a remote frame, and in control mode it gets no frames.
-TEST_F(SocketcandClient, StatisticsCountFramesThatTheClientDoesNotGet) {
+TEST_F(SocketcandClient, StatisticsCountFramesThatTheClientDoesNotReceive) {
     join("< subscribe 0 0 123 >");
     heard();
     arrives("703#05");

@@ -90,7 +90,7 @@ std::string replayed(const std::string& device, int node, const std::string& log
 
 }  // namespace
 
-TEST(RunSession, LogReplaysToTheSameFrames) {
+TEST(RunSession, ReplayOfALogGivesTheSameFrames) {
     TestRun run{{"cbx-ao412@3"}};
     converse(run);
     const auto own = frames_of(run.log.str(), "T");
