@@ -22,7 +22,7 @@ TEST_F(Sdo, ExpeditedUploadShowsItsLength) {
 
 TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     verifies<req::CO_SDO_002>();
-    // "CAN-CBX-AO412" has 13 bytes: segments of 7 and 6 bytes
+    // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
     // the last segment: `-AO412` and one unused byte
