@@ -205,7 +205,7 @@ class NaiveBus {
         start_ = at;
         const unsigned length = naive_frame_bits(stations_.at(sender_).queue.front().second);
         corrupted_ = happens(faults_.corrupted);
-        // 20 bits: error flags and delimiter
+        // an error frame takes 20 bits: the error flags and the delimiter
         const std::uint64_t used = corrupted_ ? 1U + draws_() % length + 20U : length;
         end_ = at + used * bit_;
         return true;

@@ -13,7 +13,7 @@ namespace canproof::naive_mapping {
 
 using naive_pdo::Mappable;
 
-// Abort codes; 0 when the write is accepted.
+// Abort codes of a write; 0 when it is accepted.
 constexpr std::uint32_t done = 0;
 constexpr std::uint32_t present_state = 0x08000022;
 constexpr std::uint32_t too_high = 0x06090031;

@@ -199,7 +199,7 @@ TEST_F(Unconfigured, FastscanIsCompleteOnlyAfterAllFourNumbers) {
     verifies<req::CO_LSS_054, req::CO_LSS_053>();
     const Frames yes{"7E4#4F00000000000000"};
     const std::vector<std::vector<Exchange>> shortcuts{
-        // the vendor-ID, then the serial number at once
+        // after the vendor-ID, the master sends the serial number at once
         {{"7E5#515F000000000003", yes}, {"7E5#5121112620000300", yes}},
         // the product code names the vendor-ID as the next number
         {{"7E5#515F000000000001", yes}, {"7E5#51010302AA000100", yes}},

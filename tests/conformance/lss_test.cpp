@@ -49,13 +49,13 @@ TEST_F(Lss, SwitchStateSelectiveWithWrongMissingOrMisplacedNumbersSelectsNoSlave
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
-                                                     // the slave has another revision number
+                                                     // the revision number is not that of the slave
                                                      {"7E5#4203000100000000", {}},
                                                      {"7E5#4321112620000000", {}}},
                                                     {{"7E5#405F000000000000", {}},
                                                      {"7E5#41010302AA000000", {}},
                                                      {"7E5#4202000100000000", {}},
-                                                     // the slave has another serial number
+                                                     // the serial number is not that of the slave
                                                      {"7E5#4320112620000000", {}}},
                                                     {{"7E5#41010302AA000000", {}},  // the vendor-ID is missing
                                                      {"7E5#4202000100000000", {}},

@@ -109,7 +109,7 @@ TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     EXPECT_EQ(send("603#4011640100000000"), (Frames{"583#4B11640100000000"}));
     inputs.can_overrun = true;
     EXPECT_EQ(set_inputs(), (Frames{"083#1081110100000000"}));
-    // operational: all
+    // operational: all services work
     send("000#0103");
     EXPECT_EQ(send("703#R"), (Frames{"703#85"}));
     send("303#0100000000000000");
@@ -117,7 +117,7 @@ TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     inputs.can_overrun = false;
     EXPECT_EQ(set_inputs(), (Frames{"083#0000000100000000"}));
-    // stopped: error control only
+    // stopped: only error control works
     send("000#0203");
     EXPECT_EQ(send("703#R"), (Frames{"703#04"}));
     EXPECT_TRUE(pass(100).empty());

@@ -340,7 +340,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
     send("605#2B0014050A000000");
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
-    // timer off: the error ends with the monitoring
+    // switching the event timer off ends the error together with the monitoring
     EXPECT_EQ(send("605#2B00140500000000"), (Frames{"085#0000000100000000", "585#6000140500000000"}));
     send("205#1122");
     EXPECT_TRUE(pass(100).empty());

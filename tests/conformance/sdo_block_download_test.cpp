@@ -210,7 +210,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
 
 TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
-    // each pair makes a sub-block of which only the first segment is in order
+    // each pair is a sub-block in which only the first segment has the expected number
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
     for (int pair = 0; pair < 6; ++pair) {
         talk(*this, {{"605#0141414141414141", {}}, {"605#7F42424242424242", {"585#A2017F0000000000"}}});

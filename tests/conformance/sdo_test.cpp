@@ -25,7 +25,7 @@ TEST_F(Sdo, SegmentedUploadReturnsTheDeviceName) {
     // "CAN-CBX-AO412" has 13 bytes: 7 and 6
     EXPECT_EQ(send("603#4008100000000000"), (Frames{"583#410810000D000000"}));
     EXPECT_EQ(send("603#6000000000000000"), (Frames{"583#0043414E2D434258"}));  // the first segment: `CAN-CBX`
-    // `-AO412`, one unused byte, last segment
+    // the last segment: `-AO412` and one unused byte
     EXPECT_EQ(send("603#7000000000000000"), (Frames{"583#132D414F34313200"}));
 }
 
@@ -59,10 +59,10 @@ TEST_F(Sdo, NumbersAreSentLeastSignificantByteFirst) {
 TEST_F(Sdo, SegmentedDownloadSetsTheValueWithItsLastSegment) {
     verifies<req::CO_SDO_004, req::CO_SDO_043>();
     EXPECT_EQ(send("603#2120100104000000"), (Frames{"583#6020100100000000"}));
-    // two bytes, five unused: byte 0 = 0 | 5 << 1
+    // the segment has two bytes of data and five unused: byte 0 = 0 | 5 << 1
     EXPECT_EQ(send("603#0A34120000000000"), (Frames{"583#2000000000000000"}));
     EXPECT_EQ(device->objects().read(0x1020, 1), 0U);  // the value is not set before the last segment
-    // Toggle bit, five unused bytes, last segment.
+    // Byte 0 has the toggle bit, five unused bytes, and the mark of the last segment.
     EXPECT_EQ(send("603#1B78560000000000"), (Frames{"583#3000000000000000"}));
     EXPECT_EQ(send("603#4020100100000000"), (Frames{"583#4320100134127856"}));
 }

@@ -33,7 +33,7 @@ class Store : public CbxTest {
     }
     std::string save() { return send("603#2310100173617665").at(0); }
 
-    // Offsets in the header, whose numbers are little-endian.
+    // Offsets of the fields of a stored set's header; the fields are little-endian.
     static constexpr std::size_t magic_at = 0;
     static constexpr std::size_t layout_at = 4;
     static constexpr std::size_t sequence_at = 8;

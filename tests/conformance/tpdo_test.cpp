@@ -164,7 +164,7 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
                     {"605#2300180195010080", {"585#6000180100000000"}},
                     {"605#2F001802FD000000", {"585#6000180200000000"}},
                     {"605#2300180185010000", {"585#6000180100000000"}},
-                    // 1800h:2 transmission type of TPDO1: another type
+                    // 1800h:2 transmission type of TPDO1 changes from 253 to 255
                     {"605#2F001802FF000000", {"185#2200", "585#6000180200000000"}},
                 });
 }
@@ -187,7 +187,7 @@ TEST_F(Tpdo, TpdoBitsArePackedFromTheLeastSignificantOfTheFirstByte) {
     send("605#2F03200201000000");  // 2003h:2 is bit 1 of the PDO and adds 2h
     send("605#2F03200301000000");  // 2003h:3 is bit 18 of the PDO and adds 40000h
     send("605#2F012003A5000000");  // 2001h:3 adds A5h << 19 = 5280000h
-    // 2h + 48D0h + 40000h + 5280000h = 52C48D2h
+    // the PDO is 2h + 48D0h + 40000h + 5280000h = 52C48D2h
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000", "385#D2482C05"}));
     EXPECT_EQ(send("605#2F03200301000000"), (Frames{"585#6003200300000000"}));
     EXPECT_EQ(send("605#2F03200300000000"), (Frames{"385#D2482805", "585#6003200300000000"}));

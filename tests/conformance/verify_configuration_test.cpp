@@ -146,7 +146,7 @@ TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigur
     EXPECT_EQ(bench.send("603#4020100100000000"), Frames{"583#4320100100000000"});
 }
 
-// CiA 301, 7.2.6: six bytes of time on 100h
+// CiA 301, 7.2.6: TIME has six bytes and the identifier 100h
 TEST_F(VerifyConfiguration, TimeMessageHasNoEffect) {
     verifies<req::CO_TIME_001>();
     leave_date_and_time();

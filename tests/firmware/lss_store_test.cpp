@@ -106,7 +106,7 @@ TEST(LssStore, SlotWithAWrongMarkerIsIgnored) {
 
 TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     verifies<req::CO_LSS_017, req::CO_LSS_065>();
-    // after each save the latest settings are in the first slot, the second, the first
+    // the latest settings are in the first slot after one save, in the second after two, in the first after three
     for (const int stores : {1, 2, 3}) {
         for (std::size_t at = 0; at < 40; ++at) {
             host::Memory memory{64};
@@ -149,7 +149,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
 
 TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
-    // Only a copy of a slot can cause this. Slots have 20 bytes each, at the end of the memory.
+    // Only a copy of a slot gives equal numbers. Slots have 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     auto& bytes = memory.bytes();
@@ -220,7 +220,7 @@ TEST(LssStore, FailedReadCountsAsNothingStored) {
     expect(LssStore{memory}.load(shipped), 5, 500000);
 }
 
-// CiA 305, 6.4.2: 1 to 127, and 255 for none
+// CiA 305, 6.4.2: valid node-IDs are 1 to 127, and 255 for no node-ID
 TEST(LssStore, ImpossibleStoredNodeIdCountsAsNothingStored) {
     verifies<req::CO_LSS_066, req::CO_K_LSS_LOWEST_NODE_ID, req::CO_K_LSS_HIGHEST_NODE_ID>();
     for (int node_id = 0; node_id <= 255; ++node_id) {

@@ -208,7 +208,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "605#0131323334353637",
         "605#8000240000000008",
         "605#FF00000000000000",
-        // heartbeat producer and consumer, guarding, SYNC, EMCY inhibit
+        // frames for heartbeat producer and consumer, guarding, SYNC, EMCY inhibit time
         "605#23161001C8000900",
         "605#2B171000C8000000",
         "709#05",
@@ -235,7 +235,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "605#2F01200155000000",
         "185#R",
         "285#R",
-        // store, restore, resets, stop
+        // frames that store, restore, reset and stop
         "605#2310100173617665",
         "605#231110016C6F6164",
         "000#8205",
@@ -243,7 +243,7 @@ TEST(NoAllocation, SlaveWithEveryServiceAllocatesNothingAfterStart) {
         "000#0105",
         "000#0205",
         "000#8005",
-        // LSS: selection, inquiry, identification, Fastscan
+        // frames of LSS: selection, inquiry, identification, Fastscan
         "7E5#0401000000000000",
         "7E5#5A00000000000000",
         "7E5#5E00000000000000",

@@ -79,7 +79,7 @@ TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
 
 TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_GUARD_007, req::CO_GUARD_008, req::CO_NMT_006>();
-    expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // 50 ms, twice
+    expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // guard time 50 ms, life time factor 2
            {
                {"nothing", {}, {"60:085#3081110100000000"}},
                {"a request", {"705#R1"}, {"100:085#3081110100000000"}},
@@ -93,7 +93,7 @@ TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
 
 TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
     verifies<req::CO_SYNC_003, req::CO_NMT_006>();
-    expect({"605#23061000A0860100", "605#2305100080000040"},  // 100,000 us
+    expect({"605#23061000A0860100", "605#2305100080000040"},  // SYNC period 100,000 us
            {
                {"nothing", {}, each(60, 100, "080#")},
                {"a new period", {"605#2306100050C30000"}, each(50, 50, "080#")},

@@ -112,7 +112,7 @@ TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
 TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     verifies<req::CO_SDO_016>();
     device->give(0x2207, Service::device);
-    // 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
+    // the requests write 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
     for (const char* request :
          {"605#2305100080000000", "605#2314100085000000", "605#2B0C100001000000", "605#2316100100000000",
           "605#2B17100000000000", "605#2F00140201000000", "605#2307220001020304"}) {
@@ -145,7 +145,7 @@ TEST_F(Plain, LssSwitchDelaysEndWithoutABitRateDriver) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     send("7E5#0401000000000000");
     EXPECT_EQ(send("7E5#1300030000000000"), Frames{"7E4#1300000000000000"});  // 250 kbit/s
-    // sent after 10 ms, and again after 10 ms more
+    // the node sends nothing for 10 ms before the switch and for 10 ms after it
     EXPECT_TRUE(send("7E5#150A000000000000").empty());
     EXPECT_TRUE(send("605#4000100000000000").empty());
     EXPECT_TRUE(pass(20).empty());

@@ -91,7 +91,7 @@ def check_cases(folder, bus, slave):
 
 
 def check_end_of_input(folder, bus, slave):
-    """Checks that the run ends as interrupted, with everything put back, when nobody switches the slave."""
+    """When nobody switches the slave, the run ends as interrupted, and every changed value has been restored."""
     test = conform(folder, bus, "store-power-cycle-unsaved")
     test.stdin.close()
     report = json.loads(test.stdout.read())

@@ -92,7 +92,7 @@ def workload_of_a_part_number():
 
 
 def unknown_commands():
-    """An unknown or absent command is named, with the command that lists the others."""
+    """An unknown or missing command is reported, with the command that lists the available ones."""
     for words, told in ((["nosuch"], "there is no command `canproof nosuch`; `canproof --help` lists the commands"),
                         (["spec", "nosuch"], "there is no command `canproof spec nosuch`; `canproof spec --help` lists the commands"),
                         (["spec"], "`canproof spec` needs a command; `canproof spec --help` lists the commands"),

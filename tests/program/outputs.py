@@ -42,7 +42,7 @@ def refused(result, what, *says):
 
 
 def full_disk(folder):
-    """Runs commands that print with a standard output that is full, or with a log or outputs that are."""
+    """Standard output, log or outputs on a full disk: each command ends with status 2 and one line that states the reason."""
     log = folder / "bus.log"
     log.write_text("(0.100000) can0 603#4000100000000000\n")
     verdicts = folder / "verdicts"
@@ -141,7 +141,7 @@ def no_folder(folder):
     for command in (["conform", "--list", "--cases"], ["inject", "cbx-ao412", "--merge"]):
         for name, why in ((folder / "none", "No such file or directory"), (full, "Not a directory")):
             refused(canproof(*command, name), f"{command} {name}",
-                    f"canproof: cannot read the folder {name}: {why}; name an existing folder that you may read")
+                    f"canproof: cannot read the folder {name}: {why}; name a folder that exists and can be read")
 
 
 def file_that_cannot_be_emptied(folder):
@@ -156,7 +156,7 @@ def file_that_cannot_be_emptied(folder):
                     ["run", "cbx-ao412@3", "--seconds", "0.01", "--outputs"],
                     ["run", "cbx-ao412@3", "--seconds", "0.01", "--log"]):
         refused(canproof(*command, path), f"{command} of a sealed file",
-                f"cannot write {path} (Operation not permitted); name a file that you may write")
+                f"cannot write {path} (Operation not permitted); name another file")
     expect(os.pread(sealed, 100, 0) == b"kept\n", "the sealed file was changed")
     os.close(sealed)
 

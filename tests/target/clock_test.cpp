@@ -80,7 +80,7 @@ TEST(TimeBase, TimeBaseCountsOverEveryWrapOf32Bits) {
     TimeBase time{timer.registers(), 84};
     time.start();
     EXPECT_EQ(timer.at(0x28), 83U);          // 84 MHz / 84 gives 1 us
-    EXPECT_EQ(timer.at(0x2C), 0xFFFFFFFFU);  // all 32 bits
+    EXPECT_EQ(timer.at(0x2C), 0xFFFFFFFFU);  // the counter counts over all 32 bits
     EXPECT_EQ(timer.at(0x14), 1U);           // the prescaler takes effect at once
     EXPECT_EQ(timer.at(0x00) & 1U, 1U);
     std::uint64_t expected = 0;

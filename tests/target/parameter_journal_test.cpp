@@ -16,7 +16,7 @@ namespace {
 using namespace stm32f405;
 using testing::IsEmpty;
 
-constexpr std::size_t size = 256;  // 16 lines
+constexpr std::size_t size = 256;  // the journal has 16 lines of 16 bytes
 using Bytes = std::vector<std::uint8_t>;
 
 /// The state that a power cut clears, on a flash that keeps its content.

@@ -70,7 +70,7 @@ TEST(PulseOutputs, PulseOutputsHaveFrequencyAndDutyCycle) {
     outputs.set_frequency(1000.0F);
     EXPECT_EQ(timer.at(0x28),
               1U);  // 84 MHz / 1 kHz = 84,000 counts are above 65,535, so the timer counts every second clock
-    EXPECT_EQ(timer.at(0x2C), 41999U);  // 42,000 counts
+    EXPECT_EQ(timer.at(0x2C), 41999U);  // 42,000 counts a period, minus 1
     outputs.set_duty(0, 0.5F);
     outputs.set_duty(1, 0.25F);
     EXPECT_EQ(timer.at(0x34), 21000U);

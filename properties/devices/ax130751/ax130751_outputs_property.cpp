@@ -88,7 +88,7 @@ RC_GTEST_PROP(OutputLaw, RampIsNeverSteeperThanConfiguredAndReachesItsTarget, ()
     }
     const double last = hundredths(-10, 10);
     ramp.follow(last, times, now);
-    // At most 20 units at 1 unit per 10 s or faster: at most 200 s.
+    // A ramp crosses at most 20 units, at 1 unit per 10 s or faster, so it ends after at most 200 s.
     RC_ASSERT(std::fabs(ramp.follow(last, times, now + milliseconds(200'001)) - last) <= 0.0);
 }
 

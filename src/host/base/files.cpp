@@ -16,7 +16,7 @@ std::ifstream open_input(const std::string& path) {
     }
     std::ifstream in{path, std::ios::binary};
     if (!in) {
-        throw InputError{fmt::format("cannot read {}; name an existing file that you may read", path)};
+        throw InputError{fmt::format("cannot read {}; name a file that exists and can be read", path)};
     }
     return in;
 }
@@ -36,7 +36,7 @@ std::filesystem::directory_iterator open_folder(const std::filesystem::path& fol
     std::error_code error;
     std::filesystem::directory_iterator entries{folder, error};
     if (error) {
-        throw InputError{fmt::format("cannot read the folder {}: {}; name an existing folder that you may read",
+        throw InputError{fmt::format("cannot read the folder {}: {}; name a folder that exists and can be read",
                                      folder.string(), error.message())};
     }
     return entries;
@@ -47,8 +47,8 @@ void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) {
-        throw InputError{fmt::format("cannot make the folder {}: {}; name a folder where you may write",
-                                     folder.string(), error.message())};
+        throw InputError{
+            fmt::format("cannot make the folder {}: {}; name another folder", folder.string(), error.message())};
     }
 }
 

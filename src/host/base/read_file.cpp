@@ -76,7 +76,7 @@ std::string read_to_end(int file, const std::filesystem::path& path, std::size_t
 std::string read_file(const std::filesystem::path& path, std::size_t most) {
     const OpenFile file{path};
     if (file.number() < 0) {
-        refuse(path, fmt::format("{}; name an existing file", reason(errno)));
+        refuse(path, fmt::format("{}; name a file that exists and can be read", reason(errno)));
     }
     struct stat about {};
     if (::fstat(file.number(), &about) != 0) {

@@ -81,7 +81,7 @@ class NameCheck {
         if (names.count("description") != names.count("channel") ||
             names.count("detail") + names.count("description") > 1) {
             fault(table.place,
-                  fmt::format("{} does not say once what the upper half of an entry in 1003h is", table.id),
+                  fmt::format("{} must say exactly once what the upper half of an entry in 1003h is", table.id),
                   "add both description and channel, or detail alone");
         }
     }

@@ -118,7 +118,7 @@ Faults lss_faults() {
     const std::string inquire = "7E5#5E00000000000000 ";
     const std::string node_5 = "7E4#5E05000000000000";
     const std::string found = "7E4#4F00000000000000";
-    // Removes the node-ID.
+    // These frames remove the node-ID.
     const std::string forget = configure + "7E5#11FF000000000000 " + wait + "000#8205 ";
     return {
         {"lss-waiting-answered", "lss", "serves requests of LSS configuration in LSS waiting", inquire, "", node_5,

@@ -43,7 +43,7 @@ Distortion stores_unasked() {
     });
 }
 
-/// As stores_unasked(), but the slave sends no answer to the store request that no master made.
+/// Does the same as stores_unasked(), but the slave does not answer the store request that no master made.
 Distortion stores_silently() {
     Distortion both = stores_unasked();
     const auto say = [inner = both.say](WrongSlave& slave, const Frame& frame) {

@@ -33,7 +33,7 @@ class WrongSlave final : public host::SimulatedDevice {
     std::uint32_t bit_rate() const override { return inner_->bit_rate(); }
     const ObjectDictionary* objects() const override { return inner_->objects(); }
 
-    // The functions for the hooks.
+    // The hooks use the following functions.
 
     /// Passes a frame to the correct slave.
     void pass(const Frame& frame) { inner_->receive(frame, now_); }

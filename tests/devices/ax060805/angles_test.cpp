@@ -75,7 +75,8 @@ TEST_F(Angles, TiltAngleJumpsWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007>();
     EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));
     EXPECT_EQ(angles_at(0.5, -0.8660254, 0.0001), (Row{15000, 12000, 9001}));
-    EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001), (Row{3000, 6000, 8999}));  // no hysteresis
+    EXPECT_EQ(angles_at(0.5, -0.8660254, -0.0001),
+              (Row{3000, 6000, 8999}));  // the first result again: there is no hysteresis
 }
 
 TEST_F(Angles, AttitudeWithYaw90GivesTheSameAnglesAsWithYaw0) {
@@ -152,7 +153,7 @@ TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     pass(5);
     EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
     write(0x2300, 0, 0, 1);
-    EXPECT_EQ(roll(), 2000);  // the average continues
+    EXPECT_EQ(roll(), 2000);  // writing 0 does not start the average again
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);

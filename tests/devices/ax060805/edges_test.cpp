@@ -62,7 +62,7 @@ TEST_F(InclinometerEdges, EulerRollIsKeptWithin0Point00005DegreesOfTheVertical) 
     // sin 0.00005 degrees is 8.7266e-7
     EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 32767);  // 40 degrees exceed 16 bits
     angle_digits(100);
-    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the last roll
+    EXPECT_EQ(angles_at(1.0, 8.722e-7, 0.0)[1], 4000);   // the roll is kept at 40 degrees
     EXPECT_EQ(angles_at(1.0, 8.731e-7, 0.0)[1], -9000);  // the roll that the formula gives
 }
 
@@ -71,7 +71,7 @@ TEST_F(InclinometerEdges, FigureOfMeritIs1BelowATenthOfG) {
     EXPECT_EQ(merit_at(0.0, 0.0, -0.10005), 0U);
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
     EXPECT_EQ(merit_at(0.0, 0.10005, 0.0), 0U);
-    EXPECT_EQ(roll(), -32768);  // -90 degrees
+    EXPECT_EQ(roll(), -32768);  // -90 degrees are below the lowest 16-bit value
     EXPECT_EQ(merit_at(0.0, 0.0, -0.09995), 1U);
     EXPECT_EQ(roll(), -32768);  // the roll of the last direction with enough gravity
 }

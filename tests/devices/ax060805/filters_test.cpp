@@ -168,7 +168,7 @@ TEST_F(Filters, FailedSensorFreezesTheAverages) {
     inputs.accelerometer_fault = true;
     set_inputs();
     pass(30);
-    EXPECT_EQ(pitch(), 2000);  // no third sample
+    EXPECT_EQ(pitch(), 2000);  // a failed accelerometer gives no third sample
     write(0x2051, 1, 8, 2);
     EXPECT_EQ(pitch(), 2000);  // no third sample was taken in the meantime
 }

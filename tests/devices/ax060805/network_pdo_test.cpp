@@ -36,11 +36,11 @@ TEST_F(Network, Tpdo2And3AreNotSentUntilTheirTimersAreSet) {
     EXPECT_EQ(send("000#0100"), (Frames{}));
     EXPECT_EQ(pass(1000), (Frames{}));
     write(0x1801, 5, 100, 2);
-    // 100 = 0064h, -200 = FF38h, -1000 = FC18h, 21 = 0015h
+    // the mapped values: 100 = 0064h, -200 = FF38h, -1000 = FC18h, 21 = 0015h
     EXPECT_EQ(pass(100), (Frames{"100:2FF#640038FF18FC1500"}));
     write(0x1801, 5, 0, 2);
     write(0x1802, 5, 100, 2);
-    // 12.0 = 41400000h, -2.5 = C0200000h
+    // the mapped values: 12.0 = 41400000h, -2.5 = C0200000h
     EXPECT_EQ(pass(100), (Frames{"100:3FF#00004041000020C0"}));
 }
 

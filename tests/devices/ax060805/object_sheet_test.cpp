@@ -48,7 +48,7 @@ TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     check_error_list(4);
 }
 
-// 4.2.10: off, or 10 to 65535 ms
+// 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::INC_OD_1017>();
     check_producer_heartbeat();
@@ -101,7 +101,7 @@ TEST_F(InclinometerObjectSheet, SensorAndFilterObjectsMatchTheManual) {
         {0x2030, 3, u16, Access::rw, {1}, 1, 1000},
         {0x2031, 3, u8, Access::rw, {0}, 0, 1},
         {0x2040, 3, real, Access::rw, {0}, least_of_all, most},
-        {0x2050, 3, u8, Access::rw, {0}, 0, 2},  // Table 4
+        {0x2050, 3, u8, Access::rw, {0}, 0, 2},  // 2050h: the three filter types of Table 4
         {0x2051, 3, u16, Access::rw, {10}, 1, 60000},
         {0x2052, 0, u16, Access::rw, {10}, 1, 60000},
     });

@@ -49,8 +49,8 @@ std::vector<Limits> manufacturer_limits() {
         {0x2051, 3, 2, {1, 60000}, {0}, {60001}},
         {0x2052, 0, 2, {1, 60000}, {0}, {60001}},
         {0x2100, 0, 1, {0, 1}, {}, {2}},
-        {0x2200, 0, 4, {0xC2B40000, 0x42B40000}, {0xC2B40001}, {0x42B40001}},  // 90 degrees
-        {0x2210, 0, 4, {0xC3340000, 0x43340000}, {0xC3340001}, {0x43340001}},  // 180 degrees
+        {0x2200, 0, 4, {0xC2B40000, 0x42B40000}, {0xC2B40001}, {0x42B40001}},  // -90 to 90 degrees
+        {0x2210, 0, 4, {0xC3340000, 0x43340000}, {0xC3340001}, {0x43340001}},  // -180 to 180 degrees
         {0x2501, 3, 2, {10, 1000}, {0, 9}, {1001}},
         real(0x2502, 3),
         {0x300A, 10, 1, {20, 0}, {}, {21}},
@@ -248,7 +248,7 @@ TEST_F(Parameters, CommandsAndProcessValuesAreNotStored) {
 
 TEST_F(Parameters, EveryEntryIsMappableAsTheManualSays) {
     verifies<req::INC_PDO_007, req::INC_PDO_008, req::INC_OD_2500, req::INC_OD_3000, req::INC_OD_4000>();
-    // index, first and last sub-index, number of bits
+    // index, first and last sub-index, number of bits of mappable entries
     struct Mappable {
         std::uint16_t index;
         int from, to, bits;

@@ -81,7 +81,7 @@ class IncPending : public testing::Test, public InclinometerBench {
 
 }  // namespace
 
-// Without an additional filter the latest sample is shown.
+// Without an additional filter, the device gives the angle of the latest sample.
 TEST_F(IncPending, NextSampleIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_FILTER_001, req::INC_AVG_004>();
     const Shown kept{{25, 6000}};
@@ -176,8 +176,8 @@ TEST_F(IncPending, NextFilterSampleIsKeptOrRestartedByEachEvent) {
 // the next block.
 TEST_F(IncPending, FilterBlockIsKeptOrRestartedByEachEvent) {
     verifies<req::INC_AVG_003, req::INC_AVG_011, req::INC_AVG_004, req::INC_AVG_012, req::INC_AVG_013>();
-    const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // 0 60 60, then 60 60 60
-    const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // 20 60 60
+    const Shown kept{{42, 3000}, {82, 4000}, {202, 6000}};                  // blocks of 0 60 60, then 60 60 60
+    const Shown renewed{{20, 2000}, {60, 4000}, {100, 4667}, {220, 6000}};  // blocks of 20 60 60
     const Shown begun_again{{20, 2000}, {42, 4000}, {82, 4667}, {202, 6000}};
     const std::vector<Case> cases{
         {"nothing happens", [] {}, kept},

@@ -143,7 +143,7 @@ TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
 TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
-    // saves all groups, then only that of the manufacturer
+    // first all groups are restored, then only that of the manufacturer
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         power_on();
         write(0x2000, 0, 0, 1);

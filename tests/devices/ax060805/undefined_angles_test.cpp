@@ -83,8 +83,8 @@ TEST_F(UndefinedAngles, NewInitialAnglesTurnTheKeptRoll) {
     EXPECT_EQ(angles(), (Row{9000, 0, 9000}));  // the last defined roll is that of the level machine: 0
 }
 
-/// The initial angles change. In the new frame of reference, the only direction of gravity so far is vertical except
-/// for a hundred-thousandth of a degree.
+/// The initial angles change. In the new frame of reference, the one direction of gravity measured so far is within
+/// 0.00002 degrees of the vertical.
 TEST_F(UndefinedAngles, EulerRollIsZeroWhereTheLastDirectionIsVerticalInTheNewFrame) {
     verifies<req::INC_ANGLE_019>();
     use_euler_angles();

@@ -26,7 +26,7 @@ class Ax130751Channels : public Ax130751Blocks {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);
         start();
-        send("27F#A00FA00F00");  // 4 V each
+        send("27F#A00FA00F00");  // commands 4 V at each output
         send("57F#0101");
         pass(60);
     }
@@ -88,7 +88,7 @@ TEST_F(Ax130751Channels, EachAnalogueOutputHasItsOwnFaultModeAndValue) {
     for (const int ours : {1, 2}) {
         SCOPED_TRACE(ours);
         const int other = 3 - ours;
-        set8(0x6340, ours, 0);  // keeps its value
+        set8(0x6340, ours, 0);  // fault mode 0: the output keeps its value
         set8(0x6340, other, 1);
         set16(0x7341, ours, 1000);
         set16(0x7341, other, 2000);
@@ -108,7 +108,7 @@ TEST_F(Ax130751Channels, EachDigitalOutputHasItsOwnFaultModeAndState) {
     for (const int ours : {1, 2}) {
         SCOPED_TRACE(ours);
         const int other = 3 - ours;
-        set8(0x6250, ours, 0);  // keeps its state
+        set8(0x6250, ours, 0);  // fault mode 0: the output keeps its state
         set8(0x6250, other, 1);
         set8(0x6340, ours, 1);  // 6340h is the fault mode of an analogue output; it has no effect here
         set8(0x6340, other, 0);

@@ -184,7 +184,7 @@ TEST_F(Ax130751Diagnostics, RelayRunsItsOnDelayAfterAHardwareShutdown) {
     verifies<req::AOR_DIAG_014>();
     set8(0x5021, 0, 0);
     set8(0x22A0, 1, 1);
-    set32(0x22A1, 1, 50);  // ON delay
+    set32(0x22A1, 1, 50);  // the ON delay is 50 ms
     pass(50);
     for (const float sound : {7.0F, 39.0F}) {
         supply(sound);

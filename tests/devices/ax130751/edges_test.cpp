@@ -65,7 +65,7 @@ class Ax130751Edges : public Ax130751Blocks {
         extra_as_percent(1);
         set8(0x2360, 1, canopen);
         set8(0x2361, 1, 4);
-        set8(0x2362, 1, 1);  // override when OFF
+        set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     }
     /// Sets up math block 1 with 2500h:1 (EC Extra Received Process Value) and 2500h:2, fractions of 10000, and one
     /// operator.
@@ -163,7 +163,7 @@ TEST_F(Ax130751Edges, OutputsRunFrom7To39VoltsWithoutHysteresisWhenDetectionIsOf
 
 TEST_F(Ax130751Edges, SupplyAndTemperatureAreSourcesRoundedToTenths) {
     verifies<req::AOR_SRC_008>();
-    // Table 1: Y = X in tenths, from -300.0 to 300.0.
+    // Lookup table 1 has Y = X, in tenths, from -300.0 to 300.0.
     set8(0x3013, 0, 2);
     set8(0x3014, 0, 2);
     set16(0x3017, 1, -30000);

@@ -49,7 +49,7 @@ TEST_F(Ax130751Errors, LostHeartbeatIsListedWithItsProducer) {
     EXPECT_EQ(refusal(0x1015, 0), "06020000");
 }
 
-// 3.2.9: four producers, each with its own time
+// 3.2.9: the device monitors four producers, each with its own time
 TEST_F(Ax130751Errors, EachOfFourProducersIsMonitoredFromItsFirstHeartbeat) {
     verifies<req::AOR_HB_001, req::AOR_OD_1016, req::AOR_HB_003>();
     for (int slot = 1; slot <= 4; ++slot) {
@@ -194,7 +194,7 @@ TEST_F(Ax130751Errors, StoppedNodeStaysStoppedAtAHeartbeatError) {
     EXPECT_EQ(device->state(), NmtState::stopped);
 }
 
-// 3.2.5, 3.2.6: 100 ms times 2
+// 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
 TEST_F(Ax130751Errors, LifeGuardingFailsWithoutRequestsAndIsOffWithAHeartbeat) {
     verifies<req::AOR_GUARD_001, req::AOR_DIAG_010, req::AOR_T23, req::AOR_OD_100C, req::AOR_OD_100D,
              req::AOR_GUARD_002>();

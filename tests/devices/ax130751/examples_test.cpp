@@ -92,7 +92,7 @@ TEST_F(Ax130751Examples, JoystickWithDeadbandDrivesTwoOutputs) {
     }
 }
 
-// 1.7: gains 0.75 and 0.25
+// 1.7: the joystick has a gain of 0.75, the potentiometer one of 0.25
 TEST_F(Ax130751Examples, PotentiometerTrimsAJoystick) {
     verifies<req::AOR_OD_4140>();
     declare_extra(1, 1000);

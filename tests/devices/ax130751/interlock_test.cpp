@@ -133,7 +133,7 @@ TEST_F(Ax130751Interlock, DisablingEnableShutsOffAnAnalogueOutputWhoseControlIsL
     set8(0x6340, 1, 0);  // fault mode 0: the output keeps its last value
     set16(0x1400, 5, 50);
     start();
-    send("27F#A00F000000");  // 4 V
+    send("27F#A00F000000");  // commands 4 V
     pass(60);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
     extra(1, 100);

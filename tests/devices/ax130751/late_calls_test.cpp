@@ -87,7 +87,7 @@ TEST_F(Ax130751LateCalls, LostMessageAffectsTheOutputInTheNextCycle) {
     set16(0x7341, 1, 3000);
     set16(0x1400, 5, 50);
     start();
-    send("27F#E803000000");  // 1 V
+    send("27F#E803000000");  // commands 1 V
     wait(50);
     device->advance(now);
     EXPECT_FLOAT_EQ(volts(1), 1.0F) << "the cycle of this millisecond came before the time-out";

@@ -132,7 +132,7 @@ TEST_F(Ax130751LookupMinimum, Point1FollowsTheMinimumOfEachSourceKindExceptTable
     EXPECT_EQ(x(4, 1), -15) << "5033h";
     set8(0x5032, 0, 80);
     EXPECT_EQ(x(4, 1), -20) << "5032h";
-    // These sources are never below 0.
+    // The values of these three sources are never below 0.
     choose(4, supply_source, 1);
     EXPECT_EQ(x(4, 1), 0);
     choose(4, logic_source, 1);
@@ -188,7 +188,7 @@ TEST_F(Ax130751LookupMinimum, CommandOfADigitalOutputHasMinimum0) {
 TEST_F(Ax130751LookupMinimum, RoundedMinimumStaysWithinTheLimits) {
     verifies<req::AOR_LT_018, req::AOR_LT_009>();
     set16(0x2522, 1, 2100);
-    set16(0x2520, 1, -405);  // -40.5
+    set16(0x2520, 1, -405);  // 2520h:1 (EC Scaling 1 PV) is -40.5
     choose(1, canopen, 4);
     EXPECT_EQ(x(1, 1), -40);
     EXPECT_EQ(write(0x3016, 1, -41, 4), "06090032");

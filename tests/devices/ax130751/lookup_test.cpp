@@ -91,7 +91,7 @@ TEST_F(Ax130751Lookup, LimitsForOtherBlocksComeFromAllPoints) {
     // Logic block 1 shows the output as a percentage of the limits of table 1.
     connect(1, 1);
     set8(0x3300, 1, 1);
-    set8(0x3015, 3, 0);  // only (0, 0) and (10, 10) count
+    set8(0x3015, 3, 0);  // point 3 is ignored, so only (0, 0) and (10, 10) count
     extra(1, 5);
     EXPECT_EQ(get16(0x3320, 1), 50) << "5.0 % of 0 to 100";
     for (int point = 1; point <= 10; ++point) {
@@ -371,7 +371,7 @@ TEST_F(Ax130751Lookup, ErrorOfTheInputIsPassedOn) {
     pass(60);
     EXPECT_EQ(output(1), 40) << "keeps its value";
     EXPECT_FLOAT_EQ(volts(1), 2.0F) << "but the output takes its fault value";
-    // In time response the output stops.
+    // While the X axis is time, an input in error makes the output of the table 0.
     send("37F#640000000000");
     set8(0x3015, 1, 1);
     set32(0x3016, 2, 20);

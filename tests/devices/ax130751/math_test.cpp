@@ -219,7 +219,7 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     set16(0x4122, 4, 10000);
     set8(0x4103, 4, 2);
     pass(50);
-    // x = 0.4 + x / 4 has the solution 0.5333
+    // the output x is fed back: x = 0.4 + x / 4 has the solution 0.5333
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 

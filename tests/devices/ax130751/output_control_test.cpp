@@ -71,7 +71,7 @@ TEST_F(Ax130751Output, OutputRespondsWithinTenMilliseconds) {
     no_ramps(1);
     pass(100);
     for (int i = 1; i <= 20; ++i) {
-        // RPDO1: 7300h:1, 7300h:2, 6220h:3
+        // RPDO1 maps 7300h:1, 7300h:2 and 6220h:3
         send(fmt::format("27F#{}0000{:02X}", little_endian(static_cast<std::uint64_t>(200 * i), 2), i % 2));
         pass(9);
         EXPECT_FLOAT_EQ(volts(1), 0.2F * static_cast<float>(i));
@@ -122,7 +122,7 @@ TEST_F(Ax130751Output, OverrideSetsTheValueOf2300hAtOnce) {
     extra(2, 100);
     EXPECT_FLOAT_EQ(volts(1), -7.5F);
     EXPECT_EQ(get16(0x7330, 1), -7500);
-    set8(0x2362, 1, 1);  // override when OFF
+    set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     extra(2, 0);
     EXPECT_FLOAT_EQ(volts(1), -7.5F);
     extra(2, 100);
@@ -134,7 +134,7 @@ TEST_F(Ax130751Output, OverridePrecedesEnable) {
     verifies<req::AOR_OUT_007>();
     make(10);
     set16(0x2300, 1, 1000);
-    connect(0x2350, 1);  // response 3: enabled while OFF
+    connect(0x2350, 1);  // enable response 3, the default: the output is enabled while this input is OFF
     connect(0x2360, 2);
     command(1, 4000);
     extra(1, 100);
@@ -171,7 +171,7 @@ TEST_F(Ax130751Output, UnusedOverrideIsNotReadAsOff) {
     make(10);
     set16(0x2300, 1, -3000);
     set8(0x2360, 1, not_used);
-    set8(0x2362, 1, 1);  // override when OFF
+    set8(0x2362, 1, 1);  // override response 1: the override works while its input is OFF
     command(1, 4000);
     EXPECT_FLOAT_EQ(volts(1), 4.0F);
     connect(0x2360, 2);

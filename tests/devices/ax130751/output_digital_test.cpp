@@ -102,7 +102,7 @@ TEST_F(Ax130751Output, DigitalOutputFollowsOverrideDisableAndFault) {
     connect(0x2350, 1);
     connect(0x2360, 2);
     EXPECT_TRUE(is_on(1));
-    extra(1, 100);  // disabled, shut off
+    extra(1, 100);  // the enable input disables the output, which is then shut off
     EXPECT_FALSE(is_on(1));
     set16(0x2300, 1, 1);
     extra(2, 100);

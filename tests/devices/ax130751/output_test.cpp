@@ -213,7 +213,7 @@ TEST_F(Ax130751Output, FieldValuesOutsideTheRangeOfTheTypeAreRefused) {
             EXPECT_EQ(write(index, output, 10001, 2), "06090031");
             EXPECT_EQ(write(index, output, -10000, 2), "");
             EXPECT_EQ(write(index, output, -10001, 2), "06090032");
-            set8(0x6332, output, 2);  // 10.00 V
+            set8(0x6332, output, 2);  // two decimal digits: 1000 is 10.00 V
             EXPECT_EQ(write(index, output, 1000, 2), "");
             EXPECT_EQ(write(index, output, 1001, 2), "06090031");
             set16(0x6310, output, 500);

@@ -18,7 +18,7 @@ constexpr std::int64_t no_rtr = 0x40000000;
 TEST_F(Ax130751Pdo, Rpdo1SetsBothProcessValuesAndTheRelay) {
     verifies<req::AOR_PDO_001, req::AOR_OD_1400, req::AOR_OD_1600, req::AOR_OD_7300, req::AOR_OD_6220>();
     start();
-    send("27F#E80318FC01");  // 1000, -1000, on
+    send("27F#E80318FC01");  // 7300h:1 = 1000, 7300h:2 = -1000, the relay ON
     EXPECT_EQ(read(0x7300, 1), 1000U);
     EXPECT_EQ(read(0x7300, 2), 0xFC18U);
     EXPECT_EQ(read(0x6220, 3), 1U);
@@ -98,7 +98,7 @@ TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidAndTimedAndTheEmptyTpdo3IsNot) {
     inputs.supply = 24.0F;
     inputs.cpu_temperature = 35.0F;
     set_inputs();
-    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // TPDO1 is off
+    EXPECT_EQ(write(0x1800, 5, 0, 2), "");  // the event timer of TPDO1 is off
     start();
     EXPECT_EQ(pass(200), Frames{});
     send("27F#E803D00700");
@@ -159,7 +159,7 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
     EXPECT_EQ(send("1FF#R"), Frames{"1FF#00000000"});
 }
 
-// 3.2.14: destroy, disable, modify, enable, create
+// 3.2.14: re-mapping destroys the PDO, disables, modifies and enables its mapping, and creates the PDO
 TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
     verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists

@@ -108,7 +108,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
         SetUp();
         connect_relay();
         command_relay(1);
-        pass(1);  // this cycle detects it
+        pass(1);  // this cycle reads the command
         pass(10);
         ASSERT_FALSE(relay_on()) << one.name;
         expect(one, false);
@@ -145,7 +145,7 @@ TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
         command_relay(1);
         pass(1);
         command_relay(0);
-        pass(1);  // this cycle detects it
+        pass(1);  // this cycle reads the command
         pass(10);
         ASSERT_TRUE(relay_on()) << one.name;
         expect(one, true);
@@ -181,7 +181,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
         set16(0x2250, 1, 40);
         set8(0x2242, 1, 5);
         command_relay(1);
-        pass(1);  // this cycle detects it
+        pass(1);  // this cycle reads the command
         pass(10);
         ASSERT_TRUE(relay_on()) << one.name;
         expect(one, true);

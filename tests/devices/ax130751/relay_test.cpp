@@ -207,8 +207,8 @@ TEST_F(Ax130751Relay, EnableOverrideOrUsedUnlatchInErrorPutsTheRelayOff) {
     set32(0x1401, 1, 0x4000037F);  // RPDO2, which maps 2500h:1 (EC Extra Received Process Value), becomes valid
     set16(0x1401, 5, 100);
     start();
-    for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // enable
-                                             {0x2290, 1, true},     // override
+    for (const Case& one : std::vector<Case>{{0x2280, 1, true},     // the enable input
+                                             {0x2290, 1, true},     // the override input
                                              {0x2270, 1, false},    // unlatch of a relay without a latch
                                              {0x2270, 3, true}}) {  // unlatch of a latched relay
         set8(0x2242, 1, one.polarity);
@@ -338,7 +338,7 @@ TEST_F(Ax130751Relay, DisabledRelayThatKeepsItsStateNeedsNoControl) {
 TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     verifies<req::AOR_RELAY_016, req::AOR_T12>();
     set8(0x2290, 1, not_used);
-    set8(0x2292, 1, 1);  // override when OFF
+    set8(0x2292, 1, 1);  // override response 1: the override works while its input is OFF
     set8(0x2293, 1, 1);
     EXPECT_FALSE(control(0));
     connect(0x2290, 2);

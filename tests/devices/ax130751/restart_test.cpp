@@ -76,7 +76,7 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsControl) {
 TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2241, output, 1);  // inverse: ON without a command
-    set8(0x2352, output, 0);  // enabled when ON
+    set8(0x2352, output, 0);  // enable response 0: the output is enabled while its enable input is ON
     follow_supply(0x2350, output);
     forgets("enable", [&] { return is_on(output); });
 }
@@ -84,7 +84,7 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
 TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set16(0x2300, output, 1);
-    set8(0x2362, output, 0);  // overridden when ON
+    set8(0x2362, output, 0);  // override response 0: the override works while its input is ON
     follow_supply(0x2360, output);
     forgets("override", [&] { return is_on(output); });
 }
@@ -100,7 +100,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayControl) {
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2242, 1, 2);  // inverse: ON without a command
-    set8(0x2282, 1, 0);  // enabled when ON
+    set8(0x2282, 1, 0);  // enable response 0: the relay is enabled while its enable input is ON
     follow_supply(0x2280, 1);
     forgets("enable", [&] { return relay_on(); });
 }
@@ -108,7 +108,7 @@ TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayEnable) {
 TEST_F(Ax130751Restart, ResetNodeClearsTheHysteresisOfTheRelayOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2293, 1, 1);
-    set8(0x2292, 1, 0);  // overridden when ON
+    set8(0x2292, 1, 0);  // override response 0: the override works while its input is ON
     follow_supply(0x2290, 1);
     forgets("override", [&] { return relay_on(); });
 }

@@ -11,7 +11,7 @@ class Ax130751Sources : public Ax130751Blocks {
   protected:
     void SetUp() override {
         Ax130751Blocks::SetUp();
-        // Y = X from -300 to 300, in tenths on both axes
+        // lookup table 1 has Y = X from -300 to 300, in tenths on both axes
         set8(0x3013, 0, 1);
         set8(0x3014, 0, 1);
         for (int point = 1; point <= 11; ++point) {
@@ -64,7 +64,7 @@ class Ax130751Sources : public Ax130751Blocks {
 
 TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     verifies<req::AOR_SRC_001, req::AOR_SRC_002, req::AOR_SRC_003, req::AOR_SRC_009, req::AOR_T4A, req::AOR_T4B>();
-    set16(0x7300, 1, 1100);  // 1.1 V
+    set16(0x7300, 1, 1100);  // 1100 is 1.1 V
     set16(0x7300, 2, 2200);
     set8(0x6220, 3, 1);
     EXPECT_EQ(tenths(1, 1), 11);
@@ -183,10 +183,10 @@ TEST_F(Ax130751Sources, SourceLimitsFollowTable5) {
     expect_limits(4, 1, 0, 10000);  // limits of 4021h (Math Output Scaling 1 PV) and 4023h: 0 to 100 %
     set16(0x4021, 2, 3000);
     set16(0x4023, 2, -3000);
-    expect_limits(4, 2, -3000, 3000);  // the smaller first
+    expect_limits(4, 2, -3000, 3000);  // the smaller scaling is the lower limit
     set8(0x4032, 3, 0);
     set16(0x4023, 3, 80);
-    expect_limits(4, 3, 0, 8000);     // without decimal digits
+    expect_limits(4, 3, 0, 8000);     // with 0 decimal digits, 80 is 80 %
     expect_limits(8, 0, 800, 3500);   // limits of 5022h (Under Voltage Threshold) and 5023h: 8 to 35 V
     expect_limits(9, 0, 6000, 8500);  // 5032h (Over Temperature Threshold) and 5033h: 85 - 25 = 60 to 85 degrees
     set16(0x7321, 1, 4000);

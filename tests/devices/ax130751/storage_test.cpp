@@ -130,7 +130,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
     EXPECT_EQ(read(0x5032, 0), 99U);
 }
 
-// 3.4.87, 3.4.88, and the bold sentence of 3.2.7
+// sources: 3.4.87, 3.4.88, and the bold sentence of 3.2.7
 TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_NODE_003, req::AOR_OD_5B50,
              req::AOR_OD_5B51>();

@@ -213,7 +213,7 @@ TEST(Ax130751Tables, Table10RelayPolarityFollowsTheManual) {
     verifies<req::AOR_T10>();
     namespace t = own::relay_polarity;
     using D = t::Drive;
-    // before/now: OFF/OFF, OFF/ON, ON/OFF, ON/ON
+    // control before and now: OFF and OFF, OFF and ON, ON and OFF, ON and ON
     const std::array<std::array<D, 4>, 6> drives{{{D::none, D::none, D::none, D::none},
                                                   {D::off, D::on, D::off, D::on},
                                                   {D::on, D::off, D::on, D::off},

@@ -22,7 +22,7 @@ class Ax130751Takeover : public Ax130751Test {
 
 }  // namespace
 
-// 1.2 Table 1: blinking begins with ON
+// 1.2 Table 1: an output that blinks begins with ON
 TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
     verifies<req::AOR_DO_004>();
     write(0x6310, 1, 1020, 2);
@@ -223,7 +223,7 @@ TEST_F(Ax130751Takeover, UnlatchActiveBeforeTheLatchWasChosenIsUsed) {
     EXPECT_TRUE(device->outputs().relay_nc);
 }
 
-// 1.8: measuring does not depend on detection
+// 1.8: supply and temperature are measured even while their detection is off
 TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     verifies<req::AOR_DIAG_001, req::AOR_DIAG_005, req::AOR_DIAG_018>();
     write(0x5021, 0, 0, 1);
@@ -232,8 +232,8 @@ TEST_F(Ax130751Takeover, SupplyAndTemperatureAreMeasuredWithoutDetection) {
     inputs.cpu_temperature = 99.0F;
     set_inputs();
     EXPECT_EQ(pass(1), Frames{});
-    EXPECT_EQ(read(0x5020, 0), 0x41480000U);  // 12.5
-    EXPECT_EQ(read(0x5030, 0), 0x42C60000U);  // 99.0
+    EXPECT_EQ(read(0x5020, 0), 0x41480000U);  // 12.5 as REAL32
+    EXPECT_EQ(read(0x5030, 0), 0x42C60000U);  // 99.0 as REAL32
 }
 
 }  // namespace canproof::test

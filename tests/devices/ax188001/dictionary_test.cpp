@@ -182,7 +182,7 @@ TEST_F(Ax188001Dictionary, MeasuredValuesAreReadOnlyAndOfTheirTypes) {
              req::TCS_OD_3100, req::TCS_OD_3130, req::TCS_OD_5040>();
     struct Value {
         int index;
-        int elements;  // 0: a VAR
+        int elements;  // number of elements of an ARRAY; 0 for a VAR
         int size;
     };
     for (const Value& one :
@@ -244,7 +244,7 @@ TEST_F(Ax188001Dictionary, ParametersHaveTheirElementsAndDefaults) {
                                  {0x2127, 4, {kelvin_16}, false},
                                  {0x3126, 4, {sixteen}, false},
                                  {0x3127, 4, {kelvin_16}, false},
-                                 {0x4000, 2, {0xFF38, 0xFF38}, true},  // -200
+                                 {0x4000, 2, {0xFF38, 0xFF38}, true},  // -200 as INTEGER16
                                  {0x4010, 2, {1250, 1250}, true},
                                  {0x4020, 2, {2500, 2500}, true},
                                  {0x4030, 2, {5000, 5000}, true},

@@ -161,7 +161,7 @@ TEST_F(Ax188001Errors, LifeGuardingErrorIsListedAs10008130h) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10008130}));
 }
 
-// 3.2.5, 3.2.6: a guard time of 100 ms, times 2
+// 3.2.5, 3.2.6: the life time is a guard time of 100 ms times a factor of 2
 TEST_F(Ax188001Errors, LifeGuardingIsOffWithAFactorOfZeroAndWithAHeartbeat) {
     verifies<req::TCS_GUARD_001, req::TCS_GUARD_002>();
     EXPECT_EQ(write(0x100C, 0, 2, 100), 0U);
@@ -194,7 +194,7 @@ TEST_F(Ax188001Errors, OverdueRpdoIsACommunicationError) {
     send("000#017F");
     sent();
     pass(600);
-    EXPECT_TRUE(listed().empty());  // no reception yet
+    EXPECT_TRUE(listed().empty());  // the monitoring begins with the first reception
     send("27F#00");
     const Frames frames = pass(500);
     ASSERT_FALSE(frames.empty());

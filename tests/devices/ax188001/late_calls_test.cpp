@@ -65,7 +65,7 @@ TEST_F(LateCalls, ReadingsStayOnTheirScheduleUnlessTooManyWereMissed) {
     EXPECT_EQ(next_in_ms(), 60U);  // the fourth reading is at 660 ms
     come_late(7 * 165);            // now 1755 ms: the seven readings from 660 to 1650 ms were missed
     EXPECT_EQ(next_in_ms(), 60U);  // the eleventh reading is at 1815 ms
-    // more missed readings than one call performs: the schedule starts again at this call
+    // this call comes after more missed readings than one call performs, so the schedule starts again here
     come_late(20 * 165);
     EXPECT_EQ(next_in_ms(), 165U);
 }

@@ -198,7 +198,7 @@ TEST_F(Limits, NewLimitIsEvaluatedAtOnce) {
     heat(1, 100.0);
     pass(1000);
     write(0x4030, 1, 2, 0);
-    // 4010h:1 = 90.0 degC
+    // 4010h:1 (TC High Temperature Warning Threshold) = 90.0 degC
     EXPECT_EQ(send("67F#2B10400184030000"), (Frames{"0FF#11F0010110000000", "5FF#6010400100000000"}));
     // 4010h:1 (TC High Temperature Warning Threshold) = 125.0 degC
     EXPECT_EQ(send("67F#2B104001E2040000"), (Frames{"0FF#0000000000000000", "5FF#6010400100000000"}));
@@ -210,7 +210,7 @@ TEST_F(Limits, NewDelayRunsFromTheStartOfTheFault) {
     pass(1000);
     write(0x4030, 1, 2, 2000);
     EXPECT_EQ(pass(1164), Frames{});
-    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms
+    EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000"}));  // at 2165 ms: 2000 ms after the reading at 165 ms
 }
 
 TEST_F(Limits, DelayIsAtMostOneMinute) {
@@ -269,7 +269,7 @@ TEST_F(Limits, VoltageBeyondTheRangeOfTheTypeIsAFault) {
     write(0x4000, 1, 2, static_cast<std::uint32_t>(-2730) & 0xFFFFU);
     EXPECT_EQ(status_at(-6266.0), 0);
     EXPECT_EQ(status_at(-6267.7), 0);     // step -10515: -6267.45, 9.45 uV beyond
-    EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05
+    EXPECT_EQ(status_at(-6268.3), 0x04);  // step -10516: -6268.05, 10.05 uV beyond
     read_once();
     EXPECT_EQ(status(1), 0x04);
     EXPECT_EQ(process_value(1), -270 * 16 + 4368);

@@ -44,7 +44,7 @@ TEST_F(Ax188001ObjectSheet, ErrorListMatchesTheManual) {
     check_error_list(9);
 }
 
-// 3.2.10: off, or 10 to 65535 ms
+// 3.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(Ax188001ObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::TCS_OD_1017>();
     check_producer_heartbeat();
@@ -107,7 +107,7 @@ TEST_F(Ax188001ObjectSheet, ThermocoupleTypesAndFiltersMatchTheManual) {
     verifies<req::TCS_OD_6110, req::TCS_OD_2020>();
     check_count(0x6110, 2);
     for (int sub = 1; sub <= 2; ++sub) {
-        // Table 1: J, K, N, R, S, T, E, B; 1 is J
+        // Table 1 has the types J, K, N, R, S, T, E and B; 1 is type J
         check_choice({0x6110, 2, u16, Access::rw, {}, none, none}, sub, 1, {1, 2, 4, 5, 6, 7, 9, 10});
     }
     check_choice({0x2020, 0, u8, Access::rw, {}, none, none}, 0, 60, {50, 60});

@@ -23,7 +23,7 @@ TEST_F(Pdos, Tpdo1IsSentEverySecond) {
     heat(2, -15.0);
     read_once();
     EXPECT_EQ(pass(3000), Frames{});
-    // 100 degC: 5968 = 1750h; -15 degC: 4128 = 1020h
+    // the value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#50172010"}));
     EXPECT_EQ(pass(2500), (Frames{"1000:1FF#50172010", "2000:1FF#50172010"}));
     EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID: no RTR
@@ -54,7 +54,7 @@ TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    // 50 degC: 5168 = 1430h; 25 degC: 4768 = 12A0h
+    // the value of 50 degC is 5168 = 1430h, that of 25 degC is 4768 = 12A0h
     EXPECT_EQ(send("000#0100"), (Frames{"2FF#3014A012"}));
     EXPECT_EQ(pass(1400), (Frames{"700:2FF#3014A012", "1400:2FF#3014A012"}));
 }
@@ -75,7 +75,7 @@ TEST_F(Pdos, TpdosAreRemappedInFiveSteps) {
     verifies<req::TCS_PDO_004, req::TCS_OD_1A02, req::TCS_OD_6100, req::TCS_OD_6150, req::TCS_OD_5040>();
     EXPECT_EQ(write(0x1802, 1, 4, 0xC00003FF), 0U);
     EXPECT_EQ(write(0x1A02, 0, 1, 0), 0U);
-    EXPECT_EQ(write(0x1A02, 1, 4, 0x50400220), 0U);  // supply, FLOAT32
+    EXPECT_EQ(write(0x1A02, 1, 4, 0x50400220), 0U);  // maps 5040h:2 (FD Field Value), the supply voltage as REAL32
     EXPECT_EQ(write(0x1A02, 2, 4, 0x61500108), 0U);
     EXPECT_EQ(write(0x1A02, 3, 4, 0x61500208), 0U);
     EXPECT_EQ(write(0x1A02, 4, 4, 0x71300110), 0U);

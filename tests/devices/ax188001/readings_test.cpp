@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readings of the terminals: times, gain, steps, mains hum (AX188001, 1.1, 3.3).
+// Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
+// (AX188001, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -88,11 +89,11 @@ TEST_F(Values, GainsHaveTheirThreeFullScales) {
         settle();
         return static_cast<int>(device->outputs().tc_gain[0]);
     };
-    EXPECT_EQ(gain_at(19531.0), 128);  // full scale 19531.25
+    EXPECT_EQ(gain_at(19531.0), 128);  // the full scale is 19531.25 uV
     EXPECT_EQ(gain_at(19531.5), 64);
-    EXPECT_EQ(gain_at(39062.0), 64);  // full scale 39062.5
+    EXPECT_EQ(gain_at(39062.0), 64);  // the full scale is 39062.5 uV
     EXPECT_EQ(gain_at(39063.0), 32);
-    EXPECT_EQ(gain_at(78124.0), 32);  // full scale 78125
+    EXPECT_EQ(gain_at(78124.0), 32);  // the full scale is 78125 uV
     EXPECT_NEAR(read(0x2010, 1).value, 78124, 2);
     EXPECT_EQ(gain_at(78126.0), 32);
     EXPECT_EQ(process_value(1), -512);

@@ -13,7 +13,7 @@ namespace canproof::test {
 
 namespace {
 
-constexpr double step_v = 0.001 * 30.9 / 12.4;  // 2.492 mV
+constexpr double step_v = 0.001 * 30.9 / 12.4;  // one step of the converter is 2.492 mV
 
 class AnalogEdges : public CbxTest {
   protected:

@@ -39,7 +39,7 @@ class Leds : public CbxTest {
     static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
 };
 
-// Rounds of 3.2.1, one character per 100 ms
+// The rounds of 3.2.1, with one character for each 100 ms
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
 const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off

@@ -50,7 +50,7 @@ TEST_F(CbxObjectSheet, CommunicationObjectsMatchTheManual) {
     });
 }
 
-// 7.9.4: ten entries; only 0 can be written to the count
+// 7.9.4: the error list has ten entries; only 0 can be written to its count
 TEST_F(CbxObjectSheet, ErrorListMatchesTheManual) {
     verifies<req::AO4_OD_1003>();
     check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});

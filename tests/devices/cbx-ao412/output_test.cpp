@@ -28,7 +28,7 @@ TEST_F(Output, ExamplesOfTheManualGivePlusAndMinusFiveVolts) {
     set(1, "B33E");  // 16051 / 8 = 2006.4: step 2006, 2006 * 2.49194 mV = 4.99882 V
     expect_steps(1, 2006);
     EXPECT_NEAR(volts(1), 5.0F, step_v);
-    set(2, "4DC1");  // the value -16051
+    set(2, "4DC1");  // C14Dh is -16051
     expect_steps(2, -2006);
     EXPECT_NEAR(volts(2), -5.0F, step_v);
 }
@@ -230,7 +230,7 @@ TEST_F(OutputInError, CalibrationChangesThePresentOutputValue) {
     expect_steps(1, 1025);
     inputs.internal_fault = true;
     set_inputs();
-    expect_steps(2, 2048);  // the error value
+    expect_steps(2, 2048);  // the error value of output 2
     write("603#2B04240208000000");
     expect_steps(2, 2049);
     inputs.internal_fault = false;

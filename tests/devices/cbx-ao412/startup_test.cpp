@@ -181,8 +181,8 @@ TEST(StartupInError, SelfStartWithBusOffLeadsToTheStateOf1029h) {
     }
 }
 
-/// The boot-up message is lost, the errors found at boot-up are not: error passive, software failure, then the
-/// recovery.
+/// The boot-up message is lost. The errors found at boot-up are reported after bus-off: error passive, software
+/// failure, then the recovery from bus-off.
 TEST(CbxStartup, FailureFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::AO4_ERR_011, req::AO4_ERR_019>();
     CbxBench bench;

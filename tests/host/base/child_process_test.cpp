@@ -41,7 +41,7 @@ TEST(ChildProcess, StatusOfAProcessEndedByASignalIs128PlusItsNumber) {
     EXPECT_EQ(host::wait_for_process(host::start_process({"sh", "-c", "kill -TERM $$"}, {}, {})), 128 + SIGTERM);
 }
 
-TEST(ChildProcess, ProgramThatCannotRunIsNamedWithTheReason) {
+TEST(ChildProcess, ProgramThatCannotRunIsReportedWithTheReason) {
     try {
         host::start_process({"/nonexistent/program"}, {}, {});
         FAIL() << "the program does not exist";
@@ -52,7 +52,7 @@ TEST(ChildProcess, ProgramThatCannotRunIsNamedWithTheReason) {
     }
 }
 
-TEST(ChildProcess, AddedSettingReplacesTheOneOfTheCaller) {
+TEST(ChildProcess, AddedEnvironmentVariableReplacesThatOfTheCaller) {
     ASSERT_EQ(setenv("CANPROOF_TEST_SETTING", "caller", 1), 0);
     ASSERT_EQ(setenv("CANPROOF_TEST_SETTING_2", "kept", 1), 0);
     const char* const script =

@@ -62,7 +62,8 @@ TEST_F(WholeFile, EndlessDeviceFileIsRefusedAtItsLimit) {
 
 TEST_F(WholeFile, FolderAndMissingFileAreRefused) {
     EXPECT_THAT(refusal(folder_, 5), HasSubstr("it is a folder; name a file"));
-    EXPECT_THAT(refusal(folder_ / "none", 5), HasSubstr("No such file or directory; name an existing file"));
+    EXPECT_THAT(refusal(folder_ / "none", 5),
+                HasSubstr("No such file or directory; name a file that exists and can be read"));
 }
 
 TEST_F(WholeFile, PipeWithoutWriterIsRefusedAtOnce) {

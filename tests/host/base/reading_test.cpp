@@ -40,7 +40,7 @@ TEST(Lines, LongestLineIsReadAndALongerLineIsRefused) {
     EXPECT_THROW(lines.next(), InputError);
 }
 
-TEST(Lines, ReadErrorIsNotTakenAsTheEnd) {
+TEST(Lines, ReadErrorIsNotTreatedAsTheEndOfTheFile) {
     std::ifstream folder{"/", std::ios::binary};
     LineReader lines{folder, "/"};
     EXPECT_THROW(lines.next(), InputError);

@@ -34,7 +34,7 @@ TEST(ReplaceFolder, FolderMayHaveARelativePath) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
+TEST(ReplaceFolder, OldFolderStaysWhenANewFileCannotBeWritten) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     EXPECT_THROW(replace_folder(folder / "pack", {{"a", "2"}, {"a/b", "3"}}), std::system_error);
@@ -42,7 +42,7 @@ TEST(ReplaceFolder, FolderStaysWhenOneFileCannotBeWritten) {
     EXPECT_EQ(folder.names(), Names{"pack"});
 }
 
-TEST(ReplaceFolder, FileInThePlaceOfTheFolderOrAboveItStays) {
+TEST(ReplaceFolder, FileWhereTheFolderOrItsParentShouldBeIsNotReplaced) {
     const ScratchFolder folder;
     ScratchFolder::fill(folder / "empty", "");
     for (const char* place : {"empty", "empty/", "empty/pack", "empty/a/pack"}) {
@@ -64,7 +64,7 @@ TEST(ReplaceFolder, FolderThatAKilledProgramMovedAwayIsRestored) {
     EXPECT_EQ(ScratchFolder::content(folder / "pack/a"), "2");
 }
 
-TEST(ReplaceFolder, OldFolderOfAKilledProgramIsRemovedWhenTheNewOneIsThere) {
+TEST(ReplaceFolder, OldFolderOfAKilledProgramIsRemovedWhenTheNewFolderExists) {
     const ScratchFolder folder;
     replace_folder(folder / "pack", {{"a", "1"}});
     std::filesystem::create_directories(folder / ".pack.new.old");

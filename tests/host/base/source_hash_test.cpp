@@ -43,7 +43,7 @@ TEST_F(SourceHash, HashChangesWithNameContentAndNumberOfSources) {
     EXPECT_NE(hash(), renamed);
 }
 
-TEST_F(SourceHash, EachFolderOfSourcesCounts) {
+TEST_F(SourceHash, FileInAnyFolderOfSourcesChangesTheHash) {
     std::string before = hash();
     for (const char* name : {"fuzz/x.cpp", "properties/x.cpp", "spec/x.toml", "tests/x.hpp", "tests/run/x.py"}) {
         write("", name, "x");
@@ -52,7 +52,7 @@ TEST_F(SourceHash, EachFolderOfSourcesCounts) {
     }
 }
 
-TEST_F(SourceHash, ReviewsTextsAndInputsDoNotCount) {
+TEST_F(SourceHash, ReviewsPagesCorporaAndBuildsDoNotChangeTheHash) {
     const std::string before = hash();
     for (const char* name : {"spec/reviews.toml", "src/README.md", "fuzz/corpus/sdo/one", "build/src/x.cpp"}) {
         write("", name, "x");

@@ -90,7 +90,7 @@ TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
                 HasSubstr("inline const NodeProfile profile{"));
 }
 
-TEST(GeneratedNames, ProfileOfADeviceWithoutSettingsHasTheDefaults) {
+TEST(GeneratedNames, ProfileHasTheDefaultsOfTheKeysThatDeviceTomlOmits) {
     SpecFiles files = small_register();
     std::string& device = files[device_file];
     device.replace(device.find("lss = true"), 10, "lss = false");
@@ -140,9 +140,9 @@ TEST(GeneratedNames, TableOfErrorsHasOnlyPropertiesOfAnError) {
                 HasSubstr("AO4-T1 column colour is no property of an error"));
     EXPECT_THAT(faults_of("\"listed\"", "true"), HasSubstr("AO4-T1 has errors but no column code"));
     EXPECT_THAT(faults_of("\"code\", \"channel\"", "1, 2"),
-                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
     EXPECT_THAT(faults_of("\"code\", \"detail\", \"description\", \"channel\"", "1, 2, 3, 4"),
-                HasSubstr("AO4-T1 does not say once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
 }
 
 TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
@@ -154,7 +154,7 @@ TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
     EXPECT_THAT(faults, HasSubstr("rpdos_answering_remote names RPDO 9"));
 }
 
-TEST(GeneratedNames, TableIsNamedByItsNameOrTheStartOfItsTitle) {
+TEST(GeneratedNames, NameOfATableComesFromItsKeyNameOrItsTitle) {
     const std::string rows = "[\"a\", 1]";
     const std::string one = table("id = \"AO4-T1\"\ntitle = \"Enable response: what an output does\"\n", rows);
     const std::string other =

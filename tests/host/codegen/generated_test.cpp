@@ -104,7 +104,7 @@ TEST_F(Generated, LimitRowsHaveTheBitsOfTheEntryType) {
     EXPECT_THAT(text, HasSubstr("allowed_values{{\n    0x00000002U,\n    0x00000008U,\n}};"));
 }
 
-TEST_F(Generated, PoolsHaveLittleEndianValuesOneEntryPerLine) {
+TEST_F(Generated, ConstantsAndDefaultsAreLittleEndianBytesOneEntryPerLine) {
     const std::string text = write_objects(box());
     EXPECT_THAT(text, HasSubstr("std::array<std::uint8_t, 11U> constant_pool{{\n"
                                 "    0x91U, 0x01U, 0x02U, 0x00U,  // 0: AO4-OD-1000 Device Type\n"

@@ -65,7 +65,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, GreatestLimitOfTheAddedTimesIsKept) {
+TEST(ConformMeasured, GreatestLimitAddedWithATimeIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);
@@ -98,7 +98,7 @@ TEST(ConformBusUse, LoadOfARunBelowOneSecondIsThatOfTheWholeRun) {
     report.time = milliseconds(500);
     report.bus_use.add({Instant{900000}, frame, true});  // at both sides of a full second of the clock
     report.bus_use.add({Instant{1100000}, frame, true});
-    // Two frames in half a second: bits / (125000 bit/s x 0.5 s)
+    // The load of two frames in half a second: bits / (125000 bit/s x 0.5 s)
     EXPECT_DOUBLE_EQ(*report.mean_load(), 100.0 * 2.0 * (frame_bits(frame) + 3U) / 62500.0);
     EXPECT_DOUBLE_EQ(*report.highest_load(), *report.mean_load());
 }

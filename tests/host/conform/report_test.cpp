@@ -72,7 +72,7 @@ TEST(ConformReportFiles, ReportDrawsMeasuredTimesWithTheLimitsOfTheCase) {
     EXPECT_THAT(page, HasSubstr("gap of 705h"));
     EXPECT_THAT(page, HasSubstr("mean 95.000 to 105.000, each 80.000 to 120.000"));
     EXPECT_THAT(page, HasSubstr("11 times between 80.000 ms and 120.000 ms"));
-    // 240 wide: the limits at 0, 90, 150 and 240
+    // the plot is 240 wide: the limits are at 0, 90, 150 and 240
     for (const char* const x : {"0.0", "90.0", "150.0", "240.0"}) {
         EXPECT_THAT(page, HasSubstr(fmt::format("<line x1=\"{0}\" x2=\"{0}\"", x)));
     }

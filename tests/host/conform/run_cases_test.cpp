@@ -23,7 +23,7 @@ TEST(ConformRun, CorrectSlavePasses) {
     EXPECT_EQ(result.times.at("SDO answer").times.size(), 2U);
 }
 
-TEST(ConformRun, FailingStepIsNamed) {
+TEST(ConformRun, FailingStepIsReportedWithItsLine) {
     const CaseResult result = run_steps_on_slave("read 1000:00\nread 1000:01 fails 06020000");
     EXPECT_EQ(result.verdict, Verdict::failed);
     EXPECT_THAT(result.why, HasSubstr("abort 06090011h instead of 06020000h"));
@@ -69,7 +69,7 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchEndsBeforeTheRestoreSteps) {
+TEST(ConformRun, WatchTakesNoFramesFromTheRestoreSteps) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -126,7 +126,7 @@ TEST(ConformRun, WatchCollectsFramesDuringOtherSteps) {
 }
 
 // Heartbeats of 100 ms with the state 7Fh (pre-operational): ten in a second.
-TEST(ConformRun, WatchComparesWithTheVariableValuesOfItsStart) {
+TEST(ConformRun, WatchUsesTheValuesThatVariablesHadAtItsStart) {
     const CaseResult changed = run_steps_on_slave(
         "write 1017:00 = 100\nlet state = 0x7F\nwatch 700+N: $state:u8 as hb\nlet state = 5\nwait 1 s\nend hb\n"
         "check $hb.count == 10 \"ten\"");
@@ -143,7 +143,7 @@ TEST(ConformRun, WatchComparesWithTheVariableValuesOfItsStart) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, ElapsedTimeOfAnAnswerEndsWhenItsFrameCame) {
+TEST(ConformRun, ElapsedTimeOfAnAnswerEndsWhenItsFrameArrives) {
     const CaseResult result = run_steps_on_slave(
         "sdo 40 00 10 00\nwait 100 ms\nanswer 43 00 10 00 -> a\ncheck $elapsed < 50 ms \"at once\"\n"
         "let first = $elapsed\nsdo 40 00 10 00\nwait 100 ms\nexpect 580+N: 43 ... -> e\n"

@@ -197,8 +197,8 @@ TEST(ForeignEds, InvalidLimitAllowsTheWholeRangeOfTheType) {
         device.receive(parse_frame(request, "test"), Instant{});
         return format_frame(device.queue().pop());
     };
-    EXPECT_EQ(answer("605#23002000FFFF7F7F"), "585#6000200000000000");  // the largest float
-    EXPECT_EQ(answer("605#23002000000020C0"), "585#6000200000000000");  // -2.5
+    EXPECT_EQ(answer("605#23002000FFFF7F7F"), "585#6000200000000000");  // the largest float is accepted
+    EXPECT_EQ(answer("605#23002000000020C0"), "585#6000200000000000");  // -2.5 is accepted
     EXPECT_EQ(answer("605#23002000000040C0"), "585#8000200032000906");  // -3 is too low
 }
 

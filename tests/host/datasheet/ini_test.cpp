@@ -68,7 +68,7 @@ TEST(Ini, SectionsWithTheirKeysInAnyOrderAreRead) {
     EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(Ini, RepeatedKeyIsNotedEvenWhenTheSectionBeforeHasAsManyKeys) {
+TEST(Ini, RepeatedKeyIsReportedEvenWhenTheSectionBeforeHasAsManyKeys) {
     const Read read{"[A]\nb=1\na=2\n[B]\na=3\nA=4\n[C]\nb=5\na=6\n"};
     EXPECT_EQ(read.value("B", "a") + read.value("B", "b"), "3absent");
     EXPECT_EQ(read.value("C", "a") + read.value("C", "b"), "65");
@@ -77,7 +77,7 @@ TEST(Ini, RepeatedKeyIsNotedEvenWhenTheSectionBeforeHasAsManyKeys) {
     EXPECT_EQ(read.notes.front().what, "A is already in line 5");
 }
 
-TEST(Ini, AssignedFileHasOnlyTheSectionsOfItsNewText) {
+TEST(Ini, AssignmentReplacesAllSectionsOfAnIniFile) {
     Read read{"[A]\na=1\n"};
     const Read other{"[B]\nb=2\n"};
     read.file = read_ini("[C]\nc=3\n", EdsTelling{read.name, read.faults, read.notes});

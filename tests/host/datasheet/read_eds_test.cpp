@@ -127,8 +127,8 @@ TEST(ReadEds, LineEndsByteOrderMarkAndCaseAreIgnored) {
 TEST_F(RunningBox, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
     EXPECT_EQ(device->node_id(), 5);
     EXPECT_THAT(send("605#4000100000000000"), ElementsAre("585#4300100091010000"));
-    EXPECT_THAT(send("605#2B00206400000000"), ElementsAre("585#8000206411000906"));  // no sub-index 64h
-    EXPECT_THAT(send("605#2B00200064000000"), ElementsAre("585#6000200000000000"));  // 100
+    EXPECT_THAT(send("605#2B00206400000000"), ElementsAre("585#8000206411000906"));  // 2000h has no sub-index 64h
+    EXPECT_THAT(send("605#2B00200064000000"), ElementsAre("585#6000200000000000"));  // 100 is accepted
     EXPECT_THAT(send("605#2B00200065000000"), ElementsAre("585#8000200031000906"));  // 101 is too high
     EXPECT_THAT(send("605#2B0020009BFF0000"), ElementsAre("585#8000200032000906"));  // -101 is too low
 }

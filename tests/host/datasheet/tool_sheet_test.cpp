@@ -123,7 +123,7 @@ TEST_F(ToolSheet, ErrorListOfADataSheetAcceptsAWriteOfZeroOnly) {
 }
 
 // 1.5 is 3FC00000h, -2 is C0000000h, 8 is 41000000h as REAL32 (IEEE 754).
-TEST_F(ToolSheet, DecimalFormOfReal32LeavesOutItsLimits_AndRealsBitsKeepsThem) {
+TEST_F(ToolSheet, SheetWithDecimalReal32OmitsItsLimits_AndOptionRealsBitsKeepsThem) {
     EXPECT_THAT(eds(), HasSubstr(crlf("DataType=0x0008\nAccessType=rw\nDefaultValue=1.5\nPDOMapping=0\n")));
     EXPECT_THAT(eds(Reals::bits), HasSubstr(crlf("DataType=0x0008\nAccessType=rw\nDefaultValue=0x3FC00000\n"
                                                  "LowLimit=0xC0000000\nHighLimit=0x41000000\nPDOMapping=0\n")));

@@ -235,7 +235,7 @@ TEST(WriteDbc, PdoHasItsMappedObjectsAndGaps) {
     const Database data = database_of(good_sheet(), 5);
     EXPECT_THAT(places(data.messages.at(0x185)), ElementsAre("Inputs_Entry_1 0|8+", "Inputs_Entry_2 8|8+"));
     EXPECT_EQ(data.messages.at(0x185).length, 2U);
-    // 8 bits of 6200h:01, then 8 bits of the data type UNSIGNED8
+    // the PDO has 8 bits of 6200h:01, then 8 bits of the data type UNSIGNED8
     EXPECT_THAT(places(data.messages.at(0x205)), ElementsAre("Outputs_Entry_1 0|8+"));
     EXPECT_EQ(data.messages.at(0x205).length, 2U);
 }
@@ -263,17 +263,17 @@ TEST(WriteDbc, SdoIsMultiplexedByIndexAndSubIndex) {
     const Message& response = data.messages.at(0x585);
     EXPECT_EQ(request.signals.at("Object").multiplex, "M");
     EXPECT_EQ(place(request.signals.at("Object")), "8|24+");
-    // 2003h:00 is read and written: 2003h = 8195
+    // 2003h:00 is read and written; its multiplexer is 2003h = 8195
     for (const Message* message : {&request, &response}) {
         const Signal& gain = message->signals.at("x2003_00_Gain");
         EXPECT_EQ(gain.multiplex, "m8195");
         EXPECT_EQ(place(gain), "32|32-");
         EXPECT_EQ(gain.real, 1);
     }
-    // 1018h:04 (identity object) is read-only: 4 x 65536 + 4120
+    // 1018h:04 (identity object) is read-only; its multiplexer is 4 x 65536 + 4120
     EXPECT_EQ(response.signals.at("x1018_04_Identity_Entry_4").multiplex, "m266264");
     EXPECT_EQ(request.signals.count("x1018_04_Identity_Entry_4"), 0U);
-    // 6200h:02 is write-only: 2 x 65536 + 25088
+    // 6200h:02 is write-only; its multiplexer is 2 x 65536 + 25088
     EXPECT_EQ(request.signals.at("x6200_02_Outputs_Entry_2").multiplex, "m156160");
     EXPECT_EQ(response.signals.count("x6200_02_Outputs_Entry_2"), 0U);
     EXPECT_EQ(request.signals.at("Object").words.at(156160), "6200h:02");
@@ -302,7 +302,7 @@ TEST(WriteDbc, EmcyWithoutObject1014hHasThePredefinedIdentifier) {
     EXPECT_EQ(database_of(patched_sheet("-[1014]").text, 9).messages.at(0x089).name, "box_EMCY");
 }
 
-TEST(WriteDbc, DisabledOrDuplicateMessagesAreNamedAndLeftOut) {
+TEST(WriteDbc, DisabledOrDuplicateMessagesAreLeftOutAndListedInTheComment) {
     const EdsResult read = read_eds(patched_sheet("[1400sub1] DefaultValue=$NODEID+0x80000200 | "
                                                   "[1401sub1] DefaultValue=$NODEID+0x180")
                                         .text,

@@ -49,7 +49,7 @@ TEST(HttpRequest, RequestIsTheSameInPiecesOfAnySize) {
     EXPECT_EQ(read(post + "GET / HTTP/1.1\r\n\r\n").request().path, "/api/frame");
 }
 
-TEST(HttpRequest, QueryGivesTheNumbersOfTheFirstChangeAndFrame) {
+TEST(HttpRequest, QueryContainsTheNumbersOfTheFirstChangeAndFrameToSend) {
     const HttpRequest request = read("GET /api/state?changes=12&frames=18446744073709551615 HTTP/1.1\r\n\r\n");
     EXPECT_EQ(request.request().path, "/api/state");
     EXPECT_EQ(request.request().changes_from, 12U);
@@ -72,7 +72,7 @@ TEST(HttpRequest, HeadersThatThePanelDoesNotReadAreDropped) {
     EXPECT_EQ(request.request().host, "localhost");
 }
 
-TEST(HttpRequest, LinesAndHeadAreBounded) {
+TEST(HttpRequest, LengthsOfLinesAndHeadAreLimited) {
     const auto line_of = [](std::size_t length) { return "GET /" + std::string(length - 14, 'a') + " HTTP/1.1"; };
     EXPECT_EQ(status(line_of(2048) + "\r\n\r\n"), 0);
     EXPECT_EQ(status(line_of(2049) + "\r\n\r\n"), 414);

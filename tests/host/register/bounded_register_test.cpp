@@ -59,7 +59,7 @@ class RegisterFolder : public testing::Test {
 
 }  // namespace
 
-TEST(TomlDepth, DottedKeysAndBracketsAreCounted) {
+TEST(TomlDepth, DepthOfDottedKeysAndBracketsIsLimited) {
     EXPECT_EQ(too_deep_in("a" + repeated(".a", 31) + " = 1\n"), std::nullopt);  // 32 parts
     EXPECT_EQ(too_deep_in("a" + repeated(".a", 32) + " = 1\n"), 1U);
     EXPECT_EQ(too_deep_in("x = 1\n[a" + repeated(" . \"b\"", 32) + "]\n"), 2U);
@@ -85,7 +85,7 @@ TEST(TomlDepth, KeysAndBracketsInTextsAndCommentsAreNotCounted) {
     EXPECT_EQ(too_deep_in("a = \"\\"), std::nullopt);
 }
 
-TEST(BoundedRegister, KeyOf100000PartsIsAFault) {
+TEST(BoundedRegister, KeyOrArrayOfDepth100000IsAFault) {
     const std::string deep = "a" + repeated(".a", 100000);
     for (const std::string& text : {deep + " = 1\n", "[" + deep + "]\n", "a = " + repeated("[", 100000) + "\n"}) {
         EXPECT_EQ(

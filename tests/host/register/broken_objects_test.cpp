@@ -14,7 +14,8 @@ name = "One"
 source = ["M1:1"]
 )";  // four lines; the addition of a case begins in line 5
 
-const std::string rw16 = var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines
+const std::string rw16 =
+    var + "type = \"INTEGER16\"\naccess = \"rw\"\n";  // six lines; the addition of a case begins in line 7
 
 const std::vector<Broken> cases{
     {"UnknownKey", items_file, rw16 + "default = 0\ncolour = 1\n", 8, "the key `colour` is unknown",

@@ -115,7 +115,7 @@ TEST(DecisionTopics, RetiredRequirementAnswersNoTopic) {
     EXPECT_EQ(all_faults(loaded(of_box("any") + "retired = \"gone\"\n", of_lid("some"), of_all("some"))), "");
 }
 
-TEST(DecisionTopics, AnswerIsPartOfTheReviewedContent) {
+TEST(DecisionTopics, ChangedAnswerToATopicChangesTheFingerprint) {
     const auto print = [](const std::string& text) {
         return fingerprint(loaded(text, "").content.part("box")->requirements.front());
     };

@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-TEST(SharedRules, SharedRulesComeFromThePackageUnderItsName) {
+TEST(SharedRules, SharedRulesAreAddedFromThePackageBelowTheFolderCanproof) {
     const SpecFiles package{{"spec/canopen/nmt.toml", "a"}, {"spec/devices/x/device.toml", "b"}};
     const SpecFiles own{{"spec/devices/y/device.toml", "c"}};
     const SpecFiles expected{{"canproof/spec/canopen/nmt.toml", "a"}, {"spec/devices/y/device.toml", "c"}};

@@ -37,7 +37,7 @@ TEST(LinePlot, TicksAreRoundNumbers) {
     EXPECT_DOUBLE_EQ(tick_step(-2e-7, 3e-7), 1e-7);
 }
 
-TEST(LinePlot, PlotHasItsTextsAndCurves) {
+TEST(LinePlot, PlotContainsItsTitleAxisTextsAndCurves) {
     const LinePlot plot{"a < b & \"c\"",
                         "x / s",
                         "y / V",
@@ -140,7 +140,7 @@ TEST(LinePlot, PlotOfExtremeValuesHasNumbersOnly) {
     EXPECT_STREQ(parsed(write_svg(flat)).child("svg").child("path").attribute("d").value(), "M84.0 202.0L940.0 202.0");
 }
 
-TEST(LinePlot, DescriptionNamesTitleAxesRangesAndMarks) {
+TEST(LinePlot, DescriptionContainsTitleAxesRangesAndMarks) {
     const LinePlot plot{"Output after a step",
                         "time in s",
                         "voltage in V",

@@ -33,7 +33,7 @@ TEST(OutputPlot, SignalKeepsItsValueUntilItChanges) {
     EXPECT_THAT(plot.curves[1].points, ElementsAre(Pair(0.0, 0.0), Pair(2.0, 0.0), Pair(2.0, -1.0), Pair(4.0, -1.0)));
 }
 
-TEST(OutputPlot, ConstantSignalIsLeftOutUnlessNamed) {
+TEST(OutputPlot, ConstantSignalIsLeftOutUnlessItIsSelected) {
     const std::string csv = "0,led_p,1\n0,aout1,0\n1,aout1,5\n";
     EXPECT_EQ(plot_of(csv).curves.at(0).name, "aout1");
     EXPECT_THAT(plot_of(csv).curves, SizeIs(1));

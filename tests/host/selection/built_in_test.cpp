@@ -69,7 +69,7 @@ TEST(BuiltIn, DeviceDecisionsHazardsAndReviewsAreNotEmbedded) {
 }
 
 TEST(BuiltIn, FileThatNeedsAnotherFileIsRefusedWithoutThatFile) {
-    // Its range is a table of another file.
+    // The range of the entry is a table of another file.
     const SpecFiles alone{{"spec/devices/box/objects.toml", R"([[object]]
 index = 0x2000
 name = "Rate"

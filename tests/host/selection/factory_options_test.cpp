@@ -134,8 +134,8 @@ TEST(FactoryData, OptionSetsTheAngleRangeOfTheInclinometer) {
 TEST(FactoryData, InclinometerCalibrationOutOfRangeIsRefused) {
     const ChosenDevice chosen = device_with("ax060805", {"calibrated_pitch_angle_data=-90"});
     EXPECT_EQ(entry_of(chosen, 0x2400, 0), 0xC2B40000U);  // -90 = -1.01101 (binary) * 2^6
-    EXPECT_THAT(refusal("ax060805", {"calibrated_pitch_angle_data=90.5"}), HasSubstr("-90 … 90"));   // 4.3.17
-    EXPECT_THAT(refusal("ax060805", {"calibrated_roll_angle_data=-181"}), HasSubstr("-180 … 180"));  // 4.3.18
+    EXPECT_THAT(refusal("ax060805", {"calibrated_pitch_angle_data=90.5"}), HasSubstr("-90 … 90"));   // range in 4.3.17
+    EXPECT_THAT(refusal("ax060805", {"calibrated_roll_angle_data=-181"}), HasSubstr("-180 … 180"));  // range in 4.3.18
 }
 
 TEST(FactoryData, RefusalOfAnInvalidValueNamesTheAllowedRange) {

@@ -329,9 +329,9 @@ class WordsCommands : Command {
 /// Returns the message of an error. A command without a message of its own for a path gets a general one.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-    return path == nullptr ? error.what()
-                           : fmt::format("cannot use {}: {}; name a path that exists and that you may use",
-                                         path->path1().string(), path->code().message());
+    return path == nullptr
+               ? error.what()
+               : fmt::format("cannot use {}: {}; name another path", path->path1().string(), path->code().message());
 }
 
 /// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that

@@ -15,8 +15,7 @@ namespace canproof::host {
 namespace {
 
 [[noreturn]] void refuse_to_write(const std::string& path) {
-    throw InputError{fmt::format("cannot write {} ({}); name a file that you may write, in a folder that exists", path,
-                                 std::strerror(errno))};
+    throw InputError{fmt::format("cannot write {} ({}); name another file", path, std::strerror(errno))};
 }
 
 /// Returns whether both names refer to one regular file. A device such as /dev/null may be named several times.

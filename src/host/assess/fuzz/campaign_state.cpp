@@ -59,7 +59,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
         replace_file(file, text);
     } catch (const std::system_error& error) {
         throw InputError{
-            fmt::format("cannot write {}: {}; name a writable folder", file.string(), error.code().message())};
+            fmt::format("cannot write {}: {}; name another folder", file.string(), error.code().message())};
     }
 }
 

@@ -21,7 +21,7 @@ void copy_over(const std::filesystem::path& from, const std::filesystem::path& t
     std::ostringstream bytes;
     if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(bytes << in.rdbuf()))) {
         throw InputError{
-            fmt::format("cannot read {}; check that the file exists and its access rights", from.string())};
+            fmt::format("cannot read {}; check that the file exists and that you may read it", from.string())};
     }
     write_text(to, bytes.str());
 }

@@ -86,7 +86,7 @@ class Child {
         posix_spawnattr_destroy(&attributes);
         if (error != 0) {
             throw InputError{
-                fmt::format("cannot start {}: {}; install this program or name the folder that contains it",
+                fmt::format("cannot start {}: {}; check that this program exists and that you may execute it",
                             task_.command[0], std::strerror(error))};
         }
     }

@@ -144,7 +144,8 @@ EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region
 std::string injection_table(const std::string& device, const InjectionOptions& options,
                             const InjectionCampaign& campaign) {
     std::string text = fmt::format(
-        "{}: {} runs with one inverted bit each, in {} bytes, before one of {} calls of the device, seed {}\n\n",
+        "{}: {} runs; each run inverts one bit in the {} bytes of memory before one of the {} calls of the device; "
+        "seed {}\n\n",
         device, campaign.runs.size(), memory_size(campaign), campaign.calls, options.seed);
     std::vector<EffectCounts> counts;
     text += fmt::format("{:<22}", "");

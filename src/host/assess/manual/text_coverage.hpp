@@ -26,7 +26,9 @@ struct CoveredCharacters {
 
 struct TextCoverage {
     std::size_t marks{0};
-    std::vector<std::string> missing;      ///< `KEY:SECTION/N: MARK` of each passage that the text does not contain
+    /// Passages that the text does not contain, as `KEY:SECTION/N: MARK`: the id of the statement, and the hash of its
+    /// passage.
+    std::vector<std::string> missing;
     std::vector<std::string> not_located;  ///< normative numbered sections whose heading the text does not contain
     std::vector<UncoveredLine> uncovered;
     CoveredCharacters normative;  ///< counts for the located normative sections, without headings and captions

@@ -32,7 +32,7 @@ constexpr int kernel_room = 64 * 1024;
 
 [[noreturn]] void refuse(const ListenAddress& address, const std::string& why) {
     throw InputError{
-        fmt::format("cannot listen at {}:{} ({}); name a free address, as in --bus socketcand:127.0.0.1:29536",
+        fmt::format("cannot listen at {}:{} ({}); name another address, as in --bus socketcand:127.0.0.1:29536",
                     address.host, address.port, why)};
 }
 

@@ -34,7 +34,7 @@ std::string name_of(const SocketcandPlace& place) {
 
 [[noreturn]] void refuse(const SocketcandPlace& place, const std::string& why) {
     throw InputError{
-        fmt::format("cannot join {} ({}); name a socketcand server that runs, as in --bus "
+        fmt::format("cannot join {} ({}); start this socketcand server or name another, as in --bus "
                     "socketcand-client:127.0.0.1:29536/can0",
                     name_of(place), why)};
 }

@@ -75,8 +75,8 @@ TEST(UnaryFunctions, UnaryFunctionsFollowTable9) {
     EXPECT_EQ(apply_unary(1, 1.0F), 0.0F);
     EXPECT_EQ(apply_unary(1, 300.5F), 0.0F);
     EXPECT_EQ(apply_unary(2, 0.0F), all_bits);
-    EXPECT_EQ(apply_unary(2, 4294967040.0F), 255.0F);  // ~FFFFFF00h
-    EXPECT_EQ(apply_unary(2, 5.0e9F), 0.0F);           // ~FFFFFFFFh
+    EXPECT_EQ(apply_unary(2, 4294967040.0F), 255.0F);  // the complement of FFFFFF00h is FFh
+    EXPECT_EQ(apply_unary(2, 5.0e9F), 0.0F);           // the complement of FFFFFFFFh is 0
     EXPECT_EQ(apply_unary(3, -2.5F), 2.5F);
     EXPECT_EQ(apply_unary(3, 2.5F), 2.5F);
     EXPECT_EQ(apply_unary(4, -2.5F), -2.5F);  // operation 4 does not exist: the value stays unchanged
@@ -89,7 +89,7 @@ TEST(BinaryFunctions, ArithmeticFollowsTable10) {
     EXPECT_EQ(result(2, 1.5F, -4.0F), 5.5F);
     EXPECT_EQ(result(3, 1.5F, -4.0F), -6.0F);
     EXPECT_EQ(result(4, 1.5F, -4.0F), -0.375F);
-    EXPECT_EQ(result(5, 13.9F, 4.9F), 1.0F);  // 13 mod 4
+    EXPECT_EQ(result(5, 13.9F, 4.9F), 1.0F);  // 13 mod 4 = 1
     EXPECT_EQ(result(5, 17.0F, 5.0F), 2.0F);
     EXPECT_TRUE(is_undefined(21, 1.0F, 2.0F));
     EXPECT_TRUE(is_undefined(255, 1.0F, 2.0F));
@@ -134,7 +134,7 @@ TEST(BinaryFunctions, LogicOfTable10WorksOnIntegers) {
 
 TEST(BinaryFunctions, BitOperationsFollowTable10) {
     verifies<req::INC_BIN_004, req::INC_T10>();
-    EXPECT_EQ(result(16, 12.0F, 10.7F), 14.0F);  // 1100b | 1010b
+    EXPECT_EQ(result(16, 12.0F, 10.7F), 14.0F);  // 1100b | 1010b = 1110b
     EXPECT_EQ(result(17, 12.0F, 10.7F), 8.0F);
     EXPECT_EQ(result(18, 12.0F, 10.7F), 6.0F);
     EXPECT_EQ(result(19, 3.0F, 4.9F), 48.0F);
@@ -182,7 +182,7 @@ TEST(FunctionBlocks, FunctionBlockFollowsEquation4) {
     verifies<req::INC_BIN_001>();
     FunctionBlock block;
     block.inputs[0] = input(continuous_signal(-10.0F));
-    block.inputs[0].unary = 3;              // absolute value: 10
+    block.inputs[0].unary = 3;              // unary function 3 gives the absolute value: 10
     block.inputs[0].linear = {0.5F, 1.0F};  // 10 * 0.5 + 1 = 6
     block.inputs[1] = input(discrete_signal(4U));
     block.inputs[1].linear = {-2.0F, 5.0F};  // 4 * -2 + 5 = -3
@@ -227,7 +227,7 @@ TEST(FunctionBlocks, ZeroTimesInfinityAtTheOutputScaleIsUndefined) {
     block.operation = 1;
     block.inputs[0] = input(continuous_signal(infinite));
     block.inputs[1] = input(continuous_signal(1.0F));
-    block.output = {0.0F, 0.0F};  // 0 times infinity
+    block.output = {0.0F, 0.0F};  // 0 times infinity is undefined
     EXPECT_FALSE(is_defined(evaluate(block)));
 }
 
@@ -236,7 +236,7 @@ TEST(CountValue, CountIsScaledShiftedByTheOffsetAndRounded) {
     EXPECT_EQ(count_value(44.4F, {1, 0.0F}), 44);
     EXPECT_EQ(count_value(44.5F, {1, 0.0F}), 45);
     EXPECT_EQ(count_value(-44.5F, {1, 0.0F}), -45);
-    EXPECT_EQ(count_value(12.25F, {10, 0.0F}), 123);  // 122.5
+    EXPECT_EQ(count_value(12.25F, {10, 0.0F}), 123);  // 12.25 * 10 = 122.5, rounded up
     EXPECT_EQ(count_value(10.0F, {10, -3.5F}), 97);   // 96.5: the offset is in counts
     EXPECT_EQ(count_value(-1.0F, {1000, 0.0F}), -1000);
 }

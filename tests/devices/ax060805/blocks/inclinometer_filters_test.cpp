@@ -211,7 +211,7 @@ TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
     for (int sample = 0; sample < 1000; ++sample) {
         filter.add(0.01F * static_cast<float>(sample));
         if (sample >= 127) {
-            // mean of the samples from n - 127 to n
+            // the output is the mean of the samples from n - 127 to n
             ASSERT_NEAR(filter.output(), 0.01F * (static_cast<float>(sample) - 63.5F), 0.02F) << sample;
         }
     }
@@ -306,7 +306,7 @@ TEST(AngleFilter, BlockOf60000SamplesIsRightAfter480000Turns) {
     for (const float side : {1.0F, -1.0F}) {
         AngleFilter filter = filter_of(AngleFilterKind::repeating, 60000U);
         const std::array<float, 3U> stands{{0.0F, 120.0F * side, -120.0F * side}};
-        for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks
+        for (std::size_t i = 0U; i < 1'440'000U; ++i) {  // 24 blocks of 60,000 samples
             filter.add(stands[i % 3U]);
         }
         // The mean of 0, 120, 240, … 59,999 * 120 is 3,599,940 degrees, 10,000 turns minus 60 degrees.

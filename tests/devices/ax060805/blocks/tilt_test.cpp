@@ -90,7 +90,7 @@ TEST(Tilt, GravityIsTheReversedAcceleration) {
 
 TEST(Tilt, TiltAngleJumpsToItsSupplementWhereGzChangesItsSign) {
     verifies<req::INC_ANGLE_007, req::INC_ANGLE_003>();
-    // pitch atan2(0.5, ±0.866), roll atan2(0.866, ±0.5)
+    // the pitch is atan2(0.5, ±0.866), the roll atan2(0.866, ±0.5)
     expect_near(tilt_angles({-0.5F, half_root_3, 1e-6F}), {30.0F, 60.0F}, "just above");
     expect_near(tilt_angles({-0.5F, half_root_3, 0.0F}), {30.0F, 60.0F}, "zero");
     expect_near(tilt_angles({-0.5F, half_root_3, -0.0F}), {30.0F, 60.0F}, "negative zero");

@@ -43,7 +43,7 @@ TEST(InclinometerFigures, TumblePlotShowsTheAnglesOfItsPositions) {
     expect_angles(plot, 7.0, 126.0, 180.0, 126.0);
     expect_angles(plot, 13.0, -126.0, 180.0, 126.0);
     expect_angles(plot, 18.0, -36.0, 0.0, 36.0);
-    // about X, right side down
+    // a rotation about X, right side down
     expect_angles(plot, 22.0, 0.0, 36.0, 36.0);
     expect_angles(plot, 27.0, 180.0, 126.0, 126.0);
     // about the diagonal by 45: gravity (-0.5, 0.5, 0.7071), both tilts 30
@@ -57,7 +57,7 @@ TEST(InclinometerFigures, EulerPitchStaysWithin90Degrees) {
         EXPECT_LE(std::fabs(pitch), 90.0) << second;
     }
     expect_angles(plot, 7.0, 54.0, 180.0, 126.0);
-    // gravity (-0.5, 0.5, 0.7071): roll atan2(0.5, 0.7071)
+    // gravity is (-0.5, 0.5, 0.7071), so the roll is atan2(0.5, 0.7071)
     expect_angles(plot, 42.5, 30.0, 35.26, 45.0);
 }
 

@@ -149,7 +149,7 @@ TEST(InclinometerSimulation, SimulationSendsTheAngleOfItsStimulus) {
     frames_until(*device, Instant{1000000});
     device->receive(host::parse_frame("000#0100", "test"), Instant{1000000});
     ASSERT_FALSE(device->queue().empty());
-    // Pitch 30, roll 0, gravity angle 30 degrees.
+    // The PDO contains pitch 30, roll 0 and gravity angle 30 degrees.
     EXPECT_EQ(host::format_frame(device->queue().pop()), "185#1E0000001E0000");
 }
 

@@ -76,7 +76,7 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
     const SensorErrors errors{0.0, 3.5, 0.0, 0.0};
     expect_felt(with_errors(level, errors, 25.0), 0.0, 0.0, -1.0);
     expect_felt(with_errors(level, errors, -40.0), -0.0610485, -0.0610485, -1.0610485);  // sin -3.5° = -0.0610485
-    // sin (3.5° * 60 / 65) = 0.0563577
+    // 60 K above 25 °C the drift is sin (3.5° * 60 / 65) = 0.0563577
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 

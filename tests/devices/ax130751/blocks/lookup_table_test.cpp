@@ -139,7 +139,7 @@ TEST(LookupTable, ProfileStartsAtPoint1EvenWhenItsXIsNot0) {
 
 TEST(LookupTable, RepeatedProfileContinuesFromItsLastPoint) {
     verifies<req::AOR_LT_013>();
-    const auto profile = short_profile();  // 100 ms
+    const auto profile = short_profile();  // its points take 100 ms together
     EXPECT_DOUBLE_EQ(after(0, profile, true), 0.0) << "at its start alone";
     EXPECT_DOUBLE_EQ(after(100, profile, true), 40.0);
     EXPECT_DOUBLE_EQ(after(101, profile, true), 5.0);

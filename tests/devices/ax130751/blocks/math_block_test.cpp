@@ -61,7 +61,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
         EXPECT_EQ(apply_operator(number, 0.6, 0.6), row.equal) << row.number;
         EXPECT_EQ(apply_operator(number, 0.6, 0.4), row.greater) << row.number;
     }
-    // both inputs are false
+    // both inputs are false, so the logical operators 6 to 11 give these results
     EXPECT_EQ(apply_operator(6, 0.4, 0.4), 0.0);
     EXPECT_EQ(apply_operator(7, 0.4, 0.4), 1.0);
     EXPECT_EQ(apply_operator(8, 0.4, 0.4), 0.0);
@@ -135,7 +135,7 @@ TEST(MathBlock, EqualInputsCompareEqualAfterDifferentScalings) {
 
 TEST(MathBlock, JoystickAndPotentiometerFollowTheManual) {
     verifies<req::AOR_MATH_001, req::AOR_MATH_002>();
-    // 75 % of the scale by input 1, 25 % by input 2
+    // input 1 gives 75 % of the scale, input 2 gives 25 %
     const auto sum = [](double joystick, double potentiometer) {
         return run({percent(joystick, 0.75), percent(potentiometer, 0.25), unused, unused}, {plus, plus, plus});
     };
@@ -184,9 +184,9 @@ TEST(MathBlock, NegativeResultKeepsItsSignThroughTheChain) {
 
 TEST(MathBlock, GainOfZeroClampsANegativeDifference) {
     verifies<req::AOR_MATH_005>();
-    // 0 - 0.5 is clamped to 0; 0 + 0.9
+    // 0 - 0.5 is clamped to 0; then 0 + 0.9 = 0.9
     EXPECT_EQ(run({percent(20, 0), percent(50), percent(90), unused}, {minus, plus, plus}), 0.9);
-    // -0.2 - 0.5 = -0.7; -0.7 - 0 is clamped to 0; 0 + 0.9
+    // -0.2 - 0.5 = -0.7; -0.7 - 0 is clamped to 0; then 0 + 0.9 = 0.9
     EXPECT_EQ(run({percent(20, -1), percent(50), percent(50, 0), percent(90)}, {minus, minus, plus}), 0.9);
 }
 
@@ -194,7 +194,7 @@ TEST(MathBlock, NegativeGainOnAFedBackResultKeepsANegativeDifference) {
     verifies<req::AOR_MATH_013, req::AOR_MATH_009>();
     // function 1: 0.2 - 0.5 = -0.3, in the chain 0; input 3 is function 1 times -1: 0.3; function 2: 0 + 0.3
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1, -1.0), unused}, {minus, plus, plus}), 0.5 - 0.2);
-    // with a gain of 1 the result is 0: 0 + 0 + 0.9
+    // with a gain of 1 the result of function 1 is 0: 0 + 0 + 0.9
     EXPECT_DOUBLE_EQ(run({percent(20), percent(50), result_of(1), percent(90)}, {minus, plus, plus}), 0.9);
 }
 

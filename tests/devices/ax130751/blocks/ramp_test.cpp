@@ -12,7 +12,7 @@ namespace {
 
 using namespace ax130751;
 
-// 10 units in 1 s up, in 500 ms down
+// the ramps cross 10 units in 1 s upwards, and in 500 ms downwards
 const RampTimes slow{10.0, milliseconds(1000), milliseconds(500)};
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST(Ramp, FallingRampCrossesTheSpanInItsTime) {
     Ramp ramp;
     ramp.set(10.0);
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(0)), 10.0);
-    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // 20 per second
+    EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(100)), 8.0);  // the ramp falls by 20 units per second
     EXPECT_DOUBLE_EQ(ramp.follow(0.0, slow, at(500)), 0.0);
 }
 

@@ -66,14 +66,14 @@ TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
         }
         return all;
     };
-    // 3.4.25: UNSIGNED8, RW, 0 to 2, default 1
+    // 3.4.25: 2342h is UNSIGNED8, rw, 0 to 2, with the default 1
     EXPECT_THAT(text_, HasSubstr(lines("[2342sub1]\nParameterName=AO1 Control Response\nObjectType=0x7\n"
                                        "DataType=0x0005\nAccessType=rw\nDefaultValue=1\nLowLimit=0\nHighLimit=2\n"
                                        "PDOMapping=0\n")));
-    // 3.3.13: INTEGER16, RO, mappable
+    // 3.3.13: 7330h is INTEGER16, ro, and can be mapped
     EXPECT_THAT(text_, HasSubstr(lines("[7330sub2]\nParameterName=AO2 Field Value\nObjectType=0x7\nDataType=0x0003\n"
                                        "AccessType=ro\nDefaultValue=0\nPDOMapping=1\n")));
-    // 3.2.14: COB-ID of RPDO4
+    // 3.2.14: 1403h:1 is the COB-ID of RPDO4
     EXPECT_THAT(text_, HasSubstr(lines("[1403sub1]\nParameterName=COB-ID used by RPDO\nObjectType=0x7\n"
                                        "DataType=0x0007\nAccessType=rw\nDefaultValue=$NODEID+0x40000500\n")));
     // AX130751, 3.1, 3.2.11
@@ -82,7 +82,7 @@ TEST_F(Ax130751Eds, EdsEntriesMatchTheObjectPagesOfTheManual) {
     EXPECT_THAT(text_, HasSubstr(lines("NrOfRXPDO=4\nNrOfTXPDO=4\nLSS_Supported=1\n")));
     EXPECT_THAT(text_, HasSubstr(lines("BaudRate_125=1\nBaudRate_250=1\nBaudRate_500=1\nBaudRate_800=0\n"
                                        "BaudRate_1000=1\n")));
-    // 3.4.74: a REAL32
+    // 3.4.74: 5020h is a REAL32
     EXPECT_THAT(text_, HasSubstr(lines("[5020]\nParameterName=Power Supply Field Value\nObjectType=0x7\n"
                                        "DataType=0x0008\nAccessType=ro\n")));
 }

@@ -303,7 +303,8 @@ TEST(Thermocouple, ExponentialTermMatchesTheLibraryFunction) {
     for (double celsius = -40.0; celsius <= 1372.0; celsius += 0.13) {
         const long double distance = static_cast<long double>(celsius) - 126.9686L;
         const long double right = 0.1185976L * std::exp(-1.183432e-4L * distance * distance);
-        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11) << celsius;  // 1e-9 is required
+        ASSERT_NEAR(exponential_mv(term, celsius), static_cast<double>(right), 1e-11)
+            << celsius;  // the requirement allows 1e-9 mV
     }
     EXPECT_NEAR(exponential_mv(term, 126.9686), 0.1185976, 1e-11);
     EXPECT_EQ(exponential_mv(term, 126.9686 + 1024.0), 0.0);
@@ -360,7 +361,7 @@ TEST(Thermocouple, SearchWithoutConvergenceEndsAtItsLastStep) {
     step.inverse[0] = inverse_piece(0.0, 10.0, {});
     step.inverse_count = 1U;
     step.highest = to_fixed(1e6);
-    // It ends in the middle of the first interval that is at most 1e-5 degC long.
+    // The search ends in the middle of the first interval that is at most 1e-5 degC long.
     EXPECT_NEAR(exact_celsius(step, 5.0), 40.0, 5e-6);
 }
 

@@ -106,7 +106,7 @@ TEST_F(HttpFrontEnd, SlowClientsDoNotDelayOtherClients) {
     EXPECT_THAT(exchange(plain_get), EndsWith("\r\n\r\nhello"));
 }
 
-TEST_F(HttpFrontEnd, ConnectionsAreBounded_AndALateClientIsStillServed) {
+TEST_F(HttpFrontEnd, OldestConnectionIsClosedAboveTheLimit_AndALateClientIsServed) {
     const auto slow = slow_ones(2 * HttpFront::most_connections);
     EXPECT_EQ(front.connections(), HttpFront::most_connections);
     EXPECT_TRUE(slow.front()->ended());  // the server has closed the oldest connection
@@ -236,7 +236,7 @@ TEST_F(PanelOverHttp, ForeignOriginHostContentTypeAndMethodAreRefused) {
 TEST_F(PanelOverHttp, OversizedBodiesAreRefused_AnnouncedOrChunked) {
     const std::string long_body(5000, ' ');
     EXPECT_THAT(post(long_body, own_page()), StartsWith("HTTP/1.1 413 "));
-    // Chunked: 1388h is 5000.
+    // The body is chunked; 1388h is 5000.
     EXPECT_THAT(exchange("POST /api/frame HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
                          "Transfer-Encoding: chunked\r\n\r\n1388\r\n" +
                          long_body + "\r\n0\r\n\r\n"),

@@ -25,7 +25,7 @@ std::string after(const std::vector<std::uint64_t>& round_ms, std::uint64_t end_
 
 }  // namespace
 
-TEST(LampWords, SteadyLampStatesAreNamed) {
+TEST(LampWords, SteadyLampIsDescribedAsOnOrOff) {
     LampHistory lamp;
     EXPECT_EQ(lamp.words(Instant{}), "off");
     EXPECT_TRUE(lamp.show(true, Instant{1000U}));
@@ -36,7 +36,7 @@ TEST(LampWords, SteadyLampStatesAreNamed) {
     EXPECT_EQ(lamp.words(Instant{9100000U}), "off");
 }
 
-TEST(LampWords, EveryFlashPatternOfTheManualIsNamed_AtAnyMoment) {
+TEST(LampWords, EveryFlashPatternOfTheManualIsRecognised_AtAnyMoment) {
     for (std::uint64_t end_ms = 6000; end_ms < 8000; end_ms += 37) {
         EXPECT_EQ(after({200, 200}, end_ms), "blinking") << end_ms;
         EXPECT_EQ(after({50, 50}, end_ms), "flickering") << end_ms;

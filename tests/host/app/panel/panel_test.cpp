@@ -34,7 +34,7 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
-    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1: no delay
+    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 = 0: the fault is reported without a delay
     bench.run_until(1100);
     // The default of 4020h:1 is 250.0 °C.
     ASSERT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 300.0), 200);
@@ -121,7 +121,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n");
 }
 
-TEST(Panel, DeviceMayBeNamedWithoutItsNodeIdWhenUnique) {
+TEST(Panel, NodeIdOfADeviceMayBeOmittedWhenItsNameIsUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
     EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request of the README
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
@@ -209,13 +209,13 @@ TEST(Panel, ReplayOfPanelActionsGivesTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, StimuliNameTheirDeviceWhenThereAreSeveral) {
+TEST(Panel, StimuliContainTheNameOfTheirDeviceWhenThereAreSeveral) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");
 }
 
-TEST(Panel, ReaderGetsOnlyNewFrames) {
+TEST(Panel, PageGetsOnlyFramesThatItHasNotReceivedBefore) {
     PanelBench bench{{"cbx-ao412@3"}};
     bench.run_until(100);
     const nlohmann::json first = bench.get("/api/state");
@@ -231,7 +231,7 @@ TEST(Panel, ReaderGetsOnlyNewFrames) {
     EXPECT_EQ(bench.get("/api/state", 1U << 30U, 1U << 30U).at("frames").size(), 0U);
 }
 
-TEST(Panel, FramesInOneAnswerAreBounded) {
+TEST(Panel, NumberOfFramesInOneAnswerIsLimited) {
     PanelBench bench{{"cbx-ao412@3"}};
     for (std::uint64_t ms = 1; ms <= 3000; ++ms) {
         ASSERT_EQ(bench.send("703#R"), 200);
@@ -242,7 +242,7 @@ TEST(Panel, FramesInOneAnswerAreBounded) {
     EXPECT_GE(state.at("next_frame").get<std::uint64_t>(), 6000U);
 }
 
-TEST(Panel, EveryViewNamesSignalsOfItsDeviceOnly) {
+TEST(Panel, ViewOfADeviceUsesOnlySignalsOfThisDevice) {
     PanelBench bench{{"ax060805", "ax130751@1", "ax188001@2", "cbx-ao412@3"}};
     const nlohmann::json panel = bench.get("/api/panel");
     for (const auto& device : panel.at("devices")) {

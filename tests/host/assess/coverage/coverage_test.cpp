@@ -123,7 +123,7 @@ TEST_F(Coverage, FirmwareOfADeviceIsMeasuredAndItsSimulationIsNot) {
     EXPECT_THAT(told("measured.json"), HasSubstr("measures no file of the firmware"));
 }
 
-TEST_F(Coverage, CodeOfTheHostBusesHasItsOwnFigure) {
+TEST_F(Coverage, CodeOfTheHostBusesHasItsOwnCoverageTotals) {
     std::string text = measured;
     const std::string firmware = text.substr(
         text.find("{\"filename\""), text.find("  {\"filename\": \"/elsewhere/tests") - text.find("{\"filename\""));
@@ -245,7 +245,7 @@ TEST_F(Coverage, InstantiationsOfATemplateCountTogether) {
     EXPECT_EQ(one.conditions.covered, 1U);
 }
 
-TEST_F(Coverage, FunctionIsNamedWithoutTemplateArguments) {
+TEST_F(Coverage, FunctionNameInAGapHasNoTemplateArguments) {
     // std::array<int, 9ul> canproof::made<int, 9ul>(std::array<int, 9ul> const&)
     std::string one = measured;
     const std::string idle = "_ZN8canproof12_GLOBAL__N_14idleEv";
@@ -275,7 +275,7 @@ TEST_F(Coverage, InvalidAndOutdatedFilesAreReported) {
     EXPECT_THAT(told("records.toml"), HasSubstr("records.toml:1: "));
 }
 
-TEST_F(Coverage, CoberturaHasEachLineAndItsBranches) {
+TEST_F(Coverage, CoberturaFileHasEachLineOfCodeAndItsBranches) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(write_cobertura(read()).c_str()));
     const pugi::xml_node coverage = document.child("coverage");

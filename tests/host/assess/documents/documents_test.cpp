@@ -233,13 +233,13 @@ TEST_F(Documents, HardwareInterfaceListsEveryInputAndOutput) {
 TEST_F(Documents, InterfaceControlDocumentHasCobIdsAndMappings) {
     const Document interface = interface_control(content_, box());
     const auto messages = rows_of(interface, "COB-IDs at node-ID 3");
-    // 80h + 3, 600h + 3, 580h + 3, 700h + 3
+    // COB-IDs of node 3: 80h + 3, 600h + 3, 580h + 3, 700h + 3
     EXPECT_THAT(messages, Contains(ElementsAre("EMCY", "sent", "083h", "8", "1014h")));
     EXPECT_THAT(messages, Contains(ElementsAre("SDO request", "received", "603h", "8", "")));
     EXPECT_THAT(messages, Contains(ElementsAre("SDO response", "sent", "583h", "8", "")));
     EXPECT_THAT(messages, Contains(ElementsAre("LSS request", "received", "7E5h", "8", "")));
     EXPECT_THAT(rows_of(interface, "RPDOs"), IsEmpty());
-    // 180h + 3; two values of 16 bits, one after the other
+    // TPDO1 has the COB-ID 180h + 3 and two values of 16 bits, one after the other
     EXPECT_THAT(rows_of(interface, "TPDOs"),
                 ElementsAre(ElementsAre("TPDO1, 1800h", "183h", "254 (event)", "", "",
                                         "bit 0: 2000h:01 Level 1 (16 bit), bit 16: 2000h:02 Level 2 (16 bit)")));

@@ -32,7 +32,7 @@ std::vector<std::string> texts_of(const std::string& graph) {
 }
 
 // A line of a box has space for 15 characters.
-TEST(ArgumentGraph, TitleIsShownWholeInLinesOfWords) {
+TEST(ArgumentGraph, TitleIsSplitBetweenWordsAndNotShortened) {
     using testing::ElementsAre;
     EXPECT_THAT(texts_of(graph_with("abcdefg hijklmn")), ElementsAre("abcdefg hijklmn", "not measured"));
     EXPECT_THAT(texts_of(graph_with("abcdefg hijklmno")), ElementsAre("abcdefg", "hijklmno", "not measured"));

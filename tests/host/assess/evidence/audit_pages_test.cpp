@@ -50,7 +50,7 @@ TEST_F(AuditPages, OverviewCountsTheItemsOfEachServiceAndLinksToThem) {
     EXPECT_THAT(page, HasSubstr("<li>D-A-002: a test that claims this item has failed"));
 }
 
-TEST_F(AuditPages, KindsAndStatesCanBeChosen) {
+TEST_F(AuditPages, ItemsCanBeFilteredByKindAndState) {
     const std::string page = make().at("audit-device.html");
     EXPECT_THAT(page,
                 HasSubstr("<select data-of=\".kind\"><option value=\"\">all</option><option>requirement</option>"));
@@ -69,7 +69,7 @@ TEST_F(AuditPages, CodeAndTestsAreLinksToTheirLines) {
     EXPECT_THAT(page, Not(HasSubstr("two.cpp.html")));
 }
 
-TEST_F(AuditPages, ItemShowsItsReviewOrWhyItNoLongerCounts) {
+TEST_F(AuditPages, PageOfAnItemShowsItsReviewOrWhyTheReviewExpired) {
     EXPECT_THAT(make().at("audit-device.html"),
                 HasSubstr("reviewed 2026-01-02 by someone, author of the change; read: item"));
     content_.parts[0].requirements[0].text = "edited";

@@ -37,7 +37,7 @@ TEST_F(FaultCampaignHtml, SectionWithoutFilesIsGrey) {
     EXPECT_THAT(page, HasSubstr("not measured"));
 }
 
-TEST_F(FaultCampaignHtml, RowHasTheCountsOfItsPart) {
+TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     leave("one.json", campaign);
     const std::string page = host::write_fault_campaign_html(folder);
     EXPECT_THAT(page, HasSubstr("1,200"));                        // masked: 2000 - 800

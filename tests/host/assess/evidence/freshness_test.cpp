@@ -100,7 +100,7 @@ TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
     fs::remove_all(root);
 }
 
-TEST(Freshness, ExhibitDependsOnWhatItsToolReads) {
+TEST(Freshness, ExhibitIsStaleAfterAChangeOfAFileThatItsToolReads) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_exhibits";
     // the exhibits that are out of date after a change of this file; all others stay up to date
@@ -152,7 +152,7 @@ TEST(Verdicts, VerdictsOfTheLatestRunAreUsed) {
     run("release", std::chrono::seconds{30});
     const std::string coverage = run("coverage", std::chrono::seconds{10});
     run("debug", std::chrono::seconds{20});
-    run("mutation", std::chrono::seconds{1});  // verdicts of altered tables
+    run("mutation", std::chrono::seconds{1});  // the newest run, but its verdicts are those of altered tables
     EXPECT_EQ(newest_verdicts(root).string(), coverage);
     fs::remove_all(root);
 }

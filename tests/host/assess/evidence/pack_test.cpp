@@ -99,7 +99,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
-TEST_F(Pack, OwnPageOfAnExhibitIsInTheFrameOfThePack) {
+TEST_F(Pack, OwnPageOfAnExhibitGetsTheMenuAndHeadingOfThePack) {
     input_.exhibits = {{"rules",
                         "Rules",
                         Exhibit::State::open,
@@ -153,7 +153,7 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
-TEST_F(Pack, EachToolHasTheVersionOfItsPackageOrTheCommit) {
+TEST_F(Pack, EachToolHasTheVersionOfItsPackage_AndAToolOfCanproofTheCommit) {
     input_.argument.tools = {{"linker <x>", "libx", "Wrong code.", "Tests.", "T3", "None met."},
                              {"own", "", "A gap.", "Tests.", "T2", "None met."},
                              {"gone", "liby", "A gap.", "Tests.", "T2", "None met."}};
@@ -265,7 +265,7 @@ TEST_F(Pack, UnreadableOldMeasurementIsStaleAndNotAbsent) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("src/firmware/base/one.cpp has changed since this measurement"));
 }
 
-TEST_F(Pack, ExhibitWithoutAPageGetsOneFromItsFiguresTablesAndPlots) {
+TEST_F(Pack, ExhibitWithoutAPageGetsOneWithItsNumbersTablesAndPlots) {
     Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
     exhibit.files = {{"scale/scale.csv",
                       "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"
@@ -315,7 +315,7 @@ TEST_F(Pack, RunsOnARealKernelAreSeparateEvidence) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("failed: joins"));
 }
 
-TEST_F(Pack, MutationIsCountedByItemAndItsSurvivorsAreListed) {
+TEST_F(Pack, MutantsAreCountedByItemAndSurvivorsAreListed) {
     input_.argument.claims[1].evidence = {"mutation"};
     input_.mutation = MeasuredMutation{
         {{"D-A-001", {10, 9, 1}}, {"D-A-002", {5, 5, 0}}},

@@ -25,11 +25,11 @@ class TargetHtml : public testing::Test {
 
 }  // namespace
 
-TEST_F(TargetHtml, PageWithoutFiguresStatesThatThereAreNone) {
+TEST_F(TargetHtml, PageWithoutMeasurementsStatesThatNothingWasMeasured) {
     EXPECT_THAT(host::write_target_html(folder), HasSubstr("not measured in this build"));
 }
 
-TEST_F(TargetHtml, FigureAboveItsBudgetIsOpen) {
+TEST_F(TargetHtml, SizeAboveItsBudgetIsMarkedOpen) {
     leave("footprint.json", R"({"budgets": {"devices": {"one": {"flash": 100, "ram": 20, "stack": 8}},
         "canopen": {"code": 40, "ram": 10, "stack": 9}},
         "devices": {"one": {"flash": 100, "ram": 21, "stack": 8, "canopen": {"code": 50, "ram": 10, "stack": 9}}}})");

@@ -140,7 +140,7 @@ TEST_F(ShardedCampaign, MoreShardsThanTargetsAreAllowed) {
     EXPECT_EQ(report("merged")["targets"].size(), 5U);
 }
 
-TEST_F(ShardedCampaign, SameCommandContinuesAShardAndThenDoesNothing) {
+TEST_F(ShardedCampaign, SameCommandContinuesAShard_AndDoesNothingAfterItsEnd) {
     EXPECT_EQ(run("shards/first", Shard{1, 2}, [] { return true; }), 130);
     EXPECT_EQ(run("shards/second", Shard{2, 2}), 0);
     EXPECT_THAT(complaint(), HasSubstr("first has not finished fuzzing"));

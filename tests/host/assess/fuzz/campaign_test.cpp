@@ -150,7 +150,7 @@ TEST_F(Campaign, FindingIsAddedToTheCorpusOfItsTarget) {
     EXPECT_EQ(text_of(landed), "BUG");
 }
 
-TEST_F(Campaign, FindingIsNotAddedToACorpusWithAnEmptyLandOption) {
+TEST_F(Campaign, FindingIsAddedToNoCorpusWhenTheOptionLandIsEmpty) {
     options.land = "";
     add_target("a", R"(printf BUGs > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);
@@ -259,7 +259,7 @@ TEST_F(Campaign, OptionsAndDictionaryOfATargetComeFromItsFiles) {
     EXPECT_THROW(find_fuzz_targets(options.build, {}), InputError);
 }
 
-TEST_F(Campaign, InvalidLineOfTheTargetListIsNamed) {
+TEST_F(Campaign, InvalidLineOfTheTargetListIsReportedWithItsNumber) {
     add_target("a", "");
     std::ofstream{folder / "build" / "fuzz_targets.txt", std::ios::app} << "b of two words\n";
     try {

@@ -23,7 +23,7 @@ TEST(FuzzerOutput, ProgressOfForkModeIsRead) {
     EXPECT_EQ(progress->features, 6459U);
 }
 
-TEST(FuzzerOutput, OtherLinesAreNoProgress) {
+TEST(FuzzerOutput, LineThatStatesNoProgressIsIgnored) {
     EXPECT_FALSE(parse_progress("INFO: seed corpus: files: 26"));
     EXPECT_FALSE(parse_progress("#0 0x55 in main x.cpp:3"));
     EXPECT_FALSE(parse_progress(""));
@@ -92,7 +92,7 @@ TEST(FuzzerOutput, ValgrindReportNamesTheFunction) {
               "Conditional jump or move depends on uninitialised value(s) in canproof::SdoServer::answer");
 }
 
-TEST(FuzzerOutput, TimeoutIsNamedAndEmptyOutputIsUnknown) {
+TEST(FuzzerOutput, TimeoutIsRecognisedAndEmptyOutputIsUnknown) {
     EXPECT_EQ(parse_failure("ALARM: working on the last Unit for 11 seconds\n==3== ERROR: libFuzzer: timeout after 11 "
                             "seconds\n")
                   .kind,

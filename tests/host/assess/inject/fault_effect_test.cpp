@@ -66,7 +66,7 @@ TEST(FaultEffect, OutputThatStaysOffOrIsSwitchedOffIsSafe) {
     EXPECT_EQ(effect(frames, outputs + "0.300000,volts,0\n"), FaultEffect::safe_state);
 }
 
-TEST(FaultEffect, OutputWithAnotherValueOrTooEarlyIsWrong) {
+TEST(FaultEffect, DifferentOrEarlyOutputIsAWrongOutput) {
     EXPECT_EQ(effect(frames, outputs + "0.300000,volts,6\n"), FaultEffect::wrong_output);
     // volts reaches 5 a second time, while the run without the fault has 7.
     const std::string rising = outputs + "0.300000,volts,7\n";
@@ -79,7 +79,7 @@ TEST(FaultEffect, OutputWithAnotherValueOrTooEarlyIsWrong) {
               FaultEffect::wrong_output);
 }
 
-TEST(FaultEffect, PdoWithOtherOrOlderDataIsWrong) {
+TEST(FaultEffect, PdoWithDifferentOrOlderDataIsAWrongPdo) {
     EXPECT_EQ(effect(without(frames, "(0.200000) can0 185#0304\n") + "(0.260000) can0 185#0305\n", outputs),
               FaultEffect::wrong_pdo);
     // Frozen: 0102 was right at 0.1 s, but the value of 0.2 s is 0304.
@@ -95,7 +95,7 @@ TEST(FaultEffect, MissingSdoAnswerIsAWrongAnswer) {
     EXPECT_EQ(effect(without(frames, "(0.250000) can0 585#4300100092010200\n"), outputs), FaultEffect::wrong_answer);
 }
 
-TEST(FaultEffect, LineWithoutValueIsRefused) {
+TEST(FaultEffect, OutputLineWithoutValueIsRefused) {
     EXPECT_THROW(read_run(frames, "seconds,signal,value\n0.1,relay\n"), InputError);
 }
 

@@ -45,10 +45,10 @@ void write_shards(const std::filesystem::path& folder, std::size_t count) {
 
 }  // namespace
 
-TEST(InjectionReport, TableHasCountsAndShares) {
+TEST(InjectionReport, TableHasTheNumberOfRunsAndThePercentageOfEachKindOfEffect) {
     const std::string table = injection_table("box", seven(), seven_runs());
-    EXPECT_NE(table.find(
-                  "box: 7 runs with one inverted bit each, in 128 bytes, before one of 40 calls of the device, seed 9"),
+    EXPECT_NE(table.find("box: 7 runs; each run inverts one bit in the 128 bytes of memory before one of the 40 calls "
+                         "of the device; seed 9"),
               std::string::npos);
     EXPECT_NE(table.find("\n\n"
                          "                          device     queue       all\n"

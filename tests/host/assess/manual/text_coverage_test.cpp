@@ -71,7 +71,7 @@ std::vector<std::string> told(const TextCoverage& coverage) {
 
 }  // namespace
 
-TEST(ManualTextMarks, MarksAreFoundAcrossLinesAndAtEachPlace) {
+TEST(ManualTextMarks, PassageOfAMarkIsFoundAcrossLinesAndAtEachOccurrence) {
     const ManualText text{"The lamp is\ngreen; the *lamp* is GREEN."};
     // Numbers of letters before each passage: "Thelampisgreen" has 14; "the" begins at 14, "lamp" at 3 and 17.
     EXPECT_THAT(find_marks(text, {mark_of("the lamp is green"), mark_of("lamp is"), mark_of("red")}),
@@ -79,18 +79,18 @@ TEST(ManualTextMarks, MarksAreFoundAcrossLinesAndAtEachPlace) {
                             Pair(mark_of("the lamp is green"), ElementsAre(0U, 14U))));
 }
 
-TEST(ManualTextMarks, MarksBeginAtTheStartOfAWord) {
+TEST(ManualTextMarks, PassageOfAMarkBeginsAtTheStartOfAWord) {
     const ManualText text{"unlit lamp"};
     EXPECT_THAT(find_marks(text, {mark_of("lit")}), IsEmpty());
     EXPECT_THAT(find_marks(text, {mark_of("unlit")}), testing::SizeIs(1));
 }
 
-TEST(ManualTextMarks, MarksMayEndWithinAWord) {
+TEST(ManualTextMarks, PassageOfAMarkMayEndWithinAWord) {
     const ManualText text{"two lamps"};
     EXPECT_THAT(find_marks(text, {mark_of("two lamp")}), ElementsAre(Pair(mark_of("two lamp"), ElementsAre(0U))));
 }
 
-TEST(ManualTextMarks, MarksAreNotFoundInEmptyText) {
+TEST(ManualTextMarks, NoPassageIsFoundInAnEmptyText) {
     EXPECT_THAT(find_marks(ManualText{""}, {mark_of("a")}), IsEmpty());
     EXPECT_THAT(find_marks(ManualText{"...\n\n"}, {mark_of("a")}), IsEmpty());
 }
@@ -131,7 +131,7 @@ TEST(ManualTextSections, SectionsWithLongNumbersMayHaveParaphrasedTitles) {
     EXPECT_EQ(found[0].begin, 2U);
 }
 
-TEST(ManualTextCoverage, MarksAbsentFromTheTextAreReported) {
+TEST(ManualTextCoverage, PassageThatTheTextDoesNotContainIsReported) {
     const TextCoverage coverage = cover_text(with_passages({"The lamp is green", "The lamp is red"}), text_of_manual);
     EXPECT_EQ(coverage.marks, 2U);
     EXPECT_THAT(coverage.missing, ElementsAre("M:1/2: " + mark_of("The lamp is red").text()));

@@ -85,7 +85,7 @@ TEST_F(KillTrial, MutantOfCodeThatRunsAtProgramStartIsKilledToo) {
     EXPECT_THAT(judge().kills, ElementsAre("AO4-A-1"));
 }
 
-TEST_F(KillTrial, ItemWithoutMutantsIsNamed) {
+TEST_F(KillTrial, ItemWithoutMutantsIsListed) {
     EXPECT_THAT(judge().without_mutants, ElementsAre("AO4-A-1"));
     EXPECT_THAT(judge().kills, IsEmpty());
 }

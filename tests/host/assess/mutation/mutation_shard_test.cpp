@@ -66,7 +66,7 @@ class MutationShards : public testing::Test {
     std::vector<MutationOutcome> whole = seven_outcomes();
 };
 
-TEST_F(MutationShards, MergedShardsGiveTheSameBytesAsOneMachine) {
+TEST_F(MutationShards, MergedShardsEqualTheResultOfOneMachineByteForByte) {
     for (const std::size_t count : {1U, 2U, 3U, 7U, 9U}) {
         fs::remove_all(folder);
         for (std::size_t number = count; number >= 1; --number) {
@@ -77,21 +77,21 @@ TEST_F(MutationShards, MergedShardsGiveTheSameBytesAsOneMachine) {
     }
 }
 
-TEST_F(MutationShards, ShardsOfCellsAreNotTakenForShardsOfCode) {
+TEST_F(MutationShards, ShardsOfCellsAreNotMergedAsShardsOfCode) {
     leave({1, 1});
     write_file(folder / mutation_shard_name(false, {1, 1}), write_mutation_shard({1, 1}, "a", {}));
     EXPECT_EQ(merged().size(), whole.size());
     EXPECT_TRUE(merge_mutation_shards(folder, false, {}).empty());
 }
 
-TEST_F(MutationShards, MissingShardIsNamed) {
+TEST_F(MutationShards, MissingShardIsReportedWithItsNumber) {
     EXPECT_THAT(complaint(), HasSubstr("no shard to merge"));
     leave({1, 3});
     leave({3, 3});
     EXPECT_THAT(complaint(), HasSubstr("shard 2/3 is missing"));
 }
 
-TEST_F(MutationShards, ShardsOfOtherAlterationsAreRefused) {
+TEST_F(MutationShards, ShardThatJudgedOtherAlterationsIsRefused) {
     leave({1, 2});
     leave({2, 2});
     EXPECT_EQ(complaint(), "");
@@ -113,7 +113,7 @@ TEST_F(MutationShards, ShardOfOtherSourcesIsRefused) {
     EXPECT_THAT(complaint(), HasSubstr("come from different sources"));
 }
 
-TEST_F(MutationShards, InvalidShardFileIsNamed) {
+TEST_F(MutationShards, InvalidShardFileIsReportedWithItsPath) {
     leave({1, 2});
     const fs::path file = folder / mutation_shard_name(true, {2, 2});
     for (const char* text :

@@ -111,7 +111,7 @@ TEST(Alterations, TableIsAlteredInAllItsCells) {
     for (const char* line :
          {R"("row 1 n_last", "4 -> 5", &box::x::rows[0U].n_last)", R"("row 1 word", "low -> high")",
           R"("row 2 word", "high -> low")", R"(static_cast<std::uint64_t>(box::x::Word::high))",
-          // 2.02F is 4001 47AEh
+          // 2.02F is 400147AEh
           R"("row 1 gain", "2 -> 2.02", &box::x::rows[0U].gain, sizeof(box::x::rows[0U].gain), 0x400147AEU)",
           R"("row 2 gain", "0 -> 0.01")"}) {
         EXPECT_THAT(text, HasSubstr(line));
@@ -212,7 +212,7 @@ TEST(MutationReport, MutationReportIsReadBackByItem) {
     EXPECT_TRUE(read_mutation_json("/nowhere/mutation.json").empty());
 }
 
-TEST(CodeMutation, EachTestIsReadWithItsReachableMutants) {
+TEST(CodeMutation, EachTestIsReadWithTheMutantsThatItReaches) {
     const RecordFile file{"Suite.First\ttests/a_test.cpp\t0.250\t0\t7\nSuite.Second\tb\t0.001\n"};
     const auto tests = read_told(file.path());
     ASSERT_EQ(tests.size(), 2U);

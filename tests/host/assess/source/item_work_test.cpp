@@ -67,7 +67,7 @@ TEST_F(ItemWorkMarks, TestMarksDoNotDependOnOrderOrRepetition) {
     EXPECT_NE(marks.of_tests({f, g}), marks.of_tests({f}));
 }
 
-TEST_F(ItemWorkMarks, MarksOfNothingAreEmptyAndAMissingSourceIsAnError) {
+TEST_F(ItemWorkMarks, MarkOfNoCodeOrTestsIsEmpty_AndAMissingSourceIsAnError) {
     WorkMarks marks{folder_ / ""};
     EXPECT_EQ(marks.of_code({}), "");
     EXPECT_EQ(marks.of_tests({}), "");

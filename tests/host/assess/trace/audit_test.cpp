@@ -89,7 +89,7 @@ TEST_F(AuditOfASmallRegister, AuditWithoutGapsReportsNothing) {
     EXPECT_EQ(audit().items[0].status(), "shown");
 }
 
-TEST_F(AuditOfASmallRegister, StoryOfADecisionHasItsTopicChoiceAndReason) {
+TEST_F(AuditOfASmallRegister, StoryOfADecisionContainsItsTopicChoiceAndReason) {
     EXPECT_THAT(story("D-D-001")->text, Not(HasSubstr("topic")));
     part().decisions[0].answer = {"heartbeat.range", "any", "its manual says so", "section 1 says so", {}};
     const std::string text = story("D-D-001")->text;
@@ -123,7 +123,7 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutCodeIsAGap) {
     EXPECT_THAT(gaps(), IsEmpty()) << "what is read needs no code";
 }
 
-TEST_F(AuditOfASmallRegister, CodeOfASharedRequirementMayImplementADeviceRequirement) {
+TEST_F(AuditOfASmallRegister, DeviceRequirementMayBeImplementedByTheCodeOfASharedRequirement) {
     part().requirements[1].by = "CO-A-001";
     review(part(), content.manuals[0]);
     EXPECT_THAT(gaps(), ElementsAre("D-A-002: no code implements CO-A-001"));
@@ -228,14 +228,14 @@ TEST_F(AuditOfASmallRegister, FilterBySectionIncludesItsSubsections) {
     EXPECT_FALSE(takes({"", "", "open"}));
 }
 
-TEST_F(AuditOfASmallRegister, FilterFindsTheManualOfASection) {
+TEST_F(AuditOfASmallRegister, FilterAddsTheManualToASectionWithoutOne) {
     const std::vector<PartAudit> all{audit()};
     EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:Table 7", "requirement", ""}, content, all).section, "M:Table 7");
 }
 
-TEST_F(AuditOfASmallRegister, FilterRefusesUnknownNames) {
+TEST_F(AuditOfASmallRegister, FilterRefusesUnknownSectionsManualsAndKinds) {
     const std::vector<PartAudit> all{audit()};
     const auto refusal = [&](const AuditFilter& filter) -> std::string {
         try {

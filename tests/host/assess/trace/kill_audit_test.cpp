@@ -70,7 +70,7 @@ class Kills : public testing::Test {
 
 }  // namespace
 
-TEST_F(Kills, ItemIsShownByATestThatNoticesAMutantOfIt) {
+TEST_F(Kills, ItemCountsAsShownWhenATestNoticesAMutantOfIt) {
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.unnoticed, ElementsAre("B"));
@@ -100,7 +100,7 @@ TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: the test no longer exists; it noticed mutants of A"));
 }
 
-TEST_F(Kills, TestWithoutItsAssertionsShowsNothing) {
+TEST_F(Kills, TestThatHasLostItsAssertionsIsARegression) {
     write(edited("EXPECT_EQ(state(), \"{\");", ""));
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);

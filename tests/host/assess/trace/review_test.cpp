@@ -118,7 +118,7 @@ TEST(Review, ReviewOfTheWordingRecordsCodeAndTestMarksAsUnread) {
     EXPECT_EQ(both.part("box")->reviews.at("AO4-R-1").marked, "");
 }
 
-TEST(Review, RenewalChangesNamedItemsOnly) {
+TEST(Review, NewReviewChangesOnlyTheItemsThatItNames) {
     const std::string first = reviewed(read("a", "b", ""), {"AO4-R-1", "AO4-R-2"}, "2026-01-02", "one");
     const Register edited = read("a, but other", "b, but other", first);
     EXPECT_THAT(waiting_items(edited), ElementsAre("AO4-R-1", "AO4-R-2"));
@@ -129,7 +129,7 @@ TEST(Review, RenewalChangesNamedItemsOnly) {
     EXPECT_EQ((ReviewState{again, no_work}.suspicion("AO4-R-1", {})), "changed since its review of 2026-01-02");
 }
 
-TEST(Review, TwoReviewsOfOneItemAreAFault) {
+TEST(Review, SecondReviewOfAnItemWithoutARoleIsAFault) {
     const std::string block = "[[review]]\ndate = \"2026-01-02\"\nby = \"x\"\n[review.items]\nAO4-R-1 = \"0\"\n";
     SpecFiles files = with(items_file, items("a", "b"));
     files[reviews_file] = block + block;

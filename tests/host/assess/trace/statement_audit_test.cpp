@@ -107,7 +107,7 @@ TEST_F(AuditOfStatements, AuditReportsNothingWhenAllStatementsAreCoveredOrExplai
                                       testing::Pair("M:2/2", "explained"), testing::Pair("M:6411h/1", "shown")));
 }
 
-TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
+TEST_F(AuditOfStatements, UncoveredStatementIsReported) {
     statements()[1].covered.clear();
     EXPECT_THAT(
         gaps(),
@@ -116,7 +116,7 @@ TEST_F(AuditOfStatements, UncoveredStatementIsNamed) {
     EXPECT_EQ(status()["M:6411h/1"], "open");
 }
 
-TEST_F(AuditOfStatements, NormativeSectionWithoutStatementsIsNamed) {
+TEST_F(AuditOfStatements, NormativeSectionWithoutStatementsIsReported) {
     statements().resize(2);
     EXPECT_THAT(gaps(), ElementsAre("M:2 (rates): the section is normative, but it has no statement"));
     EXPECT_FALSE(audits()[0].sections[1].covered);
@@ -158,7 +158,7 @@ TEST_F(AuditOfStatements, EditedItemMakesItsStatementSuspect) {
     EXPECT_EQ(count_statements(audits()[0])["shown"], 1U);
 }
 
-TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfThePackageIsShown) {
+TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofHasTheVerdictShown) {
     Part shared;
     shared.name = "canopen";
     shared.inherited = true;

@@ -70,7 +70,7 @@ TEST(EdsCheck, GoodSheetHasNoFindings) {
     EXPECT_EQ(all, "");
 }
 
-TEST(EdsCheck, EveryRuleHasOneExampleAndItsTexts) {
+TEST(EdsCheck, EveryRuleHasOneExampleAndADescriptionFixAndSource) {
     std::multiset<std::string> examples;
     for (const RuleExample& example : all_examples()) {
         examples.insert(example.rule);
@@ -127,7 +127,7 @@ TEST(EdsCheck, FindingsAreTheSameWithCarriageReturns) {
     EXPECT_THAT(rules_in(text), ElementsAre("data-type-unknown"));
 }
 
-TEST(EdsCheck, FileNameIsCheckedForFilesAndNotForText) {
+TEST(EdsCheck, FileNameIsCheckedOnlyWhenTheSheetHasOne) {
     EXPECT_THAT(check_eds(good_sheet()), IsEmpty());
     EXPECT_EQ(lines_of(check_eds(good_sheet(), "crate.eds"), "fileinfo-name-differs").size(), 1U);
 }

@@ -87,7 +87,7 @@ TEST_F(ArbitratedBusTest, ReportCountsLoadAndWorstLatency) {
     const BusReport report = bus->report(Instant{1000000});
     EXPECT_EQ(report.frames, 2U);
     EXPECT_EQ(report.errors, 0U);
-    // of one second, the bus is busy during the two frames and the 3 bits of intermission after each
+    // in one second, the bus is busy during the two frames and the 3 bits of intermission after each
     EXPECT_NEAR(report.load, static_cast<double>(first + second + 6 * 8) / 1.0e6, 1.0e-9);
     EXPECT_EQ(report.worst_latency.us, first + 3 * 8 + second);
     EXPECT_EQ(report.bit_rate, 125000U);
@@ -202,7 +202,7 @@ TEST_F(ArbitratedBusTest, BusOffLasts128Times11Bits_AndEndsErrorActive) {
     b.send("703#05");
     a.send("083#");  // sent while the node is off the bus
     run_until(*bus, Instant{1000}, Instant{100000});
-    // 128 × 11 bits × 8 us = 11264 us
+    // bus-off lasts 128 × 11 bits × 8 us = 11264 us
     EXPECT_THAT(a.states, ElementsAre("1000 3", "12264 0"));
     EXPECT_THAT(a.heard, IsEmpty());
     EXPECT_THAT(log, ElementsAre("b 703#05", "a 083#"));

@@ -95,7 +95,7 @@ TEST_F(BusLoad, LoadIsExactWhenReadRarely) {
     EXPECT_DOUBLE_EQ(load_at(3 * second), 0.0);
 }
 
-TEST(BusBitRate, BitRateIs125000WhenNoneIsGiven) {
+TEST(BusBitRate, BitRateIs125000ByDefault) {
     ArbitratedBus bus{"inproc", 0, {}};
     EXPECT_EQ(bus.report(Instant{0}).bit_rate, 125000U);
     EXPECT_EQ(bus.interface(), "inproc");

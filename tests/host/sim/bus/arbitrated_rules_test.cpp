@@ -220,7 +220,7 @@ TEST(ArbitratedRules, EachReceivedFrameReducesTheReceiveErrorCounterByOne) {
     const Instant begin = bench.now;
     bench.pass_frames(1);
     const Instant end = begin + Duration{length_of("123#") * 8};
-    EXPECT_EQ(bench.node.states.back(), fmt::format("{} 0", end.us));  // 95 errors
+    EXPECT_EQ(bench.node.states.back(), fmt::format("{} 0", end.us));  // 95 errors are below the warning limit
 }
 
 TEST(ArbitratedRules, DisconnectedNodeCountsNoErrors) {
@@ -244,7 +244,7 @@ TEST(ArbitratedRules, FrameThatAReceiverLosesDoesNotReduceItsErrorCounter) {
     ASSERT_GT(received, 0U);
     ASSERT_LT(received, 40U);
     bench.pass_errors(received);
-    EXPECT_THAT(bench.node.states, IsEmpty());  // 95 errors
+    EXPECT_THAT(bench.node.states, IsEmpty());  // 95 errors are below the warning limit
     bench.pass_errors(1);
     EXPECT_THAT(bench.node.states, SizeIs(1));
 }
@@ -260,7 +260,7 @@ TEST(ArbitratedRules, LoadOfAnEarlierTimeCountsTheFramesUpToThatTime) {
     EXPECT_DOUBLE_EQ(bench.bus.report(Instant{100}).load, 1.0);
 }
 
-TEST(ArbitratedRules, LoadCountsTheFramesOfALaterSecond) {
+TEST(ArbitratedRules, LoadAfterIdleSecondsIsThatOfTheLastSecond) {
     ErrorBench bench;
     bench.pass(milliseconds(3000));
     bench.node.send("703#05");
@@ -280,7 +280,7 @@ TEST(ArbitratedRules, FullBusHasALoadOfOneWhenABitLastsAFractionOfAMicrosecond) 
     EXPECT_NEAR(bus.report(Instant{10000}).load, 1.0, 1.0e-9);
 }
 
-TEST(ArbitratedRules, UserFramesWaitUpTo256) {
+TEST(ArbitratedRules, UpTo256UserFramesWait) {
     ErrorBench bench;
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bench.bus.put(parse_frame("123#", "test"), Instant{0})) << i;
@@ -288,7 +288,7 @@ TEST(ArbitratedRules, UserFramesWaitUpTo256) {
     EXPECT_FALSE(bench.bus.put(parse_frame("123#", "test"), Instant{0}));
 }
 
-TEST(BitRateVote, MostVotesWin) {
+TEST(BitRateVote, BitRateWithMostVotesWins) {
     EXPECT_EQ(vote_on({{125000, 1}, {250000, 3}, {500000, 2}}, 125000), 250000U);
     EXPECT_EQ(vote_on({{125000, 1}, {250000, 2}, {500000, 3}}, 125000), 500000U);
     EXPECT_EQ(vote_on({{125000, 1}}, 500000), 125000U);  // nobody votes for the present rate

@@ -65,7 +65,7 @@ TEST(ArrivalClock, ClocksAreComparedAgainWhenAComparisonTakesLongerThan10Microse
     // the real time was read between 0 and 10 us of the run, which counts as 5 us
     EXPECT_EQ(ten.at(5000000 * ns, Instant{}), Instant{5});
     const ArrivalClock eleven = compared({0, 11, 100, 100}, 5000000);
-    // after 11 us a second comparison follows, which takes no time
+    // the first comparison takes 11 us, so a second one follows, which takes no time
     EXPECT_EQ(eleven.at(5000000 * ns, Instant{}), Instant{100});
 }
 

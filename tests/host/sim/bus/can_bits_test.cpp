@@ -82,7 +82,7 @@ TEST(CanBits, CrcEqualsTheRemainderOfALongDivision) {
 }
 
 TEST(CanBits, FieldsHaveTheOrderOfTheStandard) {
-    // SOF, identifier 703h, RTR, IDE, r0, DLC 1, one byte 05h
+    // the fields: SOF, identifier 703h, RTR, IDE, r0, DLC 1, one byte 05h
     EXPECT_EQ(text_of(unstuffed_bits(frame("703#05"))), text_of(bits_of("0 11100000011 0 0 0 0001 00000101")));
     // a remote frame has a recessive RTR and no data
     EXPECT_EQ(text_of(unstuffed_bits(frame("703#R1"))), text_of(bits_of("0 11100000011 1 0 0 0001")));

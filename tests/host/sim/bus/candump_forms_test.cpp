@@ -83,7 +83,7 @@ TEST(CandumpFrame, FrameIsWrittenAsItIsRead) {
     }
 }
 
-TEST(CandumpLine, LineHasTimeInterfaceFrameAndMark) {
+TEST(CandumpLine, LineConsistsOfTimeInterfaceFrameAndMark) {
     const LoggedFrame plain = line("(12.000345) vcan3 703#05");
     EXPECT_EQ(plain.time, Instant{12000345});
     EXPECT_EQ(plain.interface, "vcan3");
@@ -106,7 +106,7 @@ TEST(CandumpLine, AsciiWhiteSpaceSeparatesWordsAndOtherControlCharactersDoNot) {
     }
 }
 
-TEST(CandumpLine, RefusalNamesTheWrongPart) {
+TEST(CandumpLine, RefusalStatesWhichFieldIsWrong) {
     EXPECT_NE(refusal("(1.0) can0").find("does not consist of a time, an interface and a frame"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#05 X").find("does not consist of a time, an interface and a frame"),
               std::string::npos);

@@ -58,7 +58,7 @@ TEST(Candump, WrittenLinesAreReadBack) {
     }
 }
 
-TEST(Candump, RefusalsNameThePlaceAndTheForm) {
+TEST(Candump, RefusalContainsTheLineNumberAndAnExampleOfAValidLine) {
     for (const char* line :
          {"", "603#00", "(1.0) can0", "1.0 can0 603#00", "(1.0000000) can0 603#00", "(x) can0 603#00", "(1.0) can0 603",
           "(1.0) can0 6#00", "(1.0) can0 603#0", "(1.0) can0 603#001122334455667788", "(1.0) can0 603#GG",

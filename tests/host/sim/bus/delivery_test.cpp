@@ -51,7 +51,7 @@ TEST(Delivery, NodeReceivesTheFramesThatItsFiltersAccept) {
     EXPECT_EQ(bus.report(Instant{10000}).frames, 2U);
 }
 
-TEST(Delivery, NodeThatReportsNewFiltersReceivesByTheNewFilters) {
+TEST(Delivery, NodeThatReportsNewFiltersReceivesWhatTheyAccept) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};
@@ -69,7 +69,7 @@ TEST(Delivery, NodeThatReportsNewFiltersReceivesByTheNewFilters) {
     EXPECT_EQ(b.heard.front().substr(b.heard.front().find(' ')), " 206#02");
 }
 
-TEST(Delivery, DeadlineIsThatOfTheFirstNodeThatMaySend) {
+TEST(Delivery, NextDeadlineIsThatOfTheFirstNodeThatMaySend) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     TellingNode a{"a"};
     TellingNode b{"b"};

@@ -37,7 +37,7 @@ TEST(EchoMatcher, FramesOfOneIdentifierMayArriveInAnotherOrder) {
     EXPECT_EQ(echoes.match(frame("583#01"), 0), 1);
 }
 
-TEST(EchoMatcher, EveryPartOfAFrameIsCompared) {
+TEST(EchoMatcher, EachFieldOfAFrameIsCompared) {
     for (const char* sent : {"703#7F00", "00000703#7F00", "703#R2", "00000703#R2"}) {
         EchoMatcher<int> echoes;
         echoes.sent(frame(sent), 1);

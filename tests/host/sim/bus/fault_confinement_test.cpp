@@ -24,7 +24,7 @@ FaultConfinement after(unsigned transmit_failures, unsigned receive_failures) {
 
 }  // namespace
 
-TEST(FaultConfinement, FailedTransmissionAdds8AndFailedReceptionAdds1ToItsErrorCounter) {
+TEST(FaultConfinement, FailedTransmissionAdds8AndFailedReceptionAdds1ToTheErrorCounter) {
     EXPECT_EQ(after(1, 0).transmit_errors(), 8U);
     EXPECT_EQ(after(1, 0).receive_errors(), 0U);
     EXPECT_EQ(after(0, 1).receive_errors(), 1U);

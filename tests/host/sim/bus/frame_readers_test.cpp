@@ -20,7 +20,7 @@ Frame frame_of(const char* text) {
 
 }  // namespace
 
-TEST(FrameReaders, FrameHasTheReadersOfItsIdentifierInAscendingOrder) {
+TEST(FrameReaders, ReadersOfAnIdentifierAreListedInAscendingOrder) {
     FrameReaders readers;
     readers.set(7, {{0x080, 0x7FF, false}, {0x205, 0x7FF, false}});
     readers.set(2, {{0x080, 0x7FF, false}});
@@ -49,7 +49,7 @@ TEST(FrameReaders, ReaderIsListedOnceForEachIdentifierOfItsFilters) {
     EXPECT_THAT(readers.of(frame_of("1FFFFFFF#05")), ElementsAre(3U));
 }
 
-TEST(FrameReaders, NewFiltersReplaceThoseOfOneReaderOnly) {
+TEST(FrameReaders, NewFiltersReplaceOnlyTheOldFiltersOfTheirReader) {
     FrameReaders readers;
     readers.set(1, {{0x205, 0x7FF, false}, {0x700, 0x780, false}});
     readers.set(2, {{0x205, 0x7FF, false}});

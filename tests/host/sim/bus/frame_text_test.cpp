@@ -21,7 +21,7 @@ TEST(FrameText, FramesAreAlikeOnlyWhenEachFieldIsTheSame) {
     for (const char* const same : {"123#1122", "00000123#1122", "123#R2"}) {
         EXPECT_TRUE(are_alike(frame_in(same), frame_in(same))) << same;
     }
-    // identifier, format, remote, length, data
+    // fields of the frame: identifier, format, remote, length, data
     for (const char* const other : {"124#1122", "00000123#1122", "123#R2", "123#112200", "123#1123"}) {
         EXPECT_FALSE(are_alike(frame, frame_in(other))) << other;
     }

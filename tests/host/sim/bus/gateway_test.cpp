@@ -38,7 +38,7 @@ TEST(Gateway, GatewayIsSendingUntilAllRepetitionsOfItsFrameAreSent) {
     EXPECT_GT(repeated, 0U);
 }
 
-TEST(Gateway, FullGatewayTakesAFrameWhenTheBusHasTakenOne) {
+TEST(Gateway, FullGatewayAcceptsAFrameWhenTheBusStartsToSendOne) {
     ArbitratedBus bus{"inproc", 125000, BusFaultRates{}};
     PlainNode node{"node"};
     bus.attach(node);

@@ -100,7 +100,7 @@ TEST_F(SocketCan, FramesAreRetriedWithGrowingPausesWhileTheDeviceQueueIsFull) {
     system.sockets[first].send_answers = {ENOBUFS, ENOBUFS, ENOBUFS, 0};
     step(10);
     EXPECT_EQ(system.sockets[first].send_calls, 1);
-    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // 1 ms
+    EXPECT_EQ(bus->next_deadline().us, now.us + 1000);  // the first pause lasts 1 ms
     step(500);                                          // a call before the pause ends does not send
     EXPECT_EQ(system.sockets[first].send_calls, 1);
     step(500);

@@ -109,7 +109,7 @@ TEST_F(SocketCan, FrameTimeIsCorrectedByAClockOffsetOf20Milliseconds) {
     EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
 }
 
-TEST_F(SocketCan, FrameFromTheStartOfTheRunIsDueAtZero) {
+TEST_F(SocketCan, FrameOfTheStartOfTheRunIsDueAtTime0) {
     start();
     system.arrive(first, "603#40", 4000000);
     bus->poll(now);
@@ -175,7 +175,7 @@ TEST_F(SocketCan, LossIsReportedOnlyForTheSocketThatLostFrames) {
     step(10);
     EXPECT_THAT(notices, ElementsAre(HasSubstr("3 frames arrived faster")));
     step(2000000);
-    EXPECT_THAT(notices, SizeIs(1));  // no further notice
+    EXPECT_THAT(notices, SizeIs(1));  // no further notice for the other socket
 }
 
 TEST_F(SocketCan, SmallBufferOfOneSocketIsReportedWithTheRemedy) {

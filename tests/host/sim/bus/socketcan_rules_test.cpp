@@ -136,7 +136,7 @@ TEST_F(SocketCan, FrameWithoutTimestampOrFromBeforeTheRunIsDueNow) {
     EXPECT_EQ(a.heard.back(), "1000030 603#42");
 }
 
-TEST_F(SocketCan, ClockDriftUpTo50MsIsNotTakenAsAClockChange) {
+TEST_F(SocketCan, ClockDriftUpTo50MsKeepsTheClockOffset) {
     start();
     step(10);
     now.us += 100000;
@@ -300,7 +300,7 @@ TEST_F(SocketCan, NewSocketCountsItsLossesFromZero) {
     EXPECT_THAT(a.overruns, ElementsAre(true));  // no frame came between the two losses, so they are one overrun
 }
 
-TEST_F(SocketCan, RecreatedInterfaceIsNotTakenForTheOldInterface) {
+TEST_F(SocketCan, RecreatedInterfaceIsDistinguishedFromTheOldInterface) {
     start();
     system.number = 9;  // the interface was removed and created again, and each query found it up
     system.fail(first, ENODEV);

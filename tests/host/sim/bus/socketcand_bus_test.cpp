@@ -151,7 +151,7 @@ TEST_F(SocketcandServer, StatisticsAreSentWhenDue) {
     EXPECT_EQ(bus.next_deadline(), now + milliseconds(700));
 }
 
-TEST_F(SocketcandServer, BlockedClientIsNotWatchedForInput) {
+TEST_F(SocketcandServer, SocketOfABlockedClientIsNotWatchedForReading) {
     TcpClient flood{bus.port()};
     flood.say(join);
     ASSERT_TRUE(until([&] { return flood.heard() == joined; }));
@@ -174,7 +174,7 @@ TEST_F(SocketcandServer, BlockedClientIsNotWatchedForInput) {
     EXPECT_THAT(log, SizeIs(1000));
 }
 
-TEST_F(SocketcandServer, ClientThatDoesNotReadIsWatchedForOutput) {
+TEST_F(SocketcandServer, SocketOfAClientThatDoesNotReadIsWatchedForWriting) {
     TcpClient slow{bus.port()};
     slow.say(join);
     ASSERT_TRUE(until([&] { return slow.heard() == joined; }));

@@ -121,7 +121,7 @@ class SocketcandServerElsewhere : public testing::Test {
 
 }  // namespace
 
-TEST_F(SocketcandServerElsewhere, LocalDevicesAndThoseBehindTheServerExchangeFrames) {
+TEST_F(SocketcandServerElsewhere, LocalDevicesExchangeFramesWithDevicesBehindTheServer) {
     join();
     a.send("703#05");
     ASSERT_TRUE(until([&] { return far.heard.size() == 1; }));

@@ -179,7 +179,7 @@ TEST_F(ScriptedBus, FirstByteOfACommandMayArriveAlone) {
     EXPECT_THAT(log, ElementsAre("1000000 - 080#"));
 }
 
-TEST_F(ScriptedBus, BitRateIs125000WhenNoneIsGiven) {
+TEST_F(ScriptedBus, BitRateIs125000ByDefault) {
     connect(0);
     EXPECT_EQ(bus->report(now).bit_rate, 125000U);
 }

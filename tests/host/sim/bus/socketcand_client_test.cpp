@@ -47,7 +47,7 @@ TEST_F(SocketcandClientText, ClientOpensTheBusAndEntersRawMode) {
 TEST_F(SocketcandClientText, FramesAreReadAsServersWriteThem) {
     join();
     hear("< frame 703 1700000001.234567 05 >< frame 583 0.0 4300100091010800 >");
-    // With the blanks of the manual of socketcand.
+    // the blanks are those of socketcand's manual
     hear("< frame 00000123 1.0 01 >< frame 080 1.000000  >< frame 123 23.424242 11 22 33 44 >");
     EXPECT_THAT(frames, ElementsAre("703#05", "583#4300100091010800", "00000123#01", "080#", "123#11223344"));
 }
@@ -96,7 +96,7 @@ TEST_F(SocketcandClientText, RefusalTextOfTheServerIsKept) {
     EXPECT_EQ(client.complaint(), "32 clients have joined, which is the most");
 }
 
-TEST(SocketcandPlace, MissingPartsOfThePlaceHaveTheirDefaults) {
+TEST(SocketcandPlace, MissingHostPortOrBusOfAnAddressGetsItsDefault) {
     const SocketcandPlace usual = parse_socketcand_place("");
     EXPECT_EQ(usual.host, "127.0.0.1");
     EXPECT_EQ(usual.port, 29536);
@@ -109,7 +109,7 @@ TEST(SocketcandPlace, MissingPartsOfThePlaceHaveTheirDefaults) {
     EXPECT_EQ(parse_socketcand_place("/can1").bus, "can1");
 }
 
-TEST(SocketcandPlace, InvalidPlaceIsRefused) {
+TEST(SocketcandPlace, InvalidServerAddressIsRefused) {
     for (const char* wrong :
          {"127.0.0.1:x", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:1234/", "a:1/b c", "a:1/b >", "a:1/b/c"}) {
         EXPECT_THROW(parse_socketcand_place(wrong), InputError) << wrong;

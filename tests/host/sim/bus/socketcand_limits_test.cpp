@@ -113,7 +113,7 @@ TEST(SocketcandText, CommandUpToTheLimitIsRead_AndALongerCommandIsSkipped) {
     EXPECT_EQ(input, "a");
 }
 
-TEST_F(SocketcandLimits, ReceiveReturnsWhetherAFrameWasSentToTheBus) {
+TEST_F(SocketcandLimits, ReceiveReturnsWhetherAFrameOfTheClientReachedTheBus) {
     EXPECT_FALSE(session.receive("< open can0 >", Instant{}));
     EXPECT_FALSE(session.receive("< echo >< send 123 9 >", Instant{}));
     EXPECT_TRUE(session.receive("< send 123 0 >", Instant{}));
@@ -155,7 +155,7 @@ TEST_F(SocketcandLimits, SubscriptionsApplyToTheirModeAndFormat) {
     EXPECT_EQ(heard(), "");
 }
 
-TEST_F(SocketcandLimits, SubscribeTakesThreeWordsAndUnsubscribeOne) {
+TEST_F(SocketcandLimits, SubscribeNeedsThreeArgumentsAndUnsubscribeOne) {
     say("< open can0 >");
     for (const char* wrong : {"< subscribe 123 >", "< subscribe 0 0 0 123 >", "< subscribe 0 0 800 >", "< subscribe >",
                               "< unsubscribe >", "< unsubscribe 0 0 123 >", "< unsubscribe 800 >"}) {
@@ -213,7 +213,7 @@ TEST_F(SocketcandLimits, ClientIsDroppedWhenItsOutputWouldExceedTheLimit) {
     EXPECT_EQ(session.output().size(), 162131U);  // the client receives nothing more
 }
 
-TEST_F(SocketcandLimits, OutputMayFillTheLimitToItsLastCharacter) {
+TEST_F(SocketcandLimits, UnsentTextForAClientMayFillTheLimitToItsLastCharacter) {
     say("< open can0 >< rawmode >");
     for (int i = 0; i < 11396; ++i) {
         arrives("123#");  // 23 characters each
@@ -227,7 +227,7 @@ TEST_F(SocketcandLimits, OutputMayFillTheLimitToItsLastCharacter) {
     EXPECT_EQ(session.output().size(), 262122U);
 }
 
-TEST_F(SocketcandLimits, InputIsKeptUpToItsLimit) {
+TEST_F(SocketcandLimits, UnprocessedTextOfAClientIsKeptUpToALimit) {
     say("< open can0 >");
     std::string flood;
     for (int i = 0; i < 32; ++i) {
@@ -243,7 +243,7 @@ TEST_F(SocketcandLimits, InputIsKeptUpToItsLimit) {
     EXPECT_TRUE(session.wants_input());  // the session reads further text and ignores it
 }
 
-TEST_F(SocketcandLimits, SendTakesBytesWithOrWithoutBlanks) {
+TEST_F(SocketcandLimits, SendAcceptsBytesWithOrWithoutBlanks) {
     say("< open can0 >");
     const auto frame_of = [this](const std::string& words) {
         const std::string said = say("< send " + words + " >");
@@ -266,7 +266,7 @@ TEST_F(SocketcandLimits, SendTakesBytesWithOrWithoutBlanks) {
     }
 }
 
-TEST(SocketcandClientLimits, ClientWaitsWhenTheServerTakesNoData) {
+TEST(SocketcandClientLimits, ClientWaitsWhileItsUnsentTextIsAtTheLimit) {
     SocketcandClient client{"can0", [](const Frame&) {}};
     client.take("< hi >< ok >< ok >");
     client.sent(client.output().size());

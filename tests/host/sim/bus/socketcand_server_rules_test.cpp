@@ -118,7 +118,7 @@ TEST_F(SocketcandServerRules, ClosedClientLeavesNoDescriptor) {
     EXPECT_EQ(open_descriptors(), before);
 }
 
-TEST_F(SocketcandServerRules, OneTurnAcceptsEightClients) {
+TEST_F(SocketcandServerRules, OnePollAcceptsEightClients) {
     std::vector<std::unique_ptr<TcpClient>> clients;
     for (int i = 0; i < 9; ++i) {
         clients.push_back(std::make_unique<TcpClient>(bus.port()));
@@ -157,7 +157,7 @@ TEST_F(SocketcandServerRules, DismissedClientThatDoesNotReadGetsAllItsText) {
     EXPECT_EQ(client.heard().size(), all);
 }
 
-TEST_F(SocketcandServerRules, UserFramesWaitUpTo256) {
+TEST_F(SocketcandServerRules, UpTo256UserFramesWait) {
     for (int i = 0; i < 256; ++i) {
         ASSERT_TRUE(bus.put(parse_frame("123#", "test"), now)) << i;
     }
@@ -234,7 +234,7 @@ TEST_F(SocketcandServerRules, SlowClientGetsAllItsText) {
     EXPECT_FALSE(bus.watches().back().writable);
 }
 
-TEST_F(SocketcandServerRules, BlockedClientThatDoesNotReadIsWatchedForOutputOnly) {
+TEST_F(SocketcandServerRules, SocketOfABlockedClientThatDoesNotReadIsWatchedForWritingOnly) {
     TcpClient client{bus.port()};
     client.say(join);
     ASSERT_TRUE(until([&] { return client.heard() == joined; }));
@@ -295,7 +295,7 @@ TEST_F(SocketcandServerRules, OnlyAClientThatHasNotOpenedTheBusIsClosedForANewCl
     EXPECT_FALSE(clients.front()->ended());
 }
 
-TEST_F(SocketcandServerRules, FirstDismissedClientIsClosedWhenTooManyLeave) {
+TEST_F(SocketcandServerRules, FirstDismissedClientIsClosedWhenTooManyDismissedClientsStay) {
     const auto idle = clients_that("", SocketcandBus::most_clients);
     pass(SocketcandBus::open_limit);
     EXPECT_EQ(bus.clients(), 0U);
@@ -308,7 +308,7 @@ TEST_F(SocketcandServerRules, FirstDismissedClientIsClosedWhenTooManyLeave) {
     EXPECT_EQ(bus.watches()[1].descriptor, second);
 }
 
-TEST_F(SocketcandServerRules, RefusalIsReportedAfterAnIdleClientHasLeft) {
+TEST_F(SocketcandServerRules, RefusedClientIsReportedAlthoughAnIdleClientLeftEarlier) {
     {
         TcpClient idle{bus.port()};
         ASSERT_TRUE(until([&] { return bus.clients() == 1; }));

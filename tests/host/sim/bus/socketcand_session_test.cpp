@@ -130,7 +130,7 @@ TEST_F(SocketcandClient, EndlessCommandsAreCutOff_AndTheNextIsExecuted) {
     EXPECT_THAT(say("< echo >"), HasSubstr("< echo >"));
 }
 
-TEST_F(SocketcandClient, FloodingClientWaitsUntilTheBusHasTakenItsFrames) {
+TEST_F(SocketcandClient, FloodingClientWaitsUntilItsFramesHaveLeftTheGateway) {
     join();
     std::string flood;
     for (int i = 0; i < 500; ++i) {
@@ -193,7 +193,7 @@ TEST_F(SocketcandClient, StatisticsAreSentAtTheirPeriod) {
 
 /// Statistics are those of the bus. A client gets none of these frames: it has subscribed to another identifier, the
 /// second frame is a remote frame, and in control mode it gets no frames.
-TEST_F(SocketcandClient, StatisticsCountFramesThatTheClientDoesNotGet) {
+TEST_F(SocketcandClient, StatisticsCountFramesThatTheClientDoesNotReceive) {
     join("< subscribe 0 0 123 >");
     heard();
     arrives("703#05");

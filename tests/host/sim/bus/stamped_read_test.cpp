@@ -97,7 +97,7 @@ TEST(StampedRead, ReadWithoutDataHasNoTimeStamp) {
     EXPECT_EQ(nothing.stamp_ns, 0U);
 }
 
-TEST(StampedRead, OtherControlDataAreNoTimeStamp) {
+TEST(StampedRead, ControlDataOfAnotherKindAreNotReadAsATimeStamp) {
     ControlData control;
     EXPECT_EQ(control.stamp_ns(), 0U);
     control.add(SOL_SOCKET, SO_RXQ_OVFL, {1, 1});

@@ -112,7 +112,7 @@ TEST_F(DecodedFrame, FrameOfAnInvalidPdoIsDecodedAsOther) {
     EXPECT_EQ(words("282#0102"), "other : 01 02");  // TPDO2 is not valid as shipped
 }
 
-TEST_F(DecodedFrame, SyncTimeAndOtherFramesAreNamed) {
+TEST_F(DecodedFrame, SyncTimeAndOtherFramesAreRecognised) {
     EXPECT_EQ(words("080#"), "SYNC : SYNC");
     EXPECT_EQ(words("080#07"), "SYNC : SYNC, counter 7");
     EXPECT_EQ(decode("100#000000000000").service, FrameService::time);

@@ -120,7 +120,7 @@ TEST_P(AcknowledgedByLss, StoredNodeIdOf200IsIgnored) {
     const bool is_generic = name == "generic";
     EXPECT_EQ(LssStore{device->memory()}.store({200, 20000}), LssError::none);
     device->power_on(Instant{});
-    EXPECT_EQ(sent(), Frames{is_generic ? "703#00" : "77F#00"});  // 127 as shipped
+    EXPECT_EQ(sent(), Frames{is_generic ? "703#00" : "77F#00"});  // 7Fh is 127, the node-ID as shipped
     EXPECT_EQ(device->bit_rate(), 125000U);
 }
 

@@ -132,7 +132,7 @@ TEST_F(StoredMemoryFile, CommitRefusedByTheDiskIsReportedAndUndone) {
     EXPECT_EQ(folder.names(), std::set<std::string>{"box.bin"});
 }
 
-TEST_F(StoredMemoryFile, CommitFailsWithoutAnExceptionWhenItsReportThrows) {
+TEST_F(StoredMemoryFile, CommitFailsWithoutAnExceptionWhenReportingTheFailureThrows) {
     Memory memory{4};
     keep_in_file(memory, folder / "box.bin",
                  [](const std::string&) { throw std::runtime_error{"standard error is full"}; });

@@ -29,7 +29,7 @@ TEST(OwnFrames, EachOwnFrameIsRecognisedOnce) {
     EXPECT_FALSE(own.match(frame("703#7F"), Instant{2500}));
 }
 
-TEST(OwnFrames, EveryPartOfAFrameIsCompared) {
+TEST(OwnFrames, EachFieldOfAFrameIsCompared) {
     OwnFrames own;
     own.sent(frame("703#7F00"), Instant{});
     for (const char* other : {"704#7F00", "703#7F", "703#7F0000", "703#7E00", "703#R2", "00000703#7F00"}) {

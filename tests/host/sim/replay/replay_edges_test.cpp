@@ -58,7 +58,7 @@ TEST_F(ReplayEdges, ReplayEndsAtItsLastLine_AfterTheWorkDueAtThatTime) {
     EXPECT_THAT(before.told, ElementsAre("0.000000 on", "0.010000 due", "0.019999 080#"));
 }
 
-TEST_F(ReplayEdges, OptionUntilOmitsLaterEventsAndKeepsThoseDueByThen) {
+TEST_F(ReplayEdges, OptionUntilIncludesEventsAtItsTimeAndOmitsLaterEvents) {
     RecordingDevice device{milliseconds(10)};
     input.until = Instant{20000};
     play(device, "(0.005000) can0 080#\n(0.020000) can0 081#\n(0.020001) can0 082#\n",
@@ -153,7 +153,7 @@ TEST_F(ReplayEdges, DeviceRunsUntilTheGivenTimeDespiteALongSilence) {
                 ElementsAre("0.000000 on", "1.000000 080#", "3000.000000 due", "6000.000000 due", "9000.000000 due"));
 }
 
-TEST_F(ReplayEdges, OptionUntilUsesTheTimeOfALogThatStartsLater) {
+TEST_F(ReplayEdges, OptionUntilCountsInTheTimeOfALogThatStartsLater) {
     RecordingDevice device{milliseconds(10)};
     input.start = Instant{2000000};
     input.until = Instant{2010000};
@@ -161,7 +161,7 @@ TEST_F(ReplayEdges, OptionUntilUsesTheTimeOfALogThatStartsLater) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, FrameFilledInByASourceThatReportsItsEndIsIgnored) {
+TEST_F(ReplayEdges, FrameThatASourceReturnsWithItsEndIsIgnored) {
     input.source = [](LoggedFrame& frame) {
         frame = {Instant{7200000000U}, "vcan9", parse_frame("080#", "test"), LogMark::received};
         return false;
@@ -210,7 +210,7 @@ TEST_F(ReplayEdges, OutputsAreWrittenOnlyWhenTheyChange) {
               "seconds,signal,value\n0.000000,one,0\n0.000000,two,0\n0.002000,two,0.5\n0.005000,two,1.23457e+06\n");
 }
 
-TEST_F(ReplayEdges, UnknownSignalIsNamedWithItsTime) {
+TEST_F(ReplayEdges, UnknownSignalIsReportedWithItsTime) {
     RecordingDevice device;
     try {
         play(device, "", "0.5,three,1\n");
@@ -231,7 +231,7 @@ TEST_F(ReplayEdges, MarksSelectTheFramesThatTheDeviceReceives) {
     EXPECT_EQ(frames, "(0.002000) can0 301#05\n");
 }
 
-TEST_F(ReplayEdges, FrameMarkedAsReceivedIsNotTakenAsAnEcho) {
+TEST_F(ReplayEdges, FrameMarkedAsReceivedIsNotMatchedAsAnEcho) {
     RecordingDevice device;
     play(device, "(0.001000) can0 300#05 R\n(0.002000) can0 301#05 R\n(0.003000) can0 301#05 T\n");
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.001000 300#05", "0.002000 301#05"));

@@ -49,7 +49,7 @@ TEST(ReplayOrder, AnswersAreWrittenInTheOrderOfTheLog_NotOfTheDevice) {
               "(0.011000) can0 583#4F01100000000000\n(0.012000) can0 583#4300100091010800\n(0.000000) can0 703#00\n");
 }
 
-TEST(ReplayOrder, EachCallOfTheDeviceIsAnnouncedOnceBeforeIt) {
+TEST(ReplayOrder, EachCallOfTheDeviceIsAnnouncedOnceBeforeTheCall) {
     test::RecordingDevice device{milliseconds(10)};
     std::istringstream log{"(0.005000) can0 080#\n(0.010000) can0 081#\n"};
     std::istringstream stimuli{"0.007000,one,1\n"};

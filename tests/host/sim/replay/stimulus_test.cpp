@@ -70,7 +70,7 @@ TEST(StimulusText, StimulusLineHasTimeSignalValueAndPlace) {
     EXPECT_DOUBLE_EQ(all[2].value, 16.0);
 }
 
-TEST(StimulusText, RefusalNamesPlaceAndRemedy) {
+TEST(StimulusText, RefusalContainsTheLineNumberAndTheRemedy) {
     EXPECT_EQ(refusal_of("1.0;one;2\n"), "s.csv:1: `1.0;one;2` does not have three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("1.0,one\n"), "s.csv:1: `1.0,one` does not have three fields; write seconds,signal,value");
     EXPECT_EQ(refusal_of("0.5,one,1\n1.0,one,2x\n"),

@@ -24,7 +24,7 @@ std::string refusal(const std::vector<std::string>& names, const std::string& na
 
 }  // namespace
 
-TEST(DeviceNames, FullNameMatches_EvenWhenItBeginsAnotherName) {
+TEST(DeviceNames, FullNameMatches_EvenWhenAnotherNameBeginsWithIt) {
     EXPECT_EQ(find_device({"ax188001@5", "ax130751"}, "ax188001@5"), 0U);
     EXPECT_EQ(find_device({"ax188001@5", "ax130751"}, "ax130751"), 1U);
     EXPECT_EQ(find_device({"ax188001@5", "ax188001"}, "ax188001"), 1U);

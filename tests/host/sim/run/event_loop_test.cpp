@@ -103,7 +103,7 @@ TEST(EventLoop, TerminationSignalIsReportedAndTheProcessContinues) {
 }
 
 TEST(EventLoop, IgnoredHangupSignalDoesNotEndTheLoop) {
-    const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    const auto before = std::signal(SIGHUP, SIG_IGN);  // SIGHUP is ignored, as under nohup
     {
         EventLoop loop;
         std::raise(SIGHUP);
@@ -113,7 +113,7 @@ TEST(EventLoop, IgnoredHangupSignalDoesNotEndTheLoop) {
     std::signal(SIGHUP, before);
 }
 
-TEST(LineInput, WholeLinesAreGivenAsTheyArrive) {
+TEST(LineInput, LineIsReturnedWhenItsEndHasArrived) {
     Pipe pipe;
     LineInput input{pipe.reader()};
     using Lines = std::vector<std::string>;

@@ -33,7 +33,7 @@ std::string bytes(const std::string& digits) {
 
 }  // namespace
 
-TEST(FrameLog, PlainLinesAreThoseOfCandump) {
+TEST(FrameLog, UnmarkedLinesHaveTheFormatOfCandump) {
     EXPECT_EQ(written(LogFormat::candump), "(1.000001) vcan0 603#4000100000000000\n(1.000002) vcan0 703#00\n");
 }
 
@@ -53,7 +53,7 @@ TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
-TEST(FrameLog, LogIsWantedWithAStreamOnlyAndIgnoresFramesWithoutOne) {
+TEST(FrameLog, LogWithoutAStreamIsNotWantedAndIgnoresFrames) {
     for (const LogFormat format : {LogFormat::candump, LogFormat::marked, LogFormat::pcap, LogFormat::pcapng}) {
         std::ostringstream out;
         EXPECT_TRUE((FrameLog{&out, format}.is_wanted()));
@@ -83,7 +83,7 @@ TEST(FrameLog, PcapngHasSectionInterfaceAndPackets) {
 TEST(FrameLog, PcapHasAHeaderAndPackets) {
     // version 2.4, no time zone, no accuracy, at most 65,535 bytes (FFFFh), link type 227 (E3h)
     const std::string header = "D4C3B2A1 0200 0400 00000000 00000000 FFFF0000 E3000000";
-    // 1 s and 1 us; 16 bytes captured of 16, as in a pcapng packet
+    // time stamp 1 s and 1 us; 16 bytes captured of 16, as in a pcapng packet
     const std::string heard = "01000000 01000000 10000000 10000000 00000603 08 000000 4000100000000000";
     const std::string own = "01000000 02000000 10000000 10000000 00000703 01 000000 0000000000000000";
     EXPECT_EQ(written(LogFormat::pcap), bytes(header + " " + heard + " " + own));

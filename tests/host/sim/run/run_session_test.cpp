@@ -90,7 +90,7 @@ std::string replayed(const std::string& device, int node, const std::string& log
 
 }  // namespace
 
-TEST(RunSession, LogReplaysToTheSameFrames) {
+TEST(RunSession, ReplayOfALogGivesTheSameFrames) {
     TestRun run{{"cbx-ao412@3"}};
     converse(run);
     const auto own = frames_of(run.log.str(), "T");
@@ -160,7 +160,7 @@ TEST(RunSession, LogLinesOfEachDeviceMatchItsReplay_OnABusyBus) {
     EXPECT_TRUE(overtaken);
 }
 
-TEST(RunSession, OwnFramesAreNotTakenForThoseOfOthersInReplay) {
+TEST(RunSession, OwnFramesAreNotConfusedWithThoseOfOthersInReplay) {
     // The device monitors the heartbeat of its own node-ID for 50 ms and sends it every 100 ms. On a bus it never
     // receives its own frames, so the monitoring never begins. If a replay passed it its own frames, it would report
     // their absence.
@@ -202,7 +202,7 @@ TEST(RunSession, EventsKeepTheirTimesWhenTheClockIsReadLate) {
     EXPECT_EQ(often.log.str(), seldom.log.str());
 }
 
-TEST(RunSession, StimulusNamesOneDeviceOrAll) {
+TEST(RunSession, StimulusAppliesToTheDeviceThatItNamesOrToAllDevices) {
     // From 10 ms on, the selected devices are bus-off and do not answer. Counted frames: the boot-up message and the
     // answer.
     const auto frames = [](const std::string& signal) {
@@ -234,7 +234,7 @@ TEST(RunSession, StimuliOfOneTimeApplyInTheOrderInWhichTheyWereAdded) {
                                      testing::StartsWith("083#0050"), testing::StartsWith("083#0000")));
 }
 
-TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
+TEST(RunSession, DeviceOfANodeInBusOffReceivesNothingAndReportsTheRecovery) {
     TestRun run{{"cbx-ao412@3", "cbx-ao412@4"}};
     run.session->advance_to(Instant{10000});
     auto& bus = dynamic_cast<ArbitratedBus&>(run.session->bus());
@@ -248,7 +248,7 @@ TEST(RunSession, BusOffOfOneNodeReachesItsDeviceAndEnds) {
     EXPECT_THAT(run.log.str(), HasSubstr("083#4081"));
 }
 
-TEST(RunSession, OutputsAreWrittenWithTheirDeviceWhenThereAreSeveral) {
+TEST(RunSession, OutputsAreWrittenWithTheNameOfTheirDeviceWhenThereAreSeveral) {
     TestRun one{{"cbx-ao412@3"}};
     one.session->advance_to(Instant{1000});
     EXPECT_THAT(one.changes.str(), testing::StartsWith("seconds,signal,value\n0.000000,"));
