@@ -393,8 +393,7 @@ TEST_F(RangedAngles, VerticalMountReadsRollOverTheWholeTurn) {
     write_real(0x2210, 0, 90.0F);  // mounted on its side
     for (int roll_of_machine = 0; roll_of_machine < 360; roll_of_machine += 5) {
         const Row read_angles = angles_of(0.0, 90.0 + roll_of_machine);
-        EXPECT_EQ(read_angles[0], 0);
-        EXPECT_EQ(read_angles[1], roll_of_machine * 10);
+        EXPECT_EQ(std::pair(read_angles[0], read_angles[1]), std::pair(0, roll_of_machine * 10));
     }
 }
 
