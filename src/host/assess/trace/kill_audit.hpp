@@ -17,10 +17,12 @@ struct KillAudit {
     std::vector<std::string> immutable;  ///< items without mutants
     /// items that are not shown, but have a test whose present form no mutation run has judged
     std::vector<std::string> unjudged;
-    std::vector<std::string> changed;  ///< tests whose body has changed since they were judged
-    std::vector<std::string> never;    ///< tests with claims that no mutation run has judged
-    std::vector<std::string> idle;     ///< tests that notice no mutant of any item that they claim
-    /// one sentence for each item that the record shows but the present tests do not, and for each lost test
+    std::vector<std::string> changed;     ///< tests whose body has changed since they were judged
+    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim
+    std::vector<std::string> never;       ///< tests with claims that no mutation run has judged
+    std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they claim
+    /// one sentence for each item that the record shows but the present tests do not, and for each lost test. A change
+    /// of the code alone is no such loss: the test then waits for a mutation run.
     std::vector<std::string> regressions;
 };
 
