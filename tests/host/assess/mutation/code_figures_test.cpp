@@ -34,13 +34,13 @@ class CodeFiguresTrial : public testing::Test {
                       {{3, crc, "f, line 1", "d"}, "signal 11", true, nullptr, ""},
                       {{4, crc, "f, line 1", "e"}, "", true, &explained, ""},
                       {{5, relay, "g, line 1", "f"}, "", true, nullptr, ""}},
-                     folder.path());
+                     folder / "");
     }
     void write(const std::string& file, const std::string& text) {
         std::filesystem::create_directories((folder / file).parent_path());
         write_file(folder / file, text);
     }
-    LayerTable table() const { return layer_table(figures, mutants, folder.path()); }
+    LayerTable table() const { return layer_table(figures, mutants, folder / ""); }
 
     canproof::test::ScratchFolder folder;
     CodeFigures figures;
@@ -61,7 +61,7 @@ TEST_F(CodeFiguresTrial, FiguresAreAddedUpByLayerAndSuite) {
 
 TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
     note_figures(figures, {{{5, relay, "g, line 1", "f"}, "Box.One", true, nullptr, "tests/devices/box/box_test.cpp"}},
-                 folder.path());
+                 folder / "");
     const LayerTable found = table();
     EXPECT_THAT(found.text, HasSubstr("| box | 1 | 1 (100.0 %) | 0 | 1 | 0 | 0 | 0 | 0 |\n"));
     EXPECT_THAT(found.text, HasSubstr("| base | 5 | 4 "));
@@ -89,7 +89,7 @@ TEST_F(CodeFiguresTrial, OtherNumberOfMutantsOrANewFileIsNotJudged) {
 
 TEST_F(CodeFiguresTrial, RemovedFileLosesItsLine) {
     std::filesystem::remove(folder / relay);
-    note_figures(figures, {}, folder.path());
+    note_figures(figures, {}, folder / "");
     EXPECT_EQ(figures.count(relay), 0U);
     EXPECT_EQ(figures.count(crc), 1U);
 }
