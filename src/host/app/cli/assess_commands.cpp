@@ -191,9 +191,9 @@ class MutateCommand : Command {
             app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices");
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
-        auto* code =
-            command->add_flag("--code", options_.code,
-                              "the code of the firmware, and of the host's buses and replay, instead of generated cells");
+        auto* code = command->add_flag(
+            "--code", options_.code,
+            "the code of the firmware, and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
             "record the items whose mutants each test notices, for tests that are new, changed or have other code of "
@@ -211,8 +211,7 @@ class MutateCommand : Command {
         command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
             ->excludes(shard)
             ->excludes(kills);
-        auto* json =
-            command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
+        auto* json = command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
         command
             ->add_flag("--table", options_.table,
                        "with --code: no run; the figures of reports/code_figures.csv by layer, in Markdown")

@@ -23,9 +23,7 @@ constexpr std::size_t field_count = 9;
 constexpr std::size_t mark_digits = 8;
 
 std::string mark_of(const std::filesystem::path& file) {
-    return std::filesystem::is_regular_file(file)
-               ? sha256(without_layout(read_file(file))).substr(0, mark_digits)
-               : "";
+    return std::filesystem::is_regular_file(file) ? sha256(without_layout(read_file(file))).substr(0, mark_digits) : "";
 }
 
 std::size_t noticed_by(const OperatorCount& count, const std::string& harness) {

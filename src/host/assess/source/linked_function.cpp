@@ -56,7 +56,8 @@ bool decides(const std::string& head) {
 }
 
 std::size_t line_at(const std::string& text, std::size_t at) {
-    return 1U + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    return 1U +
+           static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 /// Returns the number of the line after the static_assert that begins at line `at`; returns `at` when none begins

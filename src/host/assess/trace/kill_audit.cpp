@@ -69,8 +69,8 @@ class Auditor {
             const Judgement judgement = judgements_[verdict.test];
             if (judgement != Judgement::as_it_was) {
                 judged = false;
-                shown_before = shown_before ||
-                               (judgement == Judgement::other_code && holds(record_.at(verdict.test).kills, id));
+                shown_before =
+                    shown_before || (judgement == Judgement::other_code && holds(record_.at(verdict.test).kills, id));
                 continue;
             }
             const KillLine& line = record_.at(verdict.test);

@@ -122,7 +122,8 @@ TEST(ConditionAroundALink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
 
 TEST(ConditionAroundALink, FunctionAndClassAreNoCondition) {
     EXPECT_EQ(condition_of("void f(int) {\n    static_assert(implements<req::A>);\n    g();\n}\n", 2), (Lines{0, 0}));
-    EXPECT_EQ(condition_of("class C {\n    static_assert(implements<req::A>);\n    void g() {}\n};\n", 2), (Lines{0, 0}));
+    EXPECT_EQ(condition_of("class C {\n    static_assert(implements<req::A>);\n    void g() {}\n};\n", 2),
+              (Lines{0, 0}));
     EXPECT_EQ(condition_of("static_assert(implements<req::A>);\nvoid f() {}\n", 1), (Lines{0, 0}));
 }
 
