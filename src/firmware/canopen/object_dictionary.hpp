@@ -8,11 +8,9 @@
 #include <type_traits>
 
 #include "firmware/base/bytes.hpp"
-#include "firmware/base/requirement.hpp"
 #include "firmware/base/result.hpp"
 #include "firmware/canopen/object_types.hpp"
 #include "firmware/canopen/vocabulary.hpp"
-#include "generated/canopen/requirements.hpp"
 
 namespace canproof {
 
@@ -78,7 +76,6 @@ class ObjectDictionary {
     /// Checks only access and length: the first part of check_write().
     AbortCode check_length(const EntryRow& row, const std::size_t length) const noexcept {
         if (!row.may(rights::write)) {
-            static_assert(implements<req::CO_SDO_009>);
             return AbortCode::read_only;
         }
         if (length > row.size) {
