@@ -29,9 +29,9 @@ TEST_F(PdoChange, DownloadThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
     ship(0x1A00, 1, 0x20010108);
     power_on();
     EXPECT_EQ(send("000#0105"), Frames{"185#00"});
-    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"585#6001200100000000", "185#11"}));
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#11", "585#6001200100000000"}));
     EXPECT_EQ(send("605#2F01200111000000"), Frames{"585#6001200100000000"}) << "the same value";
-    EXPECT_EQ(send("605#2F01200112000000"), (Frames{"585#6001200100000000", "185#12"}));
+    EXPECT_EQ(send("605#2F01200112000000"), (Frames{"185#12", "585#6001200100000000"}));
 }
 
 TEST_F(PdoChange, RpdoThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
