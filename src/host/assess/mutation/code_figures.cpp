@@ -2,13 +2,13 @@
 #include "host/assess/mutation/code_figures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <iterator>
 #include <sstream>
 
 #include "host/assess/source/cpp_text.hpp"
-#include "host/base/csv_line.hpp"
 #include "host/base/input_error.hpp"
 #include "host/base/read_file.hpp"
 #include "host/base/sha256.hpp"
@@ -22,8 +22,18 @@ constexpr std::array<const char*, 4> harnesses{"conformance", "units", "properti
 constexpr std::size_t field_count = 9;
 constexpr std::size_t mark_digits = 8;
 
+/// Returns the mark of a source without comments, layout and links to items, which have no mutants. Returns an empty
+/// text when the source does not exist.
 std::string mark_of(const std::filesystem::path& file) {
-    return std::filesystem::is_regular_file(file) ? sha256(without_layout(read_file(file))).substr(0, mark_digits) : "";
+    static const std::string link = "static_assert(implements<";
+    if (!std::filesystem::is_regular_file(file)) {
+        return "";
+    }
+    std::string code = without_layout(read_file(file));
+    for (auto at = code.find(link); at != std::string::npos; at = code.find(link, at)) {
+        code.erase(at, code.find(';', at) + 1U - at);
+    }
+    return sha256(code).substr(0, mark_digits);
 }
 
 std::size_t noticed_by(const OperatorCount& count, const std::string& harness) {
@@ -110,7 +120,7 @@ std::string write_code_figures(const CodeFigures& figures) {
         }
         fields.push_back(std::to_string(one.count.justified));
         fields.push_back(std::to_string(one.count.open));
-        text += csv_line(fields);
+        text += fmt::format("{}\n", fmt::join(fields, ","));
     }
     return text;
 }

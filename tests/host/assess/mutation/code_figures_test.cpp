@@ -68,8 +68,8 @@ TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndAChangedCommentKeepsThem) {
-    write(relay, "int  g() { return 3; }  // three\n");
+TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndACommentOrALinkKeepsThem) {
+    write(relay, "static_assert(implements<req::A> && implements<req::B>);\nint  g() { return 3; }  // three\n");
     EXPECT_THAT(table().unjudged, IsEmpty());
     write(relay, "int g() { return 4; }\n");
     const LayerTable found = table();

@@ -98,6 +98,7 @@ TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     evidence_.verdicts.erase("A");
     claim("A", "RelayLaw.Holds");
     record_["RelayLaw.Holds"].kills = {"A"};
+    record_["RelayLaw.Holds"].code = code_by_test(evidence_).at("RelayLaw.Holds");
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: the test no longer exists; it noticed mutants of A"));
