@@ -63,7 +63,7 @@ TEST(LookupTable, AtAPointTheOutputIsExactlyItsY) {
     auto points = defaults(ramp);
     points.x[1] = 3.0;
     points.y[1] = 0.1;
-    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // what the line from (0, 0) would give there
+    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // the line from (0, 0) does not meet the point exactly
     EXPECT_EQ(lookup(3.0, points), 0.1);
 }
 
