@@ -23,6 +23,18 @@ TEST_F(PdoChange, ChangeOfAnEntryWithTheLowestWatchMarkTriggersItsTpdo) {
     EXPECT_EQ(send("605#2F01203F11000000"), (Frames{"185#11", "585#6001203F00000000"}));
 }
 
+TEST_F(PdoChange, DownloadThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
+    verifies<req::CO_PDO_015>();
+    entry(0x2001, 1).service = Service::device;
+    ship(0x1A00, 0, 1);
+    ship(0x1A00, 1, 0x20010108);
+    power_on();
+    EXPECT_EQ(send("000#0105"), Frames{"185#00"});
+    EXPECT_EQ(send("605#2F01200111000000"), (Frames{"185#11", "585#6001200100000000"}));
+    EXPECT_EQ(send("605#2F01200111000000"), Frames{"585#6001200100000000"}) << "the same value";
+    EXPECT_EQ(send("605#2F01200112000000"), (Frames{"185#12", "585#6001200100000000"}));
+}
+
 TEST_F(PdoChange, RpdoThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     EntryRow& row = entry(0x2206, 0);  // 64 bits

@@ -152,6 +152,27 @@ TEST(TransmitQueueOrder, SegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(TransmitQueueOrder, DataFrameInThePlaceOfAnEarlierRemoteFrameIsADataFrame) {
+    shows_rule("a place of the queue keeps nothing of an earlier frame");
+    TransmitQueue queue;
+    Frame other = data_frame(0x80, 0);
+    other.extended = true;
+    other.remote = true;
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place contains this frame once
+        ASSERT_TRUE(queue.push(other));
+        queue.pop();
+    }
+    ASSERT_TRUE(queue.push(0x583, 8, 0x88));
+    ASSERT_TRUE(queue.push_segment(0x583, 0x99));
+    for (const int expected : {0x88, 0x99}) {
+        const Frame sent = queue.pop();
+        EXPECT_FALSE(sent.extended);
+        EXPECT_FALSE(sent.remote);
+        EXPECT_EQ(sent.length, 8U);
+        EXPECT_EQ(sent.data[0], expected);
+    }
+}
+
 TEST(TransmitQueueOrder, FramePutBackPrecedesFramesOfItsIdentifier) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;

@@ -118,7 +118,7 @@ ByteView ObjectDictionary::text_of(const ByteView bytes) noexcept {
     return bytes.part(0U, length);
 }
 
-static_assert(implements<req::CO_SDO_010> && implements<req::CO_SDO_059>);
+static_assert(implements<req::CO_SDO_009> && implements<req::CO_SDO_010> && implements<req::CO_SDO_059>);
 AbortCode ObjectDictionary::check_write(const EntryRef& entry, const ByteView value) const noexcept {
     const AbortCode code = check_length(*entry.row, value.size());
     return (code == AbortCode::none) ? check_value(entry, value) : code;

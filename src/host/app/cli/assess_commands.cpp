@@ -215,11 +215,13 @@ class MutateCommand : Command {
             app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices");
         command->add_option("SUBJECT", options_.subject,
                             "a device or an id; with --code part of a file's path; default: everything");
-        command->add_flag("--code", options_.code,
-                          "the code of the firmware, and of the host's buses and replay, instead of generated cells");
+        auto* code = command->add_flag(
+            "--code", options_.code,
+            "the code of the firmware, and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
-            "record for each new or changed test the items whose mutants it notices (reports/kills.csv)");
+            "record the items whose mutants each test notices, for tests that are new, changed or have other code of "
+            "these items (reports/kills.csv)");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
         command->add_option("--sample", options_.sample, "number of cells, drawn at random with --seed");
@@ -233,7 +235,14 @@ class MutateCommand : Command {
         command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
             ->excludes(shard)
             ->excludes(kills);
-        command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
+        auto* json = command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
+        command
+            ->add_flag("--table", options_.table,
+                       "with --code: no run; the figures of reports/code_figures.csv by layer, in Markdown")
+            ->needs(code)
+            ->excludes(kills)
+            ->excludes(shard)
+            ->excludes(json);
         command->callback([this, shard, &chosen] {
             chosen = [this, shard] {
                 if (shard->count() != 0) {

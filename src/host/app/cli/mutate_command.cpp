@@ -12,6 +12,7 @@
 #include "host/app/cli/progress.hpp"
 #include "host/app/cli/sound_register.hpp"
 #include "host/assess/mutation/code_exhibit.hpp"
+#include "host/assess/mutation/code_figures.hpp"
 #include "host/assess/mutation/code_mutation.hpp"
 #include "host/assess/mutation/kill_run.hpp"
 #include "host/assess/mutation/mutation.hpp"
@@ -194,6 +195,24 @@ void keep(const std::vector<MutationOutcome>& outcomes, const MutateOptions& opt
     }
 }
 
+/// Renews the lines of the judged files in reports/code_figures.csv.
+void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::filesystem::path& root) {
+    const auto file = root / "reports" / "code_figures.csv";
+    CodeFigures figures = read_code_figures(file);
+    note_figures(figures, outcomes, root);
+    write_file(file, write_code_figures(figures));
+}
+
+/// Prints the figures of reports/code_figures.csv by layer, and the files that have none of their present code.
+int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
+    const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
+    fmt::print("{}", table.text);
+    for (const std::string& file : table.unjudged) {
+        fmt::print("not judged in its present form: {}\n", file);
+    }
+    return table.open == 0 && table.unjudged.empty() ? 0 : 1;
+}
+
 /// Prints the alterations that no test noticed, the counts and the faults of the records as lines.
 void print_run(const std::vector<MutationOutcome>& outcomes, const std::vector<std::string>& faults, bool code) {
     for (const auto& fault : faults) {
@@ -229,6 +248,9 @@ int mutate(const MutateOptions& options) {
     const auto record_file = root / "reports" / (options.code ? "code_mutation.toml" : "mutation.toml");
     const auto records = read_survivor_records(record_file);
     const auto all = read_cells(programs / (options.code ? "code_mutants" : "canproof_tests"));
+    if (options.table) {
+        return print_table(root, all);
+    }
     auto faults = lines_about(without_alteration(records, all), record_file, "no alteration matches this record");
     const auto cells = alterations_for(options, all);
     if (options.shard) {
@@ -237,6 +259,9 @@ int mutate(const MutateOptions& options) {
     auto outcomes = options.merge.empty() ? judge(options, programs, cells, all.size(), records)
                                           : merge_mutation_shards(options.merge, options.code, cells);
     const auto unneeded = justify(outcomes, records);
+    if (options.code && options.sample == 0) {
+        keep_figures(outcomes, root);
+    }
     if (options.subject.empty() && options.sample == 0) {
         const auto more = lines_about(unneeded, record_file, "no survivor needs this record");
         faults.insert(faults.end(), more.begin(), more.end());

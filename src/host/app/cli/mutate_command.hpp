@@ -18,6 +18,8 @@ struct MutateOptions {
     bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
     /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
     bool kills{false};
+    /// prints the recorded figures of code by layer instead of a run
+    bool table{false};
     std::size_t sample{0};
     std::uint64_t seed{1};
     unsigned jobs{2};
@@ -31,6 +33,7 @@ struct MutateOptions {
 /// Runs the command that the options select. Returns the exit status: 1 when an alteration survives without a reason,
 /// when a record of a reason matches no alteration, or when it matches only alterations that a test notices. A run of a
 /// part of the alterations does not check the last point. Returns 0 for a shard and for `kills`.
+/// For `table`, returns 1 when a file has an open mutant or was not judged in its present form.
 int mutate(const MutateOptions& options);
 
 }  // namespace canproof::host

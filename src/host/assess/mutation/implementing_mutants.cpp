@@ -52,17 +52,18 @@ class Sources {
         }
     }
 
-    /// Adds the mutants of the function below a link (an implements<> assertion), of the functions that it calls, and
-    /// of the functions that these call in their own file.
+    /// Adds the mutants of the code below a link and of the condition on which it runs, of the functions that both
+    /// call, and of the functions that these call in their own file.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
-        const auto [first, last] = function_below(lines(file), link);
         Words called;
-        for (std::size_t at = first; at != 0 && at <= last; ++at) {
-            add_calls(lines(file)[at - 1], called);
-        }
-        for (const FunctionPlace& place : places_[file]) {
-            if (place.line >= first && place.line <= last) {
-                numbers.insert(place.number);
+        for (const auto& [first, last] : {function_below(lines(file), link), condition_around(lines(file), link)}) {
+            for (std::size_t at = first; at != 0 && at <= last; ++at) {
+                add_calls(lines(file)[at - 1], called);
+            }
+            for (const FunctionPlace& place : places_[file]) {
+                if (place.line >= first && place.line <= last) {
+                    numbers.insert(place.number);
+                }
             }
         }
         for (const auto& other : units_of(file)) {

@@ -56,6 +56,7 @@ KillJudge::KillJudge(std::filesystem::path programs, const ItemMutants& mutants,
 KillLine KillJudge::judge(const ClaimingTest& test) {
     KillLine line;
     line.body = test.body;
+    line.code = test.code;
     noticed_.clear();
     for (const auto& id : test.claims) {
         const MutantNumbers* cells = find(mutants_.cells, id);

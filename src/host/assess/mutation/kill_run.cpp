@@ -43,14 +43,16 @@ std::vector<ClaimingTest> tests_to_judge(const std::filesystem::path& root, cons
         line = tests.count(line->first) == 0 ? known.erase(line) : std::next(line);
     }
     TestBodies bodies{root};
+    std::map<std::string, std::string> code = code_by_test(evidence);
     std::vector<ClaimingTest> open;
     for (auto& [name, test] : tests) {
         test.body = bodies.hash(files[name], name);
+        test.code = code[name];
         if (test.body.empty()) {
             throw InputError{fmt::format("{} does not define {}; build and run the tests again", files[name], name)};
         }
         const auto found = known.find(name);
-        if (found == known.end() || found->second.body != test.body) {
+        if (found == known.end() || found->second.body != test.body || found->second.code != test.code) {
             open.push_back(test);
         }
     }

@@ -18,7 +18,8 @@ struct KillSetup {
     unsigned jobs{2};
 };
 
-/// Returns `known`, completed with the results of new or changed tests, and without tests that no longer exist. A
+/// Returns `known`, completed with the results of new or changed tests and of tests whose items have other code
+/// than when they were judged, and without tests that no longer exist. A
 /// mutant of an item is an altered generated cell of the item, or a mutant of a function that implements the item
 /// (implementing_mutants.hpp). `progress` receives the number of judged tests, the number of all tests to judge, and
 /// the record so far. Throws InputError when a test fails without any mutant.

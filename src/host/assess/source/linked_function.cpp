@@ -2,6 +2,7 @@
 #include "host/assess/source/linked_function.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace canproof::host {
 
@@ -11,6 +12,52 @@ namespace {
 int depth_of(const std::string& line) {
     return static_cast<int>(std::count(line.begin(), line.end(), '{')) -
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
+}
+
+/// Returns whether the line closes a block around the code that opened `depth` blocks in the lines before.
+bool closes_block_around(const std::string& line, int depth) {
+    return std::any_of(line.begin(), line.end(), [&depth](char c) {
+        depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+        return depth < 0;
+    });
+}
+
+/// Returns the position of the brace that opens the innermost block around the position `end`. Returns npos when there
+/// is none.
+std::size_t opening_before(const std::string& text, std::size_t end) {
+    int depth = 0;
+    for (std::size_t at = end; at > 0; --at) {
+        depth += text[at - 1] == '{' ? 1 : text[at - 1] == '}' ? -1 : 0;
+        if (depth > 0) {
+            return at - 1;
+        }
+    }
+    return std::string::npos;
+}
+
+/// Returns the position at which the head of the block that opens at `open` begins.
+std::size_t head_start(const std::string& text, std::size_t open) {
+    int depth = 0;
+    std::size_t at = open;
+    for (; at > 0; --at) {
+        const char c = text[at - 1];
+        depth += c == ')' ? 1 : c == '(' ? -1 : 0;
+        if (depth == 0 && (c == ';' || c == '{' || c == '}')) {
+            break;
+        }
+    }
+    return std::min(text.find_first_not_of(" \n", at), open);
+}
+
+/// Returns whether this is the head of a block that a condition or a loop controls, not that of a function.
+bool decides(const std::string& head) {
+    static const std::array<const char*, 5> words{"if ", "else if ", "for ", "while ", "switch "};
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return head.rfind(word, 0) == 0; });
+}
+
+std::size_t line_at(const std::string& text, std::size_t at) {
+    return 1U +
+           static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 /// Returns the number of the line after the static_assert that begins at line `at`; returns `at` when none begins
@@ -27,7 +74,7 @@ std::size_t behind_link(const std::vector<std::string>& lines, std::size_t at) {
 
 }  // namespace
 
-std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link) {
+LineRange function_below(const std::vector<std::string>& lines, std::size_t link) {
     std::size_t first = link == 0 ? lines.size() : link - 1;
     // The static_assert may have several lines, and implements<> may be on any of them. This loop goes to the end of
     // the static_assert.
@@ -44,11 +91,34 @@ std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string
     int depth = 0;
     bool opened = false;
     for (std::size_t at = first; at < lines.size(); ++at) {
+        if (closes_block_around(lines[at], depth)) {
+            return at == first ? LineRange{0, 0} : LineRange{first + 1, at};
+        }
         depth += depth_of(lines[at]);
         opened = opened || lines[at].find('{') != std::string::npos;
         if (opened && depth <= 0) {
             return {first + 1, at + 1};
         }
+    }
+    return {0, 0};
+}
+
+LineRange condition_around(const std::vector<std::string>& lines, std::size_t link) {
+    std::string before;
+    for (std::size_t at = 0; at + 1 < link && at < lines.size(); ++at) {
+        before += lines[at] + "\n";
+    }
+    for (std::size_t end = before.size(); end != 0 && end != std::string::npos;) {
+        const std::size_t open = opening_before(before, end);
+        if (open == std::string::npos) {
+            break;
+        }
+        const std::size_t start = head_start(before, open);
+        const std::string head = before.substr(start, open - start);
+        if (head != "else ") {
+            return decides(head) ? LineRange{line_at(before, start), line_at(before, open)} : LineRange{0, 0};
+        }
+        end = before.rfind('}', start);  // the end of the block of the `if` of this `else`
     }
     return {0, 0};
 }

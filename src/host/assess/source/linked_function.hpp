@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the function directly below a link, which is a static_assert with implements<> for a requirement.
+// Finds the code to which a link applies. A link is a static_assert with implements<> for a requirement, and applies to
+// the function or the statements directly below it.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,17 @@
 
 namespace canproof::host {
 
-/// Returns the first and the last line of the function below line `link` of a source. Lines count from 1. Returns {0,
-/// 0} when there is no function. `lines` must come from code_only().
-std::pair<std::size_t, std::size_t> function_below(const std::vector<std::string>& lines, std::size_t link);
+/// The first and the last of some lines. Lines count from 1; both are 0 when there is no line.
+using LineRange = std::pair<std::size_t, std::size_t>;
+
+/// Returns the function below line `link` of a source. For a link inside a function, returns the statements below it.
+/// They end with the first block that they open, or with the block around the link when that ends first. `lines` must
+/// come from code_only().
+LineRange function_below(const std::vector<std::string>& lines, std::size_t link);
+
+/// Returns the lines of the condition on which the code at line `link` runs: the head of the innermost `if`, `for`,
+/// `while` or `switch` around it, for `else` that of its `if`. Returns no line when a function is the innermost block.
+/// `lines` must come from code_only().
+LineRange condition_around(const std::vector<std::string>& lines, std::size_t link);
 
 }  // namespace canproof::host

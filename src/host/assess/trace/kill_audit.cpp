@@ -17,7 +17,7 @@ namespace {
 /// Greatest number of tests that a line lists by name.
 constexpr std::size_t most_names = 40;
 
-enum class Judgement { never, changed, as_it_was };
+enum class Judgement { never, changed, other_code, as_it_was };
 
 bool holds(const std::vector<std::string>& ids, const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
@@ -28,12 +28,14 @@ class Auditor {
     Auditor(const Evidence& evidence, const KillRecord& record, const std::filesystem::path& root)
         : evidence_{evidence}, record_{record} {
         TestBodies bodies{root};
+        std::map<std::string, std::string> code = code_by_test(evidence);
         for (const TestRun& run : evidence.runs) {
             ran_.insert(run.name);
             const auto found = record.find(run.name);
             judgements_[run.name] = found == record.end()                                   ? Judgement::never
-                                    : bodies.hash(run.file, run.name) == found->second.body ? Judgement::as_it_was
-                                                                                            : Judgement::changed;
+                                    : bodies.hash(run.file, run.name) != found->second.body ? Judgement::changed
+                                    : code[run.name] != found->second.code                  ? Judgement::other_code
+                                                                                            : Judgement::as_it_was;
         }
         for (const auto& [test, line] : record) {
             for (const auto& id : line.kills) {
@@ -54,6 +56,7 @@ class Auditor {
     void audit_item(const std::string& id) {
         bool passed = false;
         bool shown = false;
+        bool shown_before = false;  // by an unchanged test, with other code of the item
         bool judged = true;
         bool has_mutants = false;
         const auto verdicts = evidence_.verdicts.find(id);
@@ -63,8 +66,11 @@ class Auditor {
                 continue;
             }
             passed = true;
-            if (judgements_[verdict.test] != Judgement::as_it_was) {
+            const Judgement judgement = judgements_[verdict.test];
+            if (judgement != Judgement::as_it_was) {
                 judged = false;
+                shown_before =
+                    shown_before || (judgement == Judgement::other_code && holds(record_.at(verdict.test).kills, id));
                 continue;
             }
             const KillLine& line = record_.at(verdict.test);
@@ -76,7 +82,7 @@ class Auditor {
         } else if (passed) {
             (!judged ? audit_.unjudged : has_mutants ? audit_.unnoticed : audit_.immutable).push_back(id);
         }
-        if (const auto killers = killers_.find(id); !shown && killers != killers_.end()) {
+        if (const auto killers = killers_.find(id); !shown && !shown_before && killers != killers_.end()) {
             audit_.regressions.push_back(
                 fmt::format("{}: {} noticed a mutant of this item, but no test in its present form does", id,
                             fmt::join(killers->second.begin(),
@@ -97,6 +103,8 @@ class Auditor {
             const Judgement judgement = judgements_[run.name];
             if (judgement == Judgement::changed) {
                 audit_.changed.push_back(run.name);
+            } else if (judgement == Judgement::other_code) {
+                audit_.other_code.push_back(run.name);
             } else if (judgement == Judgement::never && run.claims) {
                 audit_.never.push_back(run.name);
             } else if (judgement == Judgement::as_it_was && record_.at(run.name).kills.empty()) {
@@ -139,6 +147,7 @@ std::string kill_summary(const KillAudit& audit) {
     text += named("not judged in their present form", audit.unjudged);
     text += named("tests that notice no mutant of their claimed items", audit.idle, most_names);
     text += named("tests that changed since they were judged", audit.changed);
+    text += named("tests whose items have other code than when they were judged", audit.other_code, most_names);
     text += named("tests never judged", audit.never, most_names);
     for (const auto& regression : audit.regressions) {
         text += fmt::format("  regression: {}\n", regression);

@@ -30,12 +30,14 @@ void with_each_changed_bit(Object& object, const Before& before, const Check& ch
 TEST(ChangedBit, ChoiceStillGivesTheQuantityOfItsSource) {
     verifies<req::AOR_SRC_012>();
     SourceChoice choice;
-    with_each_changed_bit(
-        choice, [&] { static_cast<void>(choice.follow(3, 5)); },
-        [&] {
-            EXPECT_EQ(choice.follow(3, 5).quantity, Quantity::lookup_table);  // Table 4A: 3 is a lookup table
-            EXPECT_EQ(choice.follow(3, 5).channel, 5);
-        });
+    for (std::uint8_t number = 1; number <= 6; ++number) {
+        with_each_changed_bit(
+            choice, [&] { static_cast<void>(choice.follow(3, number)); },
+            [&] {
+                EXPECT_EQ(choice.follow(3, number).quantity, Quantity::lookup_table);  // Table 4A: 3 is a lookup table
+                EXPECT_EQ(choice.follow(3, number).channel, number);
+            });
+    }
 }
 
 TEST(ChangedBit, PhysicalValueStaysThatOfItsInteger) {

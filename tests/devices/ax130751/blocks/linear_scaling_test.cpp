@@ -2,6 +2,8 @@
 // Linear scaling of the AX130751, Figures 2 and 3, and integers with decimal digits.
 #include "devices/ax130751/firmware/linear_scaling.hpp"
 
+#include <cmath>
+
 #include "devices/ax130751/firmware/block_signal.hpp"
 #include "devices/ax130751/firmware/digital_reading.hpp"
 #include "generated/ax130751/requirements.hpp"
@@ -73,6 +75,9 @@ TEST(DecimalDigits, ProcessValueIsTheNearestIntegerWithin16Bits) {
     EXPECT_EQ(process_value(-327.674, 2), -32767);
     EXPECT_EQ(process_value(-327.676, 2), -32768);
     EXPECT_EQ(process_value(-327.69, 2), -32768);
+    EXPECT_EQ(process_value(3.0e9, 0), 32767);  // more than an INTEGER32 can hold
+    EXPECT_EQ(process_value(-3.0e9, 0), -32768);
+    EXPECT_EQ(process_value(std::nan(""), 0), -32768);
 }
 
 TEST(DigitalReading, HysteresisFollowsFigure1) {

@@ -44,6 +44,13 @@ std::size_t chosen(const std::array<LogicFunction, logic_functions>& functions) 
 
 }  // namespace
 
+TEST(LogicBlock, ComparisonDoesNotDependOnTheLimitsOfTheSignals) {
+    verifies<req::AOR_T16>();
+    const BlockSignal below_its_limits{0.0, 2.0, 3.0, SignalState::valid};
+    EXPECT_EQ(evaluate(LogicCondition{value(1.0), below_its_limits, 0}), no) << "1 = 0";
+    EXPECT_EQ(evaluate(LogicCondition{value(1.0), below_its_limits, 1}), yes) << "1 is not 0";
+}
+
 TEST(LogicBlock, ComparisonsFollowTable16) {
     verifies<req::AOR_T16, req::AOR_LOGIC_001>();
     //              <    =    >

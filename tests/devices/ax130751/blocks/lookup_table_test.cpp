@@ -58,6 +58,15 @@ TEST(LookupTable, RampsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
+TEST(LookupTable, AtAPointTheOutputIsExactlyItsY) {
+    verifies<req::AOR_LT_002>();
+    auto points = defaults(ramp);
+    points.x[1] = 3.0;
+    points.y[1] = 0.1;
+    EXPECT_NE(3.0 * 0.1 / 3.0, 0.1);  // the line from (0, 0) does not meet the point exactly
+    EXPECT_EQ(lookup(3.0, points), 0.1);
+}
+
 TEST(LookupTable, StepsFollowFigure6) {
     verifies<req::AOR_LT_003, req::AOR_LT_019>();
     const auto points = defaults(jump);

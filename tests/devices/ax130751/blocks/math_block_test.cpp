@@ -2,6 +2,8 @@
 // Math blocks of the AX130751, 1.7: the eighteen operators of Table 21 and chains of functions.
 #include "devices/ax130751/firmware/math_block.hpp"
 
+#include <cmath>
+
 #include "generated/ax130751/requirements.hpp"
 #include "tests/support/verifies.hpp"
 
@@ -96,6 +98,7 @@ TEST(MathBlock, InputsAreFractionsOfTheirScaling) {
     EXPECT_DOUBLE_EQ(fraction(5.0, 5.0, 5.0), 0.0) << "no span";
     EXPECT_DOUBLE_EQ(fraction(6.0, 5.0, 5.0), 0.0);
     EXPECT_DOUBLE_EQ(fraction(4.0, 5.0, 5.0), 0.0);
+    EXPECT_DOUBLE_EQ(fraction(std::nan(""), -40.0, 210.0), 0.0);
 }
 
 TEST(MathBlock, InputFractionHasStepsOfAMillionth) {

@@ -42,4 +42,28 @@ TEST(ImplementingMutants, ImplementingMutantsAreInTheLinkedFunctionAndItsCallees
     EXPECT_EQ(found["D"], found["A"]);
 }
 
+TEST(ImplementingMutants, LinkAtTheEndOfABlockHasItsConditionAndNothingOfTheNextFunction) {
+    const auto root = std::filesystem::temp_directory_path() / ("canproof-condition-" + std::to_string(getpid()));
+    std::filesystem::create_directories(root / "src" / "one");
+    std::ofstream{root / "src" / "one" / "relay.cpp"} << "int Relay::save() {\n"
+                                                         "    if (store() != 0) {\n"
+                                                         "        static_assert(implements<req::A>);\n"
+                                                         "        return failed - 1;\n"
+                                                         "    }\n"
+                                                         "    return 2 + 3;\n"
+                                                         "}\n"
+                                                         "int Relay::store() { return 4 + 5; }\n"
+                                                         "int Relay::next() { return 6 + 7; }\n";
+    const std::vector<AlteredCell> mutants{{0, "src/one/relay.cpp", "Relay::save, line 2", "x"},
+                                           {1, "src/one/relay.cpp", "Relay::save, line 4", "x"},
+                                           {2, "src/one/relay.cpp", "Relay::save, line 6", "x"},
+                                           {3, "src/one/relay.cpp", "Relay::store, line 8", "x"},
+                                           {4, "src/one/relay.cpp", "Relay::next, line 9", "x"}};
+    Evidence evidence;
+    evidence.implemented["A"] = {"src/one/relay.cpp:3"};
+    auto found = implementing_mutants(root, Register{}, evidence, mutants);
+    std::filesystem::remove_all(root);
+    EXPECT_EQ(found["A"], (std::vector<std::size_t>{0, 1, 3}));
+}
+
 }  // namespace canproof::host::test

@@ -44,7 +44,7 @@ class KillTrial : public testing::Test {
     }
     KillLine judge(bool is_property = false) {
         KillJudge judging{folder_ / "", mutants, told};
-        return judging.judge({"Suite.Test", "hash", is_property, {"AO4-A-1"}});
+        return judging.judge({"Suite.Test", "hash", is_property, {"AO4-A-1"}, "mark"});
     }
 
     ItemMutants mutants;
@@ -63,6 +63,7 @@ TEST_F(KillTrial, TestThatNoticesACellAlteredInARunningProgramKillsIt) {
     EXPECT_THAT(judge().kills, ElementsAre("AO4-A-1"));
     EXPECT_THAT(judge(true).kills, ElementsAre("AO4-A-1"));
     EXPECT_EQ(judge().body, "hash");
+    EXPECT_EQ(judge().code, "mark");
 }
 
 TEST_F(KillTrial, TestThatNoticesACellReadOnlyAtProgramStartKillsIt) {

@@ -17,6 +17,10 @@ Lines function_of(const std::string& source, std::size_t link) {
     return function_below(split_lines(code_only(source)), link);
 }
 
+Lines condition_of(const std::string& source, std::size_t link) {
+    return condition_around(split_lines(code_only(source)), link);
+}
+
 }  // namespace
 
 TEST(CppText, CommentsAndLiteralsAreReplacedByBlanksAndLineBreaksStay) {
@@ -53,6 +57,74 @@ TEST(FunctionBelowALink, FunctionBelowALinkEndsWithItsBlock) {
 TEST(FunctionBelowALink, BracesInLiteralsDoNotEndAFunction) {
     EXPECT_EQ(function_of("static_assert(implements<req::A>);\nint f() {\n    return g('}', \"}\");\n}\n", 1),
               (Lines{2, 4}));
+}
+
+TEST(FunctionBelowALink, StatementsEndWithTheBlockAroundTheLink) {
+    const std::string source =
+        "int f() {\n"
+        "    if (fails()) {\n"
+        "        static_assert(implements<req::A>);\n"
+        "        return 1;\n"
+        "    } else {\n"
+        "        static_assert(implements<req::B>);\n"
+        "        g();\n"
+        "        h();\n"
+        "    }\n"
+        "    static_assert(implements<req::C>);\n"
+        "    const int a = 2;\n"
+        "    return a;\n"
+        "}\n"
+        "int next() { return 3; }\n";
+    EXPECT_EQ(function_of(source, 3), (Lines{4, 4}));
+    EXPECT_EQ(function_of(source, 6), (Lines{7, 8}));
+    EXPECT_EQ(function_of(source, 10), (Lines{11, 12}));
+    EXPECT_EQ(function_of("void f() {\n    static_assert(implements<req::A>);\n}\nvoid g() {}\n", 2), (Lines{0, 0}));
+}
+
+TEST(FunctionBelowALink, StatementsInALinkedFunctionEndWithTheBlockThatTheyOpen) {
+    const std::string source =
+        "void f() {\n"
+        "    static_assert(implements<req::A>);\n"
+        "    if (g()) {\n"
+        "        h();\n"
+        "    }\n"
+        "    i();\n"
+        "}\n";
+    EXPECT_EQ(function_of(source, 2), (Lines{3, 5}));
+}
+
+TEST(ConditionAroundALink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
+    const std::string source =
+        "void f() {\n"
+        "    g();\n"
+        "    if (a() &&\n"
+        "        b()) {\n"
+        "        static_assert(implements<req::A>);\n"
+        "        h();\n"
+        "    } else if (c()) {\n"
+        "        static_assert(implements<req::B>);\n"
+        "        h();\n"
+        "    } else {\n"
+        "        i();\n"
+        "        static_assert(implements<req::C>);\n"
+        "        h();\n"
+        "    }\n"
+        "    for (int i = 0; i < 3; ++i) {\n"
+        "        static_assert(implements<req::D>);\n"
+        "        h();\n"
+        "    }\n"
+        "}\n";
+    EXPECT_EQ(condition_of(source, 5), (Lines{3, 4}));
+    EXPECT_EQ(condition_of(source, 8), (Lines{7, 7}));
+    EXPECT_EQ(condition_of(source, 12), (Lines{7, 7}));
+    EXPECT_EQ(condition_of(source, 16), (Lines{15, 15}));
+}
+
+TEST(ConditionAroundALink, FunctionAndClassAreNoCondition) {
+    EXPECT_EQ(condition_of("void f(int) {\n    static_assert(implements<req::A>);\n    g();\n}\n", 2), (Lines{0, 0}));
+    EXPECT_EQ(condition_of("class C {\n    static_assert(implements<req::A>);\n    void g() {}\n};\n", 2),
+              (Lines{0, 0}));
+    EXPECT_EQ(condition_of("static_assert(implements<req::A>);\nvoid f() {}\n", 1), (Lines{0, 0}));
 }
 
 }  // namespace canproof::host::test

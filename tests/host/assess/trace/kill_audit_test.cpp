@@ -47,6 +47,9 @@ class Kills : public testing::Test {
         claim("A", "Relay.Closes");
         claim("B", "All/Relay.OpensAtEach/0");
         claim("C", "RelayLaw.Holds");
+        for (auto& [test, line] : record_) {
+            line.code = code_by_test(evidence_).at(test);
+        }
         record_["Relay.Closes"].kills = {"A"};
         record_["RelayLaw.Holds"].without_mutants = {"C"};
     }
@@ -95,6 +98,7 @@ TEST_F(Kills, RemovedTestIsReportedDespiteAnotherTestOfTheItem) {
     evidence_.verdicts.erase("A");
     claim("A", "RelayLaw.Holds");
     record_["RelayLaw.Holds"].kills = {"A"};
+    record_["RelayLaw.Holds"].code = code_by_test(evidence_).at("RelayLaw.Holds");
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.regressions, ElementsAre("Relay.Closes: the test no longer exists; it noticed mutants of A"));
@@ -144,14 +148,62 @@ TEST_F(Kills, EachTestHasItsOwnBodyHash) {
 TEST_F(Kills, KillRecordIsReadBack) {
     record_["Relay.Closes"].kills = {"A", "B"};
     const std::string text = write_kill_record(record_);
-    EXPECT_THAT(text, HasSubstr("\nRelay.Closes," + record_["Relay.Closes"].body + ",A B,\n"));
+    const KillLine& line = record_["Relay.Closes"];
+    EXPECT_THAT(text, HasSubstr("\nRelay.Closes," + line.body + ",A B,," + line.code + "\n"));
     std::ofstream{root_ / "kills.csv"} << text;
     const KillRecord read = read_kill_record(root_ / "kills.csv");
     EXPECT_EQ(write_kill_record(read), text);
     EXPECT_THAT(read.at("RelayLaw.Holds").without_mutants, ElementsAre("C"));
     EXPECT_TRUE(read_kill_record(root_ / "none.csv").empty());
-    std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants\nRelay.Closes\n";
+    std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants,code\nRelay.Closes\n";
     EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
+    std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants,code\nRelay.Closes,1,A,,2,3\n";
+    EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
+}
+
+TEST_F(Kills, LineOfAnOlderRecordHasNoMarkOfCode) {
+    std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants\nRelay.Closes,1234,A B,C\n";
+    const KillLine line = read_kill_record(root_ / "kills.csv").at("Relay.Closes");
+    EXPECT_EQ(line.body, "1234");
+    EXPECT_THAT(line.kills, ElementsAre("A", "B"));
+    EXPECT_THAT(line.without_mutants, ElementsAre("C"));
+    EXPECT_EQ(line.code, "");
+}
+
+TEST_F(Kills, TestOfAnItemWithOtherCodeWaitsForItsJudgementAndIsNoRegression) {
+    evidence_.work["A"].code = "12345678";
+    const KillAudit found = audit();
+    EXPECT_EQ(found.shown, 0U);
+    EXPECT_THAT(found.unjudged, ElementsAre("A"));
+    EXPECT_THAT(found.other_code, ElementsAre("Relay.Closes"));
+    EXPECT_THAT(found.changed, IsEmpty());
+    EXPECT_THAT(found.regressions, IsEmpty());
+    EXPECT_THAT(kill_summary(found),
+                HasSubstr("tests whose items have other code than when they were judged: Relay.Closes\n"));
+    record_["Relay.Closes"].code = code_by_test(evidence_).at("Relay.Closes");
+    EXPECT_EQ(audit().shown, 1U);
+}
+
+TEST_F(Kills, OtherCodeHidesNoChangedTest) {
+    evidence_.work["A"].code = "12345678";
+    write(edited("EXPECT_EQ(state(), \"{\");", ""));
+    const KillAudit found = audit();
+    EXPECT_THAT(found.changed, ElementsAre("Relay.Closes"));
+    EXPECT_THAT(found.other_code, IsEmpty());
+    EXPECT_EQ(found.regressions.size(), 1U);
+}
+
+TEST_F(Kills, MarkOfCodeCoversEachClaimedItem) {
+    const std::string one = code_by_test(evidence_).at("Relay.Closes");
+    EXPECT_EQ(one.size(), 8U);
+    claim("B", "Relay.Closes");
+    const std::string two = code_by_test(evidence_).at("Relay.Closes");
+    EXPECT_NE(two, one);
+    claim("B", "Relay.Closes");
+    EXPECT_EQ(code_by_test(evidence_).at("Relay.Closes"), two) << "claimed twice";
+    evidence_.work["B"].code = "12345678";
+    EXPECT_NE(code_by_test(evidence_).at("Relay.Closes"), two);
+    EXPECT_EQ(code_by_test(evidence_).count("Relay.Missing"), 0U);
 }
 
 }  // namespace canproof::host::test
