@@ -276,7 +276,7 @@ SignalState Sources::state(const SourceRef& ref) const noexcept {
 
 static_assert(implements<req::AOR_SRC_004> && implements<req::AOR_SRC_005> && implements<req::AOR_SRC_006>);
 SignalState Sources::network_state(const std::uint32_t overdue, const std::uint8_t channel) const noexcept {
-    const bool failed = silent_ || (((overdue >> channel) & 1U) != 0U);
+    const bool failed = silent_ || (((overdue >> std::uint32_t{channel}) & 1U) != 0U);
     return failed ? SignalState::error : SignalState::valid;
 }
 
