@@ -213,8 +213,10 @@ TEST_F(SocketCan, RestartRefusedByTheKernelIsReportedOnceForEachBusOff) {
     for (std::size_t bus_off = 1; bus_off <= 2; ++bus_off) {
         system.arrive_error(first, CAN_ERR_BUSOFF, 0);
         step(10);
-        for (int attempts = 0; attempts < 3; ++attempts) {
+        const int earlier = system.restarts;
+        for (int attempts = 1; attempts <= 3; ++attempts) {
             step(500000);
+            EXPECT_EQ(system.restarts, earlier + attempts);
             EXPECT_THAT(notices, SizeIs(bus_off));
         }
         EXPECT_THAT(notices.back(), HasSubstr("vcan0 is bus-off, and the kernel refuses the restart"));
