@@ -92,8 +92,9 @@ std::vector<Stretch> stretches_of(const Part& part) {
             continue;
         }
         const std::vector<Stretch> own = stretches_of(members);
+        const std::size_t count = members.size();
         if (std::all_of(own.begin(), own.end(),
-                        [&](const Stretch& one) { return is_pure(part, families, one, members.size()); })) {
+                        [&](const Stretch& one) { return is_pure(part, families, one, count); })) {
             for (const Stretch& one : own) {
                 all.emplace(one.first, one);
             }
