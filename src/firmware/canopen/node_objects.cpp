@@ -51,7 +51,6 @@ Result<WritePlace, AbortCode> Node::writable(const std::uint16_t index, const st
     }
     static_assert(implements<req::CO_SDO_009>);
     if (!entry.may(rights::write)) {
-        static_assert(implements<req::CO_SDO_009>);
         return Place::failure(AbortCode::read_only);
     }
     if (entry.row->type == DataType::domain) {

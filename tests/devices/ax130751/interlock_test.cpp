@@ -208,9 +208,12 @@ TEST_F(Ax130751Interlock, RelayOverrideOrUnlatchWithoutAValuePutsTheRelayOff) {
         make_relay();
         choose(0x2270, 1, choice.source, choice.number);
         EXPECT_TRUE(relay_on()) << "the unlatch input means nothing to normal logic";
+        set8(0x2242, 1, 3);  // the latch is ON, because the control of make_relay() is ON
+        pass(1);
+        EXPECT_FALSE(relay_on()) << "unlatch of the latch";
         set8(0x2242, 1, 4);  // the rest state of the inverse latch is ON
         pass(1);
-        EXPECT_FALSE(relay_on()) << "unlatch";
+        EXPECT_FALSE(relay_on()) << "unlatch of the inverse latch";
         set8(0x2270, 1, not_used);
         pass(1);
         EXPECT_TRUE(relay_on());

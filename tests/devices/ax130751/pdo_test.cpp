@@ -142,6 +142,18 @@ TEST_F(Ax130751Pdo, TransmissionTypesAreFixedAndSyncTriggersNoPdo) {
     EXPECT_EQ(write(0x1800, 5, 0, 2), "");
     start();
     pass(10);
+    for (const int index : {0x1401, 0x1402, 0x1403}) {
+        const int number = index - 0x1400;
+        EXPECT_EQ(write(static_cast<std::uint16_t>(index), 1, 0x4000027F + (0x100 * number), 4), "");
+    }
+    send("27F#D204000000");
+    send("37F#070000000000");
+    send("47F#080000000000");
+    send("57F#0100");
+    EXPECT_EQ(read(0x7300, 1), 1234U) << "RPDO1 takes effect without a SYNC";
+    EXPECT_EQ(read(0x2500, 1), 7U) << "RPDO2";
+    EXPECT_EQ(read(0x2500, 4), 8U) << "RPDO3";
+    EXPECT_EQ(read(0x6220, 1), 1U) << "RPDO4";
     EXPECT_EQ(send("080#"), Frames{});
     EXPECT_EQ(pass(50), Frames{});
 }

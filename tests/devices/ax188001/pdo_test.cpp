@@ -99,8 +99,8 @@ TEST_F(Pdos, OnlyMeasuredValuesCanBeMapped) {
 }
 
 TEST_F(Pdos, RpdosExistAndMapNothing) {
-    verifies<req::TCS_PDO_005, req::TCS_PDO_008, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402, req::TCS_OD_1403,
-             req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
+    verifies<req::TCS_PDO_005, req::TCS_PDO_006, req::TCS_PDO_008, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
+             req::TCS_OD_1403, req::TCS_OD_1600, req::TCS_OD_1601, req::TCS_OD_1602, req::TCS_OD_1603>();
     for (int n = 0; n < 4; ++n) {
         EXPECT_EQ(read(0x1400 + n, 0).value, 5U);
         EXPECT_EQ(read(0x1400 + n, 1).value, 0xC000027FU + static_cast<std::uint32_t>(n) * 0x100U);

@@ -134,6 +134,7 @@ TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01152C0000"}));  // 11285 = 2C15h
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0200000000"}));
     EXPECT_EQ(send("603#23521F0100000000"), (Frames{"583#80521F0102000106"}));
+    EXPECT_EQ(send("603#23521F0200000000"), (Frames{"583#80521F0202000106"}));
 }
 
 TEST_F(Startup, ResetRestartsTheDelayOfTheSelfStart) {
