@@ -33,6 +33,7 @@
 #include "fuzz/support/fuzz_device.hpp"
 #include "fuzz/support/known_parameters.hpp"
 #include "fuzz/support/model_counts.hpp"
+#include "host/sim/bus/candump.hpp"
 
 namespace canproof::fuzz {
 
@@ -60,6 +61,29 @@ class Choices {
 
 /// The frames of one moment, each with its time in ms and its text.
 using TimedFrames = std::vector<std::pair<std::uint64_t, std::string>>;
+
+/// Returns the frames of one moment as TimedFrames.
+inline TimedFrames timed(const std::vector<Frame>& frames, std::uint64_t ms) {
+    TimedFrames all;
+    for (const Frame& frame : frames) {
+        all.emplace_back(ms, host::format_frame(frame));
+    }
+    return all;
+}
+
+/// Returns which target compares a frame of 11 bits that the models of the Axiomatic devices do not know: a remote
+/// frame or LSS. Returns nullptr for other frames.
+inline const char* compared_elsewhere(const Frame& frame) {
+    if (frame.remote) {
+        return "pdo and error_control compare remote frames";
+    }
+    return frame.id == 0x7E5 ? "lss compares LSS" : nullptr;
+}
+
+/// Requires what a comparison of values states.
+inline void check_model(bool holds, const char* what, unsigned index) {
+    require(holds, what, index);
+}
 
 /// Requires the frames that the model has sent; prints both when they differ.
 inline void require_frames(const TimedFrames& said, const TimedFrames& expected, const char* file = __builtin_FILE(),

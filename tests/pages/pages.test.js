@@ -40,7 +40,8 @@ test.before(async () => {
 });
 test.after(() => browser.close());
 
-async function opened(name, look) {
+async function opened(name) {
+  const [look] = LOOKS;
   const context = await browser.newContext({ viewport: { width: look.width, height: look.height }, colorScheme: look.colorScheme });
   const page = await context.newPage();
   await page.goto(`file://${path.resolve(pack, name)}`);
@@ -77,7 +78,7 @@ function bareParts() {
 
 for (const name of [...pages, largest(sources), ...reported]) {
   test(`${name}: WCAG 2.2 AA, headings, captions, width`, async () => {
-    const page = await opened(name, LOOKS[0]);
+    const page = await opened(name);
     await shortened(page);
     assert.strictEqual(await page.locator('h1').count(), 1, `${name}: first headings`);
     assert.deepStrictEqual(await page.evaluate(bareParts), [], name);
@@ -99,7 +100,7 @@ for (const name of [...pages, largest(sources), ...reported]) {
 
 async function printed(name) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'pages-'));
-  const page = await opened(name, LOOKS[0]);
+  const page = await opened(name);
   const pdf = path.join(folder, 'page.pdf');
   await page.pdf({ path: pdf, preferCSSPageSize: true });
   const sheets = execFileSync('pdftotext', [pdf, '-'], { encoding: 'utf8' }).split('\f').slice(0, -1);
@@ -127,7 +128,7 @@ for (const [name, title] of [['hazards.html', 'Hazards'], [largest(audits), 'Aud
 }
 
 test('words, kinds and states filter the items on the audit page of a device', async () => {
-  const page = await opened(largest(audits), LOOKS[0]);
+  const page = await opened(largest(audits));
   const rows = page.locator('tbody tr:visible');
   assert.strictEqual(await rows.count(), 0, 'services are closed at first');
   const id = await page.locator('tbody code[id]').first().getAttribute('id');

@@ -13,10 +13,6 @@ using namespace canproof;
 
 constexpr unsigned node = 127;
 
-void check(bool holds, const char* what, unsigned index) {
-    fuzz::require(holds, what, index);
-}
-
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 60;
@@ -130,11 +126,8 @@ class Model {
         if (frame.extended) {
             return nullptr;
         }
-        if (frame.remote) {
-            return "pdo and error_control compare remote frames";
-        }
-        if (frame.id == 0x7E5) {
-            return "lss compares LSS";
+        if (const char* const why = fuzz::compared_elsewhere(frame)) {
+            return why;
         }
         if (frame.id == 0x080) {
             return "pdo and emcy compare SYNC";
@@ -171,7 +164,7 @@ class Model {
     }
 
     void compare(const ax060805::Device& device, const std::vector<Frame>& said, std::uint64_t) {
-        const test::NaiveComparison<decltype(&check)> comparison{device, model_, check_};
+        const test::NaiveComparison<decltype(&fuzz::check_model)> comparison{device, model_, check_};
         comparison.frames(said, model_.take_said());
         comparison.values();
         comparison.errors();
@@ -224,7 +217,7 @@ class Model {
 
     const ax060805::Device& device_;
     test::NaiveNode model_{test::NaiveUnit{}, test::NaiveFelt{}};
-    void (*const check_)(bool, const char*, unsigned){check};
+    void (*const check_)(bool, const char*, unsigned){fuzz::check_model};
     bool is_on_{false};
 };
 

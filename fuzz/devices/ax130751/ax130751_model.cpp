@@ -14,10 +14,6 @@ using namespace canproof;
 constexpr unsigned node = 127;
 constexpr std::uint32_t no_rtr = 0x40000000;
 
-void check(bool holds, const char* what, unsigned index) {
-    fuzz::require(holds, what, index);
-}
-
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 25;
@@ -120,11 +116,8 @@ class Model {
         if (frame.extended) {
             return nullptr;
         }
-        if (frame.remote) {
-            return "pdo and error_control compare remote frames";
-        }
-        if (frame.id == 0x7E5) {
-            return "lss compares LSS";
+        if (const char* const why = fuzz::compared_elsewhere(frame)) {
+            return why;
         }
         if (frame.id == 0x080) {
             return "pdo and emcy compare SYNC";
@@ -304,7 +297,7 @@ class Model {
 
     const ax130751::Device& device_;
     naive_ax130751::Device model_{node};
-    const Check check_{check};
+    const Check check_{fuzz::check_model};
     std::uint64_t begun_ms_{0};
     std::uint32_t answer_{0};
     bool is_set_up_{false};

@@ -4,7 +4,6 @@
 #include "fuzz/devices/ax188001/ax188001_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
-#include "host/sim/bus/candump.hpp"
 #include "properties/devices/ax188001/naive_comparison.hpp"
 
 namespace {
@@ -121,11 +120,8 @@ class Model {
         if (frame.extended) {
             return nullptr;
         }
-        if (frame.remote) {
-            return "pdo and error_control compare remote frames";
-        }
-        if (frame.id == 0x7E5) {
-            return "lss compares LSS";
+        if (const char* const why = fuzz::compared_elsewhere(frame)) {
+            return why;
         }
         if (frame.id == 0x600U + node) {
             const auto write = fuzz::expedited_write(device.objects(), frame);
@@ -146,11 +142,7 @@ class Model {
     }
 
     void compare(const ax188001::Device& device, const std::vector<Frame>& said, std::uint64_t now_ms) {
-        fuzz::TimedFrames seen;
-        for (const Frame& frame : said) {
-            seen.emplace_back(now_ms, host::format_frame(frame));
-        }
-        fuzz::require_frames(naive_tcs::in_order(seen), naive_tcs::in_order(model_.take_sent()));
+        fuzz::require_frames(naive_tcs::in_order(fuzz::timed(said, now_ms)), naive_tcs::in_order(model_.take_sent()));
         naive_tcs::compare_values(
             device, model_, [](bool holds, const char* what, unsigned index) { fuzz::require(holds, what, index); });
         naive_tcs::compare_errors(

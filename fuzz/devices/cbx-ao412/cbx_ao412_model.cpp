@@ -4,7 +4,6 @@
 #include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
-#include "host/sim/bus/candump.hpp"
 #include "properties/devices/cbx-ao412/naive_comparison.hpp"
 
 namespace {
@@ -131,11 +130,7 @@ class Model {
     }
 
     void compare(const cbx_ao412::Device& device, const std::vector<Frame>& said, std::uint64_t now_ms) {
-        fuzz::TimedFrames seen;
-        for (const Frame& frame : said) {
-            seen.emplace_back(now_ms, host::format_frame(frame));
-        }
-        fuzz::require_frames(seen, model_.take_sent());
+        fuzz::require_frames(fuzz::timed(said, now_ms), model_.take_sent());
         naive_ao4::compare_outputs(device, model_, [](bool holds, const char* what) { fuzz::require(holds, what); });
         if (model_.runs()) {
             naive_ao4::compare_objects(device, model_,
