@@ -41,8 +41,8 @@ inline void set_field_le(std::array<std::uint8_t, size>& bytes, const std::uint6
 }
 
 /// Read-only view of bytes. Reading past its end by the index operator gives zero, never memory beside it. The
-/// alignment lets a 32-bit processor pass a view in a pair of registers instead of on the stack; MutableBytes has it
-/// for the same reason.
+/// alignment lets a 32-bit processor pass a view in a pair of registers instead of on the stack; MutableBytes has the
+/// same alignment.
 class alignas(std::uint64_t) ByteView {
   public:
     constexpr ByteView() noexcept = default;
@@ -152,7 +152,8 @@ class alignas(std::uint64_t) MutableBytes {
         }
         return differs;
     }
-    // These functions are not inlined: they are the rare cases of the inlined functions above and below.
+    // These functions are not inlined, because the inlined functions call them in rare cases only: some of the bytes
+    // lie outside the view, or their number is unusual.
     [[gnu::noinline]] void put_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
     [[gnu::noinline]] bool exchange_each(std::size_t at, std::size_t count, std::uint64_t value) noexcept;
 

@@ -13,17 +13,18 @@ constexpr std::size_t commit_marker_at = 3U;
 /// Marker of a void bank: a save into it has begun, or a newer bank is valid. The contents of the bank do not count.
 constexpr std::uint8_t void_marker = 0x2DU;
 
-/// State of a bank. If the states of two banks differ, the bank with the greater value decides what is loaded.
+/// State of a bank. If the states of the two banks differ, the bank whose state has the greater value decides what is
+/// loaded.
 enum class BankState : std::uint8_t {
     unused,    ///< marked void, or blank (all bytes 00h or FFh)
     doubtful,  ///< unreadable, or without a known marker; counts as damage unless the other bank is sound
     sound,     ///< readable and of the present layout, and its CRC is right
-    damaged    ///< committed, but not sound: its contents have changed since then, for example
+    damaged    ///< committed, but not sound, for example because its contents have changed since the save
 };
 
 /// Returns what the first bytes of a bank show: unused, doubtful, or damaged. A bank that this function calls doubtful
-/// or damaged can still be sound: all of it can be read, and it has the present layout and the right CRC. The caller
-/// checks that.
+/// or damaged is sound all the same if all of it can be read and it has the present layout and the right CRC. The
+/// caller checks that.
 BankState state_by_marker(bool is_readable, ByteView bytes, std::uint8_t committed_marker) noexcept;
 
 }  // namespace canproof

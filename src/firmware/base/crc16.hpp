@@ -15,8 +15,8 @@ class Crc16 {
         }
     }
     /// Adds the upper seven bytes of `frame`, least significant first: the data of a segment of a block transfer,
-    /// behind its sequence number. Inlining is forced: the limit on block upload leaves no time for a call per segment
-    /// (tests/bench/transactions.cpp).
+    /// behind its sequence number. Inlining is forced: the limit of instructions for a block upload
+    /// (tests/bench/transactions.cpp) leaves no room for a call per segment.
     [[gnu::always_inline]] constexpr void add_segment(const std::uint64_t frame) noexcept {
         constexpr std::uint64_t seven_bytes = 0x00FFFFFFFFFFFFFFU;
         remainder_ = remainder_of((reversed(frame) & seven_bytes) ^ (std::uint64_t{remainder_} << 40U));
@@ -32,7 +32,7 @@ class Crc16 {
     }
     /// Returns the remainder of message * x^16 divided by P = x^16 + x^12 + x^5 + 1, without a table. The quotient is
     /// the whole part of message / (1 + f) with f = x^-4 + x^-11 + x^-16. In GF(2) 1 / (1 + f) is (1 + f)(1 + f^2)(1 +
-    /// f^4)(1 + f^8)..., and a square doubles each exponent; what shifts 64 bits or more is zero. Each sum is nested,
+    /// f^4)(1 + f^8)..., and a square doubles each exponent; a shift by 64 bits or more gives zero. Each sum is nested,
     /// as a + (a + (a + ax^-5)x^-7)x^-4 for a + ax^-4 + ax^-11 + ax^-16. The low 16 bits of quotient * P are the
     /// remainder, because the low 16 bits of message * x^16 are zero.
     static constexpr std::uint32_t remainder_of(const std::uint64_t message) noexcept {

@@ -6,7 +6,8 @@
 
 namespace canproof {
 
-/// Returns whether sequence number `a` was given after `b`. The two must lie less than 2^31 apart.
+/// Returns whether the save with sequence number `a` is later than the save with number `b`. The two saves must be less
+/// than 2^31 saves apart.
 constexpr bool is_newer(const std::uint32_t a, const std::uint32_t b) noexcept {
     constexpr std::uint32_t half = 0x80000000U;
     return (a != b) && ((a - b) < half);

@@ -20,9 +20,9 @@ class Slots {
     constexpr bool empty() const noexcept { return count_ == 0U; }
     constexpr T* begin() const noexcept { return first_; }
     constexpr T* end() const noexcept { return end_; }
-    /// Returns place `at`, which must be below size().
+    /// Returns element `at`, which must be below size().
     constexpr T& operator[](const std::size_t at) const noexcept { return first_[at]; }
-    /// Returns at most `count` places from `from` on; fewer when the view ends earlier.
+    /// Returns a view of at most `count` elements from `from` on; fewer when this view ends earlier.
     constexpr Slots part(const std::size_t from, const std::size_t count) const noexcept {
         const std::size_t start = (from < count_) ? from : count_;
         const std::size_t rest = count_ - start;
@@ -31,7 +31,7 @@ class Slots {
 
   private:
     T* first_{nullptr};
-    T* end_{nullptr};  ///< stored, because it is read more often than the count
+    T* end_{nullptr};  ///< end of the view; stored, because loops read it more often than the count
     std::size_t count_{0U};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a row of a decision table. The register's compiler proves that each table covers all its inputs. A missing row
-// therefore means corrupt memory; the caller passes the value that is safe in that case.
+// Reads a row of a decision table. The generator of the tables proves that each table has a row for all its inputs. A
+// missing row therefore means corrupt memory; the caller passes the value that is safe in that case.
 #pragma once
 
 namespace canproof {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the properties of a generated dictionary on which the services rely. The compiler evaluates them beside the
-// tables.
+// Checks the properties of a generated dictionary on which the services rely. The C++ compiler evaluates these checks
+// when it compiles the tables.
 #pragma once
 
 #include "firmware/canopen/object_types.hpp"
@@ -8,7 +8,8 @@
 
 namespace canproof {
 
-/// Returns whether the sub-indices ascend from 0, the limits exist and every value lies in its pool.
+/// Returns whether the sub-indices of an object ascend from 0, the limits of its entries exist, and every value lies
+/// within the pool of constants or of defaults.
 constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow& object) noexcept {
     std::uint32_t least{0U};  // the least sub-index that the next entry may have
     for (std::size_t i = 0U; i < object.count; ++i) {
@@ -25,7 +26,8 @@ constexpr bool has_sound_entries(const DictionaryTables& tables, const ObjectRow
     return (object.count > 0U) && (tables.entries[object.first_entry].subindex == 0U);
 }
 
-/// Returns whether the search by slots finds the object, with the steps of ObjectDictionary::lookup().
+/// Returns whether a search in the slots finds object `wanted`. The search takes the same steps as
+/// ObjectDictionary::lookup().
 constexpr bool is_found(const DictionaryTables& tables, const std::size_t wanted) noexcept {
     const std::size_t count = tables.slots.count;
     std::size_t slot = object_slot(tables.objects[wanted].index, tables.slot_factor, count);

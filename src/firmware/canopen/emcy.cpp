@@ -139,7 +139,7 @@ void Emcy::remove_from_list(const std::uint32_t entry) noexcept {
 
 std::uint8_t Emcy::list_capacity() const noexcept {
     constexpr std::uint32_t most_subindices{254U};
-    std::uint8_t capacity{1U};  // 1 also without 1003h: a write to an absent entry has no effect
+    std::uint8_t capacity{1U};  // 1 even if 1003h is absent: a write to an absent entry has no effect
     while ((capacity < most_subindices) && objects_.has(index::error_list, static_cast<std::uint8_t>(capacity + 1U))) {
         ++capacity;
     }

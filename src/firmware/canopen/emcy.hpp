@@ -44,13 +44,13 @@ class Emcy {
     /// nothing. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for example
     /// the node-ID of a lost heartbeat.
     void set(ErrorId error, bool present, Instant now, std::uint8_t channel = 0U) noexcept;
-    /// Reports an error that is already over: lists it in 1003h and sends its message, as its row demands. The error
-    /// never becomes active.
+    /// Reports an error that is already over: lists it in 1003h and sends its message, as its row in the error table
+    /// demands. The error never becomes active.
     void report(ErrorId error, Instant now) noexcept;
     bool is_active(const ErrorId error) const noexcept { return is_active(static_cast<std::size_t>(error)); }
 
     /// Permits or stops sending. The node permits it in pre-operational and operational only, and not in bus-off or
-    /// while LSS changes the bit rate. Until then messages wait.
+    /// while LSS changes the bit rate. While sending is stopped, messages wait.
     void enable(bool enabled, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (enabled_ && (pending_count_ != 0U)) {
@@ -104,7 +104,7 @@ class Emcy {
     const ErrorTable& errors_;
     ErrorList list_;
     EmcyContent content_;
-    std::uint64_t active_{0U};  ///< bit n: error n
+    std::uint64_t active_{0U};  ///< bit n is set while error n is active
     std::array<std::uint8_t, max_errors> channel_{};
     std::array<Pending, pending_capacity> pending_{};
     std::size_t pending_count_{0U};

@@ -41,9 +41,9 @@ constexpr ErrorId error_after(const ErrorId first, const std::size_t offset) noe
 /// How one error is reported. Code 0 means that the device does not have this error: it is then ignored.
 struct ErrorRow {
     std::uint16_t code{0U};          ///< emergency error code
-    std::uint8_t register_bits{0U};  ///< set in 1001h while the error lasts
+    std::uint8_t register_bits{0U};  ///< set in 1001h (error register) while the error lasts
     bool sent{false};                ///< reported by an emergency message
-    bool listed{false};              ///< entered into 1003h
+    bool listed{false};              ///< entered into 1003h (error list)
     /// Upper half of the entry in 1003h (error list). Axiomatic's devices: description << 8 | channel.
     std::uint16_t detail{0U};
 };

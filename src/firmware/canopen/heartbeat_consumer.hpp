@@ -22,8 +22,8 @@ class HeartbeatConsumer {
 
     /// Reads the parameters. Monitoring of each producer starts with its first heartbeat.
     void reset() noexcept;
-    /// Processes a data frame with an 11-bit identifier. Returns true when it has the length of a heartbeat and any
-    /// producer is or was watched.
+    /// Processes a data frame with an 11-bit identifier. Returns true when the frame has the length of a heartbeat and
+    /// any producer is or was watched.
     bool receive(const Frame& frame, const Instant now) noexcept {
         const bool heard = any_ && (frame.length == 1U);
         if (heard) {
@@ -37,7 +37,8 @@ class HeartbeatConsumer {
         }
     }
     Instant next_deadline() const noexcept { return next_; }
-    /// Returns the watched producers whose heartbeat has stopped and not resumed: bit n for 1016h:n + 1.
+    /// Returns the watched producers whose heartbeat has stopped and not resumed: bit n stands for the producer in
+    /// 1016h:n + 1.
     std::uint32_t failed() const noexcept { return failed_; }
     /// Returns the node-ID in 1016h:slot + 1 consumer heartbeat time, also when that entry watches no node.
     std::uint8_t producer(std::size_t slot) const noexcept;

@@ -6,8 +6,8 @@
 
 namespace canproof {
 
-/// One period of an indicator: `flashes` times on with gaps between them, then a pause. With no flashes it is steadily
-/// lit when `on` is not 0, otherwise dark.
+/// One period of an indicator: `flashes` times on with gaps between them, then a pause. With no flashes the LED is
+/// steadily lit when `on` is not 0, otherwise dark.
 struct IndicatorPattern {
     std::uint16_t flashes{0U};
     Duration on{};

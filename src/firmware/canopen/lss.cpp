@@ -39,8 +39,8 @@ std::uint8_t answer_specifier(const LssCommand command) noexcept {
     return static_cast<std::uint8_t>(command);
 }
 
-/// Returns the distance of a command specifier from the first one of its service: the position of the number or frame
-/// in its sequence.
+/// Returns the distance of a command specifier from the first one of its service: the position of this frame in the
+/// sequence of frames of that service.
 constexpr std::uint32_t offset_from(const LssCommand first, const LssCommand command) noexcept {
     return static_cast<std::uint32_t>(command) - static_cast<std::uint32_t>(first);
 }

@@ -123,8 +123,8 @@ class Lss {
         return (frame.id == generated::canopen::lss_request_cob_id) && !frame.extended && !frame.remote &&
                profile_.is_offered();
     }
-    /// Serves one request; the node is in state `nmt` and not silent. Returns true when the node must now reset its
-    /// communication.
+    /// Serves one request. The node is in NMT state `nmt`, and is_silent() is false. Returns true when the node must
+    /// now reset its communication.
     bool receive(const Frame& frame, NmtState nmt, Instant now) noexcept;
     void advance(const Instant now) noexcept {
         if (due_ <= now) {
@@ -156,7 +156,7 @@ class Lss {
     void activate(Duration delay, Instant now) noexcept;
 
     bool is_configured() const noexcept;
-    /// Returns one number of this device's LSS address, by LssNumber.
+    /// Returns the part of this device's LSS address that `number`, an LssNumber, names.
     std::uint32_t own(std::uint32_t number) const noexcept;
 
     LssProfile profile_;

@@ -34,7 +34,8 @@ class LssFastscan {
     Outcome scan(const Request& request, std::uint32_t own) noexcept;
 
   private:
-    /// Returns whether bits 31 down to the bit check (at most 31) equal those of `own`.
+    /// Returns whether the number in the request equals `own` from bit 31 down to the bit that "bit check" (at most 31)
+    /// names.
     static bool matches(const Request& request, std::uint32_t own) noexcept;
     Outcome confirm(std::uint8_t next) noexcept;
 

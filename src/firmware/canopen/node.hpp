@@ -18,7 +18,7 @@
 
 namespace canproof {
 
-/// The differences between the devices on the bus, apart from their objects.
+/// The properties in which the devices differ on the bus, apart from their objects.
 struct NodeProfile {
     LimitAbort limit_abort{LimitAbort::high_low};
     ErrorList error_list{ErrorList::history};
@@ -68,7 +68,7 @@ class Application : public LssApplication {
     /// Resets all states of the device after power-on or NMT reset node. The parameters are loaded already.
     virtual void restart(Instant now) = 0;
     /// Notifies the device that the node has queued the boot-up message and entered pre-operational. If it boots in
-    /// bus-off, the message is lost, and with 1029h:1 (error behaviour) = 2 the node is already stopped.
+    /// bus-off, the message is lost, and if 1029h:1 (error behaviour) is 2 the node is already in NMT state stopped.
     virtual void booted(Instant now) = 0;
     /// Returns the value of a DOMAIN entry without copying it; the value stays unchanged until commit() or a reset.
     /// Fails with 06010000h when the device has no memory for this entry, with 08000024h when the entry is empty.
@@ -147,7 +147,7 @@ class Node final : private ObjectAccess {
             change_error(error, present, now);
         }
     }
-    /// Changes the NMT state as 1029h:`subindex` (error behaviour) demands for an error of its class.
+    /// Changes the NMT state as 1029h (error behaviour) demands in entry `subindex` for its class of errors.
     void apply_error_behaviour(std::uint8_t subindex, Instant now) noexcept;
     /// Plans the self-start: the node enters operational at `at`, unless an NMT command, a reset, or an error for which
     /// 1029h error behaviour demands a state comes first. A present communication error with such a demand prevents the
@@ -199,7 +199,7 @@ class Node final : private ObjectAccess {
     void serve(const Frame& frame, Instant now) noexcept;
     void serve_sdo(const Frame& frame, const Instant now) noexcept {
         sdo_.receive(frame, now);
-        if (idle_until_ <= now) {  // the write has changed more than the value of its entry
+        if (idle_until_ <= now) {  // the request was a write that changed more than the value of its entry
             watch_communication(now);
             send_events(now);
         }
@@ -273,12 +273,12 @@ class Node final : private ObjectAccess {
         static constexpr std::uint32_t rpdo_short = 0x800U;
         static constexpr std::uint32_t rpdo_refused = 0x1000U;
         static constexpr std::uint32_t first_rpdo_overdue = 16U;  ///< position of the bit of RPDO1
-        static constexpr std::uint32_t rpdo_overdue = 0xFF0000U;  ///< bit n + 16: RPDO n + 1
+        static constexpr std::uint32_t rpdo_overdue = 0xFF0000U;  ///< bit n + 16: RPDO n + 1 is overdue
 
         std::uint32_t bits{0U};
 
         bool has(const std::uint32_t any) const noexcept { return (bits & any) != 0U; }
-        /// Returns whether one of them is a communication error of 1029h:1 (error behaviour).
+        /// Returns whether one of the faults is a communication error of 1029h:1 (error behaviour).
         bool is_error() const noexcept { return has(silent_producers | guarding | rpdo_overdue | bus_off); }
     };
 

@@ -27,7 +27,7 @@ Result<ByteView, AbortCode> Node::read(const std::uint16_t index, const std::uin
     return is_plain ? Read::success(objects_.value(entry)) : read_special(entry);
 }
 
-/// Reads an entry that belongs to a program or is a DOMAIN, or returns why it cannot be read.
+/// Reads an entry of Service::program or a DOMAIN entry. Returns the reason when an entry cannot be read.
 Result<ByteView, AbortCode> Node::read_special(const EntryRef entry) noexcept {
     using Read = Result<ByteView, AbortCode>;
     const AbortCode code = check_access(entry);
@@ -97,8 +97,8 @@ AbortCode Node::write(const std::uint16_t index, const std::uint8_t subindex, co
     return AbortCode::none;
 }
 
-/// Writes an entry that a service or the device owns, or that has a variable length, or returns why an entry cannot be
-/// written.
+/// Writes an entry that a service or the device owns, or that has a variable length. Returns the reason when an entry
+/// cannot be written.
 AbortCode Node::write_special(const EntryRef entry, const ByteView value, const Instant now) noexcept {
     AbortCode code = check_access(entry);
     if (code != AbortCode::none) {
@@ -114,7 +114,7 @@ AbortCode Node::write_special(const EntryRef entry, const ByteView value, const 
     const bool is_number = !has_variable_length(entry.row->type);
     const std::uint64_t number = is_number ? number_in(value) : 0U;
     if (entry.row->service == Service::store) {
-        // The signature starts the save and is not kept as a value.
+        // The value is a signature, which starts the save or the restore and is not stored in the entry.
         return store(entry, static_cast<std::uint32_t>(number));
     }
     if (entry.row->service != Service::none) {
@@ -168,8 +168,8 @@ AbortCode Node::before_write(const EntryRef& entry, const ByteView value) noexce
                       : check_parameter(entry, static_cast<std::uint32_t>(number_in(value)));
 }
 
-/// Returns the decision of the service that owns a parameter about its new value. Such a parameter is a number of at
-/// most 32 bits.
+/// Returns AbortCode::none when the service that owns a parameter accepts its new value, otherwise the reason. Such a
+/// parameter is a number of at most 32 bits.
 AbortCode Node::check_parameter(const EntryRef& entry, const std::uint32_t value) const noexcept {
     switch (entry.row->service) {
         case Service::sync:

@@ -102,8 +102,8 @@ void Node::take_note(const Instant now) noexcept {
     faults_ = faults;
     communication_failed_ = failed;
     announce(faults, now);
-    // Each communication error changes the state as 1029h:1 demands, also one that begins while another lasts
-    // (CO-D-NMT-001).
+    // Each communication error changes the state as 1029h:1 (error behaviour) demands, also one that begins while
+    // another lasts (CO-D-NMT-001).
     static_assert(implements<req::CO_NMT_007>);
     if (begun.is_error()) {
         apply_error_behaviour(communication_error_subindex, now);

@@ -28,7 +28,7 @@ struct EntryRef {
 
 /// The abort codes for a value outside its limits; the manuals differ here.
 enum class LimitAbort : std::uint8_t {
-    range,    ///< 06090030h for both ends
+    range,    ///< 06090030h (value range exceeded) above the maximum and below the minimum
     high_low  ///< 06090031h above the maximum, 06090032h below the minimum
 };
 

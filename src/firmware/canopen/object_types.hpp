@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of an object dictionary, as the register's compiler writes them: constants in flash. object_dictionary.hpp
-// defines the view that the services use.
+// The rows of an object dictionary, which are generated from the requirements register: constants in flash.
+// object_dictionary.hpp defines the view that the services use.
 #pragma once
 
 #include <cstddef>
@@ -126,7 +126,7 @@ struct DictionaryTables {
     TableView<std::uint32_t> allowed;   ///< values of LimitKind::list, as bit patterns of the entry's type
     TableView<std::uint8_t> constants;  ///< values of rights::constant entries
     TableView<std::uint8_t> defaults;   ///< the value image as shipped, before the node-ID is added
-    /// Fingerprint of entries and offsets: a stored set is valid for this layout only.
+    /// Fingerprint of entries and offsets: a stored set of parameters is valid for this layout only.
     std::uint32_t layout{0U};
     TableView<std::uint16_t> slots;  ///< positions in `objects` by object_slot(); no_object in a free slot
     std::uint32_t slot_factor{0U};

@@ -231,7 +231,7 @@ void ParameterStore::Writer::put(const ByteView bytes) noexcept {
     at_ += bytes.size();
 }
 
-/// Copies a value from the bank in use to the new one.
+/// Copies a value from the bank in use to the bank that is being written.
 static_assert(implements<req::CO_STORE_011>);
 void ParameterStore::keep_value(const EntryRow& row, const std::size_t from, Writer& to) const noexcept {
     std::array<std::uint8_t, piece_size> bytes{};

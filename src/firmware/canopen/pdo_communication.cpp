@@ -19,14 +19,14 @@ constexpr std::uint32_t inhibit_subindex = 3U;
 constexpr std::uint32_t event_subindex = 5U;
 constexpr std::uint32_t sync_start_subindex = 6U;
 
-/// Returns the COB-ID entry; "not valid" when there is no such PDO.
+/// Returns the COB-ID entry of PDO `number`; "not valid" when there is no such PDO.
 std::uint32_t cob_id_entry(const ObjectDictionary& objects, const PdoDirection direction,
                            const std::size_t number) noexcept {
     const EntryRef found = objects.lookup(communication_object(direction, number), cob_id_subindex);
     return found.exists() ? static_cast<std::uint32_t>(objects.bits(*found.row)) : cob_id::not_valid;
 }
 
-/// Returns whether another valid PDO of that direction has this identifier.
+/// Returns whether a valid PDO of `direction`, other than the one with object `but_index`, has this identifier.
 bool is_taken(const ObjectDictionary& objects, const PdoDirection direction, const std::uint32_t identifier,
               const std::uint32_t but_index) noexcept {
     bool taken{false};
@@ -96,7 +96,8 @@ AbortCode check_communication_write(const ObjectDictionary& objects, const PdoDi
 static_assert(implements<req::CO_PDO_009> && implements<req::CO_PDO_056>);
 AbortCode check_mapping_write(const ObjectDictionary& objects, const PdoDirection direction,
                               const std::uint32_t current, const EntryRef& entry, const std::uint32_t value) noexcept {
-    // CiA 301, 7.5.2.36: disable the PDO, set sub 0 to 0, write the entries, set sub 0, enable the PDO.
+    // The order by CiA 301, 7.5.2.36: disable the PDO, set sub-index 0 to 0, write the entries, set sub-index 0 to
+    // their number, enable the PDO.
     const std::uint32_t right = mapping_right(direction);
     if (cob_id::is_valid(current)) {
         return AbortCode::device_state;

@@ -15,7 +15,7 @@ namespace canproof {
 
 enum class PdoDirection : std::uint8_t { receive, transmit };
 
-/// PDO1…PDO8 of each direction: 1400h…1407h, 1800h…1807h. The devices here have at most four.
+/// PDO1…PDO8 of each direction: 1400h…1407h, 1800h…1807h. The devices here have at most four PDOs of a direction.
 constexpr std::size_t max_pdos = 8U;
 
 /// Distance from the index of a PDO's communication parameters to that of its mapping: 14xxh to 16xxh, 18xxh to 1Axxh.
@@ -57,7 +57,7 @@ struct PdoParameters {
     bool valid{false};           ///< bit 31 of the COB-ID is clear
     bool remote_allowed{false};  ///< bit 30 of the COB-ID is clear
     std::uint8_t type{0U};
-    std::uint8_t sync_start{0U};  ///< counter value of the SYNC with which the count begins; zero: any SYNC
+    std::uint8_t sync_start{0U};  ///< counter value of the SYNC from which SYNCs are counted; zero: any SYNC
     PdoApplied applied{PdoApplied::refused};
     PdoSent sent{PdoSent::refused};
     Duration inhibit{};  ///< least time between two transmissions
@@ -93,7 +93,8 @@ constexpr std::size_t pdo_lines(const DictionaryTables& tables) noexcept {
 void read_pdo_parameters(const ObjectDictionary& objects, PdoDirection direction, std::size_t number,
                          PdoParameters& read) noexcept;
 
-/// Returns AbortCode::none when an entry of 14xxh, 16xxh, 18xxh or 1Axxh may be set to this value now.
+/// Returns AbortCode::none when an entry of a PDO's communication parameters (14xxh, 18xxh) or mapping (16xxh, 1Axxh)
+/// may be set to this value now, otherwise the reason.
 AbortCode check_pdo_write(const ObjectDictionary& objects, const EntryRef& entry, std::uint32_t value) noexcept;
 
 }  // namespace canproof

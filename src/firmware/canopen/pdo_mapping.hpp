@@ -59,8 +59,8 @@ class PdoMapping {
         }
         return false;
     }
-    /// Returns the set of bits of all mapped values, by watch_mark(). A value whose bit is not in the set is not mapped
-    /// here.
+    /// Returns a set of bits that contains watch_mark() of each mapped value. A value whose bit is not in the set is
+    /// not mapped here.
     std::uint64_t watch_marks() const noexcept;
 
     /// Returns whether each mapped value is within its limits and its owner accepts it. `frame` has at least length()

@@ -9,7 +9,7 @@
 
 namespace canproof {
 
-/// The views through which a node uses that memory.
+/// The views through which a node uses the memory of its PDOs.
 struct PdoMemory {
     Slots<ReceivePdo> received{};
     Slots<TransmitPdo> sent{};
@@ -32,7 +32,7 @@ struct SizedPdoMemory {
     }
 };
 
-/// The memory for a dictionary that is known at compile time.
+/// The memory of the PDOs for a dictionary that is known at compile time.
 template <const DictionaryTables& tables>
 using PdoMemoryFor = SizedPdoMemory<pdo_count(tables, PdoDirection::receive), pdo_count(tables, PdoDirection::transmit),
                                     pdo_lines(tables)>;

@@ -11,8 +11,8 @@ void ReceivePdos::mark(const std::uint32_t failure, const std::size_t number, co
     failed_ = on ? (failed_ | bit) : (failed_ & ~bit);
 }
 
-/// Returns the number of an RPDO, counted from 0. Called only after an error or with an event timer, so the search need
-/// not be fast.
+/// Returns the number of an RPDO, counted from 0. It is called only after an error or when an event timer is used, so
+/// the search need not be fast.
 std::size_t ReceivePdos::number_of(const ReceivePdo& wanted) const noexcept {
     std::size_t number{0U};
     while (&rpdos_[number] != &wanted) {

@@ -24,7 +24,8 @@ struct ReceivePdo {
 
 class ReceivePdos {
   public:
-    /// The `pdos` share `lines` evenly. `answering_remote`: bit n lets RPDO n + 1 answer a remote frame.
+    /// Each of the `pdos` gets an equal part of `lines` for its mapping. `answering_remote`: bit n lets RPDO n + 1
+    /// answer a remote frame.
     ReceivePdos(const Slots<ReceivePdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                 ObjectAccess& access, TransmitQueue& queue, const std::uint8_t answering_remote) noexcept
         : rpdos_{pdos},
@@ -65,7 +66,8 @@ class ReceivePdos {
     /// stands for RPDO n + 1. A write to the parameters or the mapping of an RPDO ends this error.
     std::uint8_t overdue() const noexcept { return static_cast<std::uint8_t>((failed_ >> came_late) & all_pdos); }
 
-    /// Reads the RPDO again after a write to an entry of its 14xxh or 16xxh. Ignores other entries.
+    /// Reads the parameters and mapping of an RPDO again after a write to one of their entries (14xxh, 16xxh). Ignores
+    /// other entries.
     void after_write(const EntryRef& entry) noexcept;
 
   private:

@@ -21,7 +21,7 @@ class SdoBlockDownload {
         none,              ///< the sub-block continues
         acknowledge,       ///< the sub-block is over
         invalid_sequence,  ///< a sequence number that no segment can have
-        too_long           ///< more data than the place holds
+        too_long           ///< more data than the memory for the value can contain
     };
 
     /// Begins a transfer into `place`.
@@ -47,8 +47,8 @@ class SdoBlockDownload {
             } else {
                 // the client has not asked for a CRC
             }
-            // One access writes eight bytes, and the next segment overwrites the eighth. Bytes beyond the place may be
-            // unused ones of the last segment; finish() checks that.
+            // One access writes eight bytes, and the next segment overwrites the eighth. Bytes that do not fit into the
+            // place are dropped. They may be the unused bytes of the last segment; finish() checks that.
             place_.put_le<max_frame_length>(size_, frame >> 8U);
             size_ += sdo::segment_capacity;
             in_order_ = static_cast<std::uint8_t>(sequence);
@@ -65,14 +65,14 @@ class SdoBlockDownload {
     /// Ends the transfer; `unused` (0…7) bytes of the last segment hold no data. Returns 06070012h when the data is
     /// longer than the place, 05040004h when the CRC was agreed on and is wrong, otherwise AbortCode::none.
     AbortCode finish(std::uint8_t unused, std::uint16_t crc) noexcept;
-    /// Returns the number of bytes of all segments taken; after finish() the length of the value.
+    /// Returns the number of bytes of all segments received in order; after finish() the length of the value.
     std::size_t size() const noexcept { return size_; }
 
   private:
     MutableBytes place_{};
     std::size_t size_{0U};
     Crc16 crc_{};                ///< excludes the last segment until finish() knows how many of its bytes count
-    std::uint8_t in_order_{0U};  ///< sequence number of the last segment taken in this sub-block
+    std::uint8_t in_order_{0U};  ///< sequence number of the last segment received in order in this sub-block
     bool checks_crc_{false};
     bool complete_{false};
 };
@@ -114,7 +114,7 @@ class SdoBlockUpload {
     std::size_t checked_{0U};  ///< bytes in the CRC: a repeated segment does not count again
     Crc16 crc_{};
     std::uint8_t block_size_{0U};
-    std::uint8_t sent_{0U};  ///< segments of the present sub-block
+    std::uint8_t sent_{0U};  ///< segments of the present sub-block sent so far
     bool last_sent_{false};
     bool complete_{false};
     bool has_crc_{false};

@@ -24,8 +24,8 @@ class Sync {
         static_assert(implements<req::CO_SYNC_001>);
         return (frame.id == identifier_) && !frame.extended && !frame.remote;
     }
-    /// Returns whether a SYNC has the length that 1019h demands: one byte, or none while 1019h is zero. Any other
-    /// length is error 8240h.
+    /// Returns whether a SYNC has the length that 1019h (SYNC counter overflow) demands: one byte, or none while 1019h
+    /// is zero. Any other length is error 8240h.
     bool has_length(const Frame& sync) const noexcept {
         static_assert(implements<req::CO_SYNC_002> && implements<req::CO_SYNC_009>);
         return std::uint32_t{sync.length} == length_;

@@ -8,7 +8,7 @@ namespace canproof {
 
 namespace {
 
-/// Returns whether the type is 0 to 240 or 252: the values sent are those at a SYNC.
+/// Returns whether the transmission type is 0 to 240 or 252: the TPDO sends the values that it had at a SYNC.
 bool is_sampled_at_sync(const PdoParameters& parameters) noexcept {
     return (parameters.sent == PdoSent::at_sync_after_event) || (parameters.sent == PdoSent::each_nth_sync) ||
            (parameters.sent == PdoSent::sync_sample_on_request);
@@ -184,7 +184,7 @@ void TransmitPdos::send(const TransmitPdo& tpdo, const std::uint64_t values) noe
     static_cast<void>(queue_.push(tpdo.parameters.identifier, tpdo.mapping.length(), values));
 }
 
-/// Determines which values each TPDO waits for and when it is due.
+/// Determines for which value changes each TPDO waits, and when it is due.
 void TransmitPdos::schedule() noexcept {
     watched_ = 0U;
     next_ = never;
@@ -218,7 +218,7 @@ void TransmitPdos::after_write(const EntryRef& entry, const Instant now) noexcep
     } else if (before.event.us != tpdo.parameters.event.us) {
         tpdo.timer_expires = (tpdo.parameters.event.us == 0U) ? never : (now + tpdo.parameters.event);
     } else {
-        // the present cycle continues
+        // the event timer and the count of SYNCs stay as they are
     }
     schedule();
 }

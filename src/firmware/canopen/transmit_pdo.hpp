@@ -37,7 +37,7 @@ struct TransmitPdo {
 
 class TransmitPdos {
   public:
-    /// The `pdos` share `lines` evenly.
+    /// Each of the `pdos` gets an equal part of `lines` for its mapping.
     TransmitPdos(const Slots<TransmitPdo>& pdos, const Slots<PdoLine>& lines, ObjectDictionary& objects,
                  TransmitQueue& queue, const TpdoTrigger trigger) noexcept
         : tpdos_{pdos}, lines_{lines}, objects_{objects}, queue_{queue}, trigger_{trigger} {}
@@ -68,7 +68,7 @@ class TransmitPdos {
     }
     Instant next_deadline() const noexcept { return next_; }
 
-    /// Applies a new value of an entry of 18xxh or 1Axxh. Ignores other entries.
+    /// Applies a new value of an entry of a TPDO's parameters (18xxh) or mapping (1Axxh). Ignores other entries.
     void after_write(const EntryRef& entry, Instant now) noexcept;
 
   private:
@@ -91,7 +91,7 @@ class TransmitPdos {
     TpdoTrigger trigger_;
     bool running_{false};
     std::uint8_t active_{0U};    ///< the number of TPDOs up to the last one that is usable
-    std::uint64_t watched_{0U};  ///< `watched` of all TPDOs together
+    std::uint64_t watched_{0U};  ///< the union of `watched` of all TPDOs
     Instant next_{never};
 };
 
