@@ -21,8 +21,8 @@ function(canproof_add_device name)
   set_property(GLOBAL APPEND PROPERTY CANPROOF_DEVICES ${name})
 endfunction()
 
-# A switch over `Parameter` of generated/NAME/written.hpp (the parameters that a write can change) must have a label for each of them.
-# A new object of the register that the switch does not name stops the build.
+# Enables -Wswitch-enum for each source with a switch over `Parameter` of generated/NAME/written.hpp (the parameters that a write can change).
+# The switch must then have a label for each parameter, so a new object of the register stops the build until the switch names it.
 function(canproof_check_written_parameters)
   foreach(source ${ARGN})
     file(STRINGS ${source} labels REGEX "case (own::)?Parameter::")

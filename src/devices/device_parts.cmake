@@ -54,7 +54,7 @@ function(canproof_device_rows page least)
   endif()
 endfunction()
 
-# Stops when a line `key = ...` is missing.
+# Stops when the budgets file `path` has no line `key = ...`.
 function(canproof_device_budget path key)
   file(STRINGS ${root}/${path} found REGEX "^${key} = ")
   if(NOT found)

@@ -36,9 +36,9 @@ class Emcy {
     /// Clears active errors, the list and the waiting messages: the state after power-on and NMT reset node. Messages
     /// wait for enable(), because the boot-up message empties the queue.
     void reset() noexcept;
-    /// Restores 1001h after a reset of the communication area has set 1001h and 1014h to their defaults. A list of
-    /// active errors stays as it is; a history is cleared. Waiting messages are dropped if 1014h COB-ID EMCY is not
-    /// valid; otherwise they wait for enable().
+    /// Restores 1001h after a reset of the communication area has set 1001h and 1014h to their defaults. The error list
+    /// 1003h stays as it is if it lists active errors (ErrorList::active); a history is cleared. Waiting messages are
+    /// dropped if 1014h COB-ID EMCY is not valid; otherwise they wait for enable().
     void refresh() noexcept;
     /// Begins or ends a lasting error; a call without a change, or for an error that the device does not have, does
     /// nothing. When the error begins, `channel` is combined with the low byte of the row's detail by OR, for example

@@ -132,7 +132,7 @@ void Node::enter(const NmtState state, const Instant now) noexcept {
     admit_services(now);
 }
 
-/// Lets EMCY and SDO work in the present NMT state, while the node may send.
+/// Enables EMCY and SDO if they work in the present NMT state and the node may send; otherwise disables them.
 void Node::admit_services(const Instant now) noexcept {
     static_assert(implements<req::CO_EMCY_031>);
     emcy_.enable(allowed_.has(NmtService::emcy) && may_send(), now);

@@ -32,8 +32,8 @@ struct NodeProfile {
     TpdoTrigger tpdo_trigger{TpdoTrigger::value_change};
 };
 
-/// The functions of the device that the node calls. All its functions are defined in this header, for the reason given
-/// at LssApplication.
+/// The functions of the device that the node calls. All its functions are defined in this header, because host classes
+/// with type information derive from this class and the firmware is compiled without type information.
 class Application : public LssApplication {
   public:
     Application(const Application&) = delete;

@@ -47,7 +47,7 @@ constexpr std::size_t pdo_number(const PdoDirection direction, const std::uint16
     return belongs ? (index & number_bits) : max_pdos;
 }
 
-/// When a receive PDO takes effect and when a transmit PDO is sent, by the transmission type.
+/// The meaning of a transmission type: when a receive PDO takes effect, and when a transmit PDO is sent.
 using PdoApplied = generated::canopen::transmission_type::Applied;
 using PdoSent = generated::canopen::transmission_type::Sent;
 

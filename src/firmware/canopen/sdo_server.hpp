@@ -114,7 +114,7 @@ class SdoServer {
             upload_in_segments(value, now);
         }
     }
-    /// Begins the upload of a value that has no byte or more than four.
+    /// Begins the upload of a value that is empty or longer than four bytes.
     void upload_in_segments(ByteView value, Instant now) noexcept;
     void upload_segment(const sdo::Request& request, Instant now) noexcept;
 

@@ -15,8 +15,8 @@
 
 namespace canproof::ax060805 {
 
-/// none: the latest sample. moving_average: the mean of the latest samples. repeating: the mean of a block of samples,
-/// repeated while the next block is collected.
+/// The kinds of filter and their outputs. none: the latest sample. moving_average: the mean of the latest samples.
+/// repeating: the mean of a block of samples, repeated while the next block is collected.
 using AngleFilterKind = generated::ax060805::angle_filter::Filter;
 
 class AngleFilter {
@@ -54,8 +54,9 @@ class AngleFilter {
     bool block_complete_{false};
 };
 
-/// Returns the delay of slow changes in milliseconds: half the time from the first to the last sample of a window. The
-/// repeating filter adds half the time of a block, because its output keeps one value for a block.
+/// Returns the delay, in milliseconds, with which the output follows a slow change of the angle: half the time from the
+/// first to the last sample of a window. The repeating filter adds half the time of a block, because its output keeps
+/// one value for a block.
 float angle_filter_delay_ms(AngleFilterKind kind, std::uint16_t samples, std::uint16_t period_ms) noexcept;
 
 }  // namespace canproof::ax060805

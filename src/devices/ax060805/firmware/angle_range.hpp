@@ -7,7 +7,7 @@
 namespace canproof::ax060805 {
 
 /// The ends of a range of angles, in degrees. A span of a whole turn (-180…180 or 0…360) distinguishes all angles; the
-/// smaller span 0…90 gives only the distance from the level.
+/// smaller span 0…90 gives only the distance from the horizontal, without its direction.
 struct AngleSpan {
     std::int16_t lower{0};
     std::int16_t upper{0};

@@ -114,8 +114,8 @@ void Device::restart(const Instant now) {
 
 static_assert(implements<req::INC_START_001> && implements<req::INC_START_002> && implements<req::INC_START_003>);
 void Device::booted(const Instant now) {
-    // An error that lasts beyond a reset of communication does not begin again: tell_errors() below does not apply its
-    // error behaviour and so does not prevent the self-start.
+    // An error that lasts beyond a reset of communication does not begin again, so tell_errors() below does not apply
+    // 1029h error behaviour to it. Therefore this function itself checks whether such an error prevents the self-start.
     const bool failed = node_.has_error(own::error::sensor_temperature) || node_.has_error(own::error::accelerometer);
     const bool keeps_out =
         failed && (objects_.get(field::o1029_error_behaviour[sensor_error_class]) != no_state_change);

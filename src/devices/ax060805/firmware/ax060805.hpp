@@ -26,8 +26,8 @@ using AngleConfiguration = generated::ax060805::angle_configuration::Range;
 constexpr std::size_t function_count = 10U;
 constexpr std::size_t received_count = 3U;
 
-/// Values of one unit, set in the factory (3.5, 3.7, 4.2.11, 4.2.12). A value that is absent is the one in the
-/// requirements register.
+/// Values of one unit, set in the factory (3.5, 3.7, 4.2.11, 4.2.12). For a value that is absent, the device uses the
+/// one in the requirements register.
 struct FactoryData {
     std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number
     std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The signals of Table 1 and the ten binary functions that use them.
+// The signals of the manual's Table 1 and the ten binary functions that use them.
 
 #include <cmath>
 
@@ -41,7 +41,8 @@ void Device::run_functions() noexcept {
 }
 
 static_assert(implements<req::INC_RPDO_003>);
-/// When an RPDO becomes late, forgets all received values once. The functions use values that are written afterwards.
+/// Forgets all received values once when an RPDO becomes overdue. After that the binary functions use only received
+/// values that are written again.
 void Device::forget_overdue() noexcept {
     const std::uint32_t overdue = node_.overdue_rpdos();
     if ((overdue & ~overdue_) != 0U) {

@@ -85,8 +85,8 @@ std::uint32_t integer_function(const BinaryFunction function, const std::uint32_
     }
 }
 
-/// Returns an operand of F after its unary function, scale and offset; undefined when the input has neither a signal
-/// nor a default.
+/// Returns an operand of the binary function after the operand's unary function, scale and offset; undefined when the
+/// input has neither a signal nor a default.
 Signal operand(const FunctionInput& input) noexcept {
     if (!is_defined(input.source) && !input.has_default) {
         return undefined_signal();

@@ -25,26 +25,26 @@ struct FunctionInput {
     Signal source{};
     bool has_default{false};
     float default_value{0.0F};  ///< used when the source is undefined and has_default is set
-    std::uint8_t unary{0U};     ///< number in Table 9; an unknown one does not change the value
+    std::uint8_t unary{0U};     ///< number in the manual's Table 9; an unknown function does not change the value
     Linear linear{};
 };
 
 struct FunctionBlock {
     std::array<FunctionInput, 2U> inputs{};
-    std::uint8_t operation{0U};  ///< number in Table 10; the result of an unknown one is undefined
+    std::uint8_t operation{0U};  ///< number in the manual's Table 10; the result of an unknown function is undefined
     Linear output{};
 };
 
-/// Applies a unary function of Table 9. Integer functions operate on to_discrete(x) and return a whole number. An
-/// unknown function returns x.
+/// Applies a unary function of the manual's Table 9. Integer functions operate on to_discrete(x) and return a whole
+/// number. An unknown function returns x.
 float apply_unary(std::uint8_t number, float x) noexcept;
 
-/// Applies a binary function of Table 10. The result is undefined for operation 0, for unknown operations, and when an
-/// operand or the result is NaN.
+/// Applies a binary function of the manual's Table 10. The result is undefined for operation 0, for unknown operations,
+/// and when an operand or the result is NaN.
 Signal apply_binary(std::uint8_t number, float x, float y) noexcept;
 
-/// Evaluates the block by equation 4. The result is undefined when an input has neither a signal nor a default, when
-/// the operation is 0 or unknown, and when an operand or the result is NaN.
+/// Evaluates the block by the manual's equation 4. The result is undefined when an input has neither a signal nor a
+/// default, when the operation is 0 or unknown, and when an operand or the result is NaN.
 Signal evaluate(const FunctionBlock& block) noexcept;
 
 }  // namespace canproof::ax060805

@@ -19,7 +19,7 @@ struct InclinationSettings {
     bool euler{false};         ///< pitch and roll as Euler angles; otherwise as tilt angles
     /// Angle between the X axis and the vertical, in degrees, below which the Euler roll is unreliable.
     float gimbal_lock_cone{0.0F};
-    float least_gravity{0.0F};  ///< g; a smaller acceleration has no measurable direction
+    float least_gravity{0.0F};  ///< in g; a smaller acceleration has no measurable direction
 };
 
 /// Positions of the three angles in the array that angles() returns.

@@ -11,7 +11,8 @@ namespace canproof::ax060805 {
 /// and T the period; f T is at most 0.5.
 float low_pass_coefficient(float cut_off_hz, Duration period) noexcept;
 
-/// Returns the delay of slow changes in milliseconds: the time constant 1 / (2 pi f).
+/// Returns the delay, in milliseconds, with which the output follows a slow change of the input: the time constant 1 /
+/// (2 pi f).
 float low_pass_delay_ms(float cut_off_hz) noexcept;
 
 class LowPass {

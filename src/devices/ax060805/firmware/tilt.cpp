@@ -26,7 +26,7 @@ float direction(const float y, const float x) noexcept {
     return (std::fabs(angle) >= (half_turn - generated::ax060805::exact_angle)) ? half_turn : angle;
 }
 
-/// Returns sign(x) of 2.1.4: both zeros are positive.
+/// Returns the function sign(x) of the manual (2.1.4): 1 for both zeros.
 constexpr float sign_of(const float value) noexcept {
     return (value < 0.0F) ? -1.0F : 1.0F;
 }

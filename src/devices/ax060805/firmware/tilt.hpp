@@ -16,13 +16,14 @@ struct Vector3 {
     float z{0.0F};
 };
 
-/// Degrees. Tilt angles: both above -180, up to 180. Euler angles: pitch -90…90, roll above -180, up to 180.
+/// Pitch and roll in degrees. Tilt angles: both above -180, up to 180. Euler angles: pitch -90…90, roll above -180, up
+/// to 180.
 struct PitchRoll {
     float pitch{0.0F};
     float roll{0.0F};
 };
 
-/// Returns gravity: the reverse of the acceleration that a sensor at rest measures (equation 1).
+/// Returns gravity: the reverse of the acceleration that a sensor at rest measures (the manual's equation 1).
 static_assert(implements<req::INC_ANGLE_002>);
 constexpr Vector3 gravity_from(const Vector3& acceleration) noexcept {
     return Vector3{-acceleration.x, -acceleration.y, -acceleration.z};
@@ -31,15 +32,15 @@ constexpr Vector3 gravity_from(const Vector3& acceleration) noexcept {
 /// Returns the length of a vector, in the unit of its components.
 float magnitude(const Vector3& vector) noexcept;
 
-/// Returns the tilt angles of the X axis and the Y axis against the ground plane, by equation 2; beyond 90 degrees when
-/// gz is negative. Half a turn is always +180, whatever its rounding error.
+/// Returns the tilt angles of the X axis and the Y axis against the ground plane, by the manual's equation 2. They
+/// exceed 90 degrees when gravity along Z is negative. Half a turn is always +180, whatever its rounding error.
 PitchRoll tilt_angles(const Vector3& gravity) noexcept;
 
-/// Returns the angle between the Z axis and gravity, 0…180 degrees, by equation 2.
+/// Returns the angle between the Z axis and gravity, 0…180 degrees, by the manual's equation 2.
 float gravity_angle(const Vector3& gravity) noexcept;
 
-/// Returns the rotations about Y and then X that turn (0, 0, 1) to the direction of gravity, by equation 3. Near gimbal
-/// lock the roll follows noise: see in_gimbal_lock(). Half a turn is +180.
+/// Returns the rotations about Y and then X that turn (0, 0, 1) to the direction of gravity, by the manual's equation
+/// 3. Near gimbal lock the roll follows noise: see in_gimbal_lock(). Half a turn is +180.
 PitchRoll euler_angles(const Vector3& gravity) noexcept;
 
 /// Returns whether the X axis is nearer to the vertical than `cone` degrees (2.1.6).

@@ -6,16 +6,16 @@
 
 namespace canproof::ax060805 {
 
-/// Plots pitch, roll and gravity angle as TPDO1 carries them, with tilt angles as shipped. The unit makes one turn
-/// about Y, one about X and one about the line between them, 20 s each.
+/// Plots pitch, roll and gravity angle as TPDO1 carries them. Pitch and roll are tilt angles, as in a shipped unit. The
+/// unit makes one turn about Y, one about X and one about the line between them, 20 s each.
 host::LinePlot tumble_plot();
 
 /// Plots the same tumble with Euler angles: pitch stays within 90 degrees, and roll jumps by half a turn at the
 /// vertical.
 host::LinePlot euler_tumble_plot();
 
-/// Plots the error of the single-precision angles against the formulae of 2.1.4 in double precision, over the same
-/// tumble.
+/// Plots the error of the single-precision angles against the manual's formulae (2.1.4) in double precision, over the
+/// same tumble.
 host::LinePlot angle_error_plot();
 
 /// Plots a step of the pitch from 0 to 30 degrees after the input filter, for three cut-off frequencies.

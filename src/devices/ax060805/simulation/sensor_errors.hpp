@@ -16,11 +16,12 @@ struct SensorErrors {
     double cross_axis{0.0};    ///< percent
 };
 
-/// Returns the part number without its letters and leading zeros, as the table of sensor accuracies and `noise_of` use
-/// it: 60841 for AX060841. Returns 0 for a text without a number.
+/// Returns the part number without its letters and leading zeros, as the table of sensor accuracies and the input
+/// `noise_of` use it: 60841 for AX060841. Returns 0 for a text without a number.
 std::uint16_t model_of(const std::string& part_number);
 
-/// Returns the greatest errors that Table 62 allows for a model; all 0 for a model that is not in the table.
+/// Returns the greatest errors that the manual's Table 62 allows for a model; all 0 for a model that is not in the
+/// table.
 SensorErrors greatest_errors(std::uint16_t model);
 
 /// Returns the acceleration `felt` (in g) with the errors of the sensor at `temperature` (in degC).

@@ -133,9 +133,9 @@ void Device::tell_errors(const Instant now) noexcept {
     }
 }
 
-/// Wakes the blocks when the faults that put received values into error change, or when the node enters or leaves
-/// operational, because outputs work in operational only. A second fault can make the node leave operational although
-/// the faults of the values stay the same.
+/// Wakes the blocks when a network fault that puts received values into the state "error" begins or ends. Also wakes
+/// them when the node enters or leaves operational, because outputs work in operational only: the node can leave
+/// operational without a change of those faults.
 static_assert(implements<req::AOR_OUT_026> && implements<req::AOR_OUT_041> && implements<req::AOR_OUT_045>);
 void Device::watch_network(const Instant now) noexcept {
     bool silent = node_.has_error(ErrorId::life_guarding);
@@ -160,8 +160,8 @@ void Device::wake(const Instant now) noexcept {
     was_quiet_ = false;
 }
 
-/// Stores 5B50h change baud rate and 5B51h change node-ID in the memory of LSS when 1010h saves the manufacturer
-/// objects.
+/// Stores 5B50h change baud rate and 5B51h change node-ID in the memory of LSS when a write to 1010h (store parameters)
+/// saves the manufacturer parameters.
 static_assert(implements<req::AOR_NODE_002>);
 AbortCode Device::save(const EntryRef& entry) {
     constexpr std::uint32_t all = 1U;
@@ -229,8 +229,8 @@ void Device::set_bit_rate(const std::uint32_t bit_rate, const Instant) {
     bit_rate_ = bit_rate;
 }
 
-/// Stores the settings of LSS. A setting that LSS has not changed keeps the value stored by 1010h, and 5B50h or 5B51h
-/// keeps the written value.
+/// Stores the settings of LSS. For a setting that LSS has not changed, two values stay: the one stored by 1010h (store
+/// parameters), and the one written to 5B50h (change baud rate) or 5B51h (change node-ID).
 static_assert(implements<req::AOR_NODE_005> && implements<req::AOR_NODE_009>);
 LssError Device::store_configuration(const LssConfiguration& configuration) {
     const bool stays_node_id = std::uint32_t{configuration.node_id} == lss_stored_.node_id;

@@ -17,8 +17,8 @@ class TableBlock {
     void reset(std::uint8_t number, const ObjectDictionary& objects) noexcept;
     /// Reads the parameters again in the next cycle.
     void reread() noexcept { is_read_ = false; }
-    /// Evaluates table `number` (1…10) and sets its output 3yz8h and the values that other blocks read. Returns true
-    /// when the output or its state has changed, and while a time response runs.
+    /// Evaluates table `number` (1…10) and sets its output (3yz8h, output Y-axis process value) and the values that
+    /// other blocks read. Returns true when the output or its state has changed, and while a time response runs.
     bool advance(std::uint8_t number, ObjectDictionary& objects, Sources& sources, Instant now) noexcept;
 
   private:
@@ -26,10 +26,10 @@ class TableBlock {
 
     SourceChoice source_{};
     LookupTable table_{};
-    // This cache depends on 3yz2h to 3yz7h of the table. Each write to one of them, and each change of point 1, calls
-    // reread().
+    // This cache depends on the table's parameters 3yz2h to 3yz7h. Each write to one of them, and each change of point
+    // 1, calls reread().
     LookupConfig config_{};  ///< the configuration as it was last read
-    LookupLimits limits_{};  ///< limits of its output, for other blocks
+    LookupLimits limits_{};  ///< limits of the table's output, for other blocks
     bool is_read_{false};
     SignalState state_{SignalState::not_available};
 };

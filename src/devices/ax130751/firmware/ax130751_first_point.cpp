@@ -54,7 +54,7 @@ bool moves_point(const own::Written& change, const std::uint8_t number, const So
             return ref.quantity == Quantity::temperature;
         case Parameter::ao_override_field_value:
         case Parameter::ao_fault_field_value:
-        default:  // -Wswitch-enum demands a label for each parameter
+        default:  // there is no other parameter: -Wswitch-enum demands a label for each
             return false;
     }
 }

@@ -14,7 +14,7 @@ namespace canproof::ax130751 {
 using Inputs = generated::ax130751::Inputs;
 using Outputs = generated::ax130751::Outputs;
 
-/// The conditions of a cycle for all outputs.
+/// The conditions of a cycle that are the same for all outputs.
 struct OutputCycle {
     bool shutdown{false};  ///< a diagnostic fault, or an NMT state other than operational, shuts the outputs off
     bool powered{true};    ///< the supply can drive the coil of the relay

@@ -52,7 +52,7 @@ AbortCode Device::before_write(const EntryRef& entry, const ByteView value) {
         case Parameter::ao_decimal_digits_fv:
         case Parameter::ao_output_scaling_1_pv:
         case Parameter::ao_output_scaling_2_pv:
-        default:  // -Wswitch-enum demands a label for each parameter
+        default:  // there is no other parameter: -Wswitch-enum demands a label for each
             return AbortCode::none;
     }
 }
@@ -98,7 +98,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::ao_fault_field_value:
             break;  // each cycle reads these; only the minimum of a source may have moved
         default:
-            break;  // -Wswitch-enum demands a label for each parameter
+            break;  // there is no other parameter: -Wswitch-enum demands a label for each
     }
     follow_minima(change);
 }
@@ -112,7 +112,8 @@ void Device::take_type(const std::uint8_t output) noexcept {
     }
 }
 
-/// Moves the first points after a write. It need not run in each cycle, because a minimum depends only on parameters.
+/// Moves point 1 of the lookup tables after a write. It need not run in each cycle, because a minimum depends only on
+/// parameters.
 void Device::follow_minima(const own::Written& change) noexcept {
     for (std::uint8_t table = 1U; table <= table_count; ++table) {
         if (first_points_[table - 1U].follow(table, change, objects_, sources_)) {

@@ -33,7 +33,7 @@ SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
 /// Holds the last chosen source and number, and the quantity that they select. The quantity is looked up when the
 /// choice changes: this cache depends on the source and the number. It is also looked up when a bit of the cache has
-/// changed, because nobody may write source and number for years.
+/// flipped in memory, because otherwise the error would last until source or number is written.
 class SourceChoice {
   public:
     static_assert(implements<req::AOR_SRC_012>);
@@ -53,7 +53,7 @@ class SourceChoice {
   private:
     static constexpr std::uint8_t not_yet = 0xFFU;  // a number that is not the number of any source
 
-    /// Returns a byte that changes with each single bit of the members.
+    /// Returns a check byte, which changes when a single bit of `ref` changes.
     static constexpr std::uint8_t check_of(const SourceRef& ref) noexcept {
         return static_cast<std::uint8_t>(static_cast<std::uint32_t>(ref.quantity) ^ ref.channel);
     }
@@ -61,7 +61,7 @@ class SourceChoice {
     std::uint8_t source_{not_yet};
     std::uint8_t number_{not_yet};
     SourceRef ref_{};
-    std::uint8_t check_{0U};  ///< check_of(ref_) when a bit of neither has changed
+    std::uint8_t check_{0U};  ///< check_of(ref_), unless a bit of `ref_` or `check_` has flipped in memory
 };
 
 class Sources {
@@ -78,8 +78,8 @@ class Sources {
     void set_logic(std::uint8_t block, SignalState state) noexcept;
 
     BlockSignal signal(const SourceRef& ref) const noexcept;
-    /// Returns the signal without its limits, for callers that do not need them: the limits take more time than the
-    /// rest.
+    /// Returns the signal without its limits, for callers that do not need them: computing the limits takes more time
+    /// than the rest of the signal.
     BlockSignal reading(const SourceRef& ref) const noexcept;
     /// Returns only the lower limit, even when there is no value. It must not be called for a lookup table, whose
     /// limits depend on its points.

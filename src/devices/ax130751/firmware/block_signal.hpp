@@ -48,8 +48,8 @@ constexpr double physical_value(const std::int32_t integer, const std::uint8_t d
     return (digits == 0U) ? whole : (whole / power_of_ten(digits));
 }
 
-/// A physical value that is read often but rarely changes. It is divided only when the integer or the digits change,
-/// on both of which this cache depends, or when a bit of the cache has changed.
+/// A physical value that is read often but rarely changes. The division is done only when the integer or the digits
+/// change, on both of which this cache depends, or when a bit of the cache has flipped in memory.
 class KeptPhysicalValue {
   public:
     static_assert(implements<req::AOR_SRC_013>);
@@ -65,7 +65,7 @@ class KeptPhysicalValue {
     }
 
   private:
-    /// Returns a number that changes with each single bit of a value.
+    /// Returns a check number, which changes when a single bit of `value` changes.
     static std::uint16_t check_of(const double value) noexcept {
         const auto bits = bit_cast<std::uint64_t>(value);
         const auto word = static_cast<std::uint32_t>(bits ^ (bits >> 32U));
@@ -75,7 +75,7 @@ class KeptPhysicalValue {
     double value_{0.0};
     std::int32_t integer_{0};
     std::uint8_t digits_{0U};
-    std::uint16_t check_{0U};  ///< check_of(value_) when a bit of neither has changed
+    std::uint16_t check_{0U};  ///< check_of(value_), unless a bit of `value_` or `check_` has flipped in memory
 };
 
 /// Returns the INTEGER16 for a value with `digits` decimal digits: rounded to nearest (halves away from zero) and

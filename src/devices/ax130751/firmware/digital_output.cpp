@@ -36,11 +36,11 @@ DigitalOutputState DigitalOutput::advance(const OutputDrive drive, const Digital
             break;
     }
     if (drive != OutputDrive::control) {
-        blinking_ = false;  // blinking starts again with ON
+        blinking_ = false;  // the next blinking starts with ON
         next_blink_ = never;
     }
     static_assert(implements<req::AOR_DO_013>);
-    control_before_ = demand.control;  // an edge is not remembered while something else drives the output
+    control_before_ = demand.control;  // an edge is lost while something other than the control drives the output
     return state_;
 }
 

@@ -26,14 +26,15 @@ struct LogicFunction {
     std::uint8_t logical{0U};  ///< operator of Table 18
 };
 
-/// Compares the two signals of a condition by its operator, and returns true, false, error or not applicable by Table
-/// 17.
+/// Compares the two signals of a condition by its operator, and returns true, false, error or not applicable by the
+/// manual's Table 17.
 ConditionResult evaluate(const LogicCondition& condition) noexcept;
 
-/// Returns whether a function selects its table, by Tables 18 and 19 and the results of the three conditions.
+/// Returns whether a function selects its lookup table, by the manual's Tables 18 and 19 and the results of the three
+/// conditions.
 bool selects(std::uint8_t logical, const std::array<ConditionResult, logic_conditions>& results) noexcept;
 
-/// Returns whether the three conditions of a function select its table.
+/// Returns whether the three conditions of a function select its lookup table.
 bool selects(const LogicFunction& function) noexcept;
 
 /// Returns the function (0: A, 1: B, 2: C) whose table is passed on: the first that selects, otherwise A. Calls

@@ -14,7 +14,7 @@ inline std::uint64_t order_of(const double value) noexcept {
     return (bits < sign) ? (bits + sign) : (sign - (bits - sign));
 }
 
-/// Returns whether two numbers are equal; none of them is NaN.
+/// Returns whether two numbers are equal; neither may be NaN.
 inline bool is_same(const double a, const double b) noexcept {
     return order_of(a) == order_of(b);
 }

@@ -44,7 +44,7 @@ class Relay {
     Instant next_change() const noexcept { return earliest(delayed_.due(), next_blink_); }
 
   private:
-    /// The states of a latch, as 1.4 describes unlatching.
+    /// The states of the latch, as section 1.4 of the manual describes unlatching.
     enum class Latch : std::uint8_t {
         latching,
         unlatched,  ///< the unlatch input is ON: the relay is at rest and ignores the control

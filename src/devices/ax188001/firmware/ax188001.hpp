@@ -16,7 +16,8 @@ namespace canproof::ax188001 {
 
 using Outputs = generated::ax188001::Outputs;
 
-/// Values of one unit, set in the factory (3.2.11). A value that is absent is the one in the requirements register.
+/// Values of one unit, set in the factory (3.2.11). For a value that is absent, the device uses the one in the
+/// requirements register.
 struct FactoryData {
     std::optional<std::uint32_t> revision{};       ///< 1018h:3 revision number
     std::optional<std::uint32_t> serial_number{};  ///< 1018h:4 serial number

@@ -40,8 +40,8 @@ class Scanner {
     void read(const Inputs& inputs) noexcept;
     /// Converts and evaluates the last reading with the present parameters.
     void evaluate(Instant now) noexcept;
-    /// Converts and evaluates again the values that depend on a written parameter, of this channel (0 or 1) if the
-    /// parameter belongs to a channel.
+    /// Converts and evaluates again the values that depend on the written parameter. `channel` (0 or 1) counts only if
+    /// the parameter belongs to a channel.
     void reevaluate(generated::ax188001::Parameter written, std::size_t channel, Instant now) noexcept;
     /// Reports every waiting fault whose delay has ended, and updates 6150h (TC Status).
     void advance(Instant now) noexcept;
@@ -104,8 +104,10 @@ class Scanner {
 
     ObjectDictionary& objects_;
     std::array<GainRanging, channel_count> converters_{};
-    std::array<Kept<double>, channel_count> compensations_{};    ///< in µV; the key is the °C of the cold junction
-    std::array<Kept<Conversion>, channel_count> conversions_{};  ///< the key is the µV of the input
+    /// The key is the temperature of the cold junction in °C; the value is in µV.
+    std::array<Kept<double>, channel_count> compensations_{};
+    /// The key is the voltage of the input in µV.
+    std::array<Kept<Conversion>, channel_count> conversions_{};
     std::array<Measurement, channel_count> measurements_{};
     std::array<std::array<DelayedFault, channel_fault_count>, channel_count> faults_{};
     std::array<DelayedFault, unit_fault_count> unit_faults_{};

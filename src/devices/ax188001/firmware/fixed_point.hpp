@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // 64-bit fixed point numbers and polynomials: for computations that need more than single precision, on a processor
-// whose FPU has only that.
+// whose FPU has no double precision.
 #pragma once
 
 #include <array>

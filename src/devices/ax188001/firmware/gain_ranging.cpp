@@ -10,7 +10,7 @@ namespace canproof::ax188001 {
 
 void GainRanging::convert(const double input_uv, const ConverterCircuit& circuit) noexcept {
     static_assert(implements<req::TCS_IN_022>);
-    if (settling_left_ > 1U) {  // the last of these conversions is settled
+    if (settling_left_ > 1U) {  // only the last of the settling conversions is valid
         --settling_left_;
         return;
     }

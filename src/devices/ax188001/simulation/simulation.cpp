@@ -31,8 +31,8 @@ class Ax188001Simulation final
         store_node_id(node_id, {own::shipped_node_id, own::shipped_bit_rate});
     }
     void power_on(Instant now) override {
-        // The wires have the sensor types of the stored parameters. A second unit reads these types from the same
-        // memory.
+        // The simulated wires get the sensor types of the stored parameters. A temporary second unit reads these types
+        // from the same memory.
         TransmitQueue nowhere;
         ax188001::Device reader{memory_, nowhere, {}};
         reader.power_on(inputs_, now);

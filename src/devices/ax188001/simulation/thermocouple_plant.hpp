@@ -14,8 +14,9 @@ class ThermocouplePlant {
     /// Notes that a stimulus was set. The terminals of channel N follow the stimulus that was set last: tcN_celsius or
     /// tcN_wire (a temperature), or tcN_microvolts.
     void stimulus(const std::string& name);
-    /// Writes the voltage of each channel that follows a temperature to `inputs`. `configured` is the type in 6110h of
-    /// each channel; the wire has that type where tcN_wire is 0. Returns true when a voltage changed.
+    /// Writes the voltage of each channel that follows a temperature to `inputs`. `configured` is the type that 6110h
+    /// (sensor type) sets for each channel; the wire has that type where tcN_wire is 0. Returns true when a voltage
+    /// changed.
     bool drive(Inputs& inputs, const std::array<SensorType, channel_count>& configured) const;
 
   private:

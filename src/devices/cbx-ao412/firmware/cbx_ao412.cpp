@@ -22,7 +22,7 @@ using own::IndicatorState;
 constexpr std::uint32_t autostart_enabled = 8U;  // value of 1F80h NMT startup (7.9.22)
 constexpr std::uint32_t max_node_id = 0x7FU;
 
-// Full scale: the reference times the gain of the differential amplifier (4.3.1).
+// The full scale is the reference voltage times the gain of the differential amplifier (4.3.1).
 const VoltageOutputCircuit circuit{own::reference_voltage * (own::feedback_resistor / own::input_resistor),
                                    own::dac_steps, own::codes_per_step};
 
@@ -134,7 +134,7 @@ void Device::after_write(const EntryRef& entry, const Instant) {
         case Parameter::analogue_output_error_value:
             break;  // a write to these objects changes no output immediately
         default:
-            break;  // -Wswitch-enum demands a label for each parameter
+            break;  // there is no other parameter: -Wswitch-enum demands a label for each
     }
 }
 

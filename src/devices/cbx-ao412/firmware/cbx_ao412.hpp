@@ -22,8 +22,8 @@ constexpr std::uint32_t output_count = 4U;
 /// A version string of a unit in ASCII, padded with zeros.
 using VersionText = std::array<std::uint8_t, 8U>;
 
-/// Values of one unit, set in the factory (7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2). A text that is empty and a number that
-/// is absent are those in the requirements register.
+/// Values of one unit, set in the factory (7.9.8, 7.9.9, 7.9.18, 7.11, 7.12.2). For an empty text or an absent number,
+/// the device uses the one in the requirements register.
 struct FactoryData {
     VersionText hardware_version{};                ///< 1009h hardware version
     VersionText software_version{};                ///< 100Ah software version
