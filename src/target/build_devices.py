@@ -14,7 +14,7 @@ class Device:
         self.root = self.folder.parents[2]
 
     def budgets(self):
-        """Returns target/budgets.toml: bytes of flash, ram, stack and host_stack; the constant with the period of its tick."""
+        """Returns target/budgets.toml: flash, ram, stack and host_stack in bytes, and tick, the constant with the period of a cycle."""
         return tomllib.loads((self.folder / "target" / "budgets.toml").read_text())
 
 

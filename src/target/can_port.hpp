@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A port gives a device a clock (base/time.hpp), a parameter memory (base/non_volatile_memory.hpp), and a CAN
-// controller with these functions, which never wait. stm32f405::Bxcan and zynqmp::Can are such controllers.
+// The code for one microcontroller (a port) gives a device a clock (base/time.hpp), a parameter memory
+// (base/non_volatile_memory.hpp), and a CAN controller with the functions below, which never wait. stm32f405::Bxcan and
+// zynqmp::Can are such controllers.
 #pragma once
 
 #include <type_traits>
@@ -15,7 +16,7 @@ namespace canproof::target {
 template <typename Result, typename Returned>
 constexpr bool is_result = std::is_same_v<Result, Returned>;
 
-/// Whether a class is the CAN controller of a port:
+/// Says whether a class has the functions that the CAN controller of a port needs:
 ///   set_bit_rate(rate, now)  leaves the bus and joins it again at this rate
 ///   bit_rate()               the last requested rate; 0 before the first
 ///   advance(queue, now)      takes the hardware's next step, moves frames from the queue to it

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of a page that a script knows: compares their rows, or writes them."""
+"""Compares a table of a README.md with the rows that a script has computed, or writes these rows into the page."""
 import re
 
 TABLE = r"^({heading}\n\|[-| ]+\|\n)((?:\|.*\n)+)"
@@ -10,8 +10,8 @@ def row(*cells):
 
 
 def differences(page, heading, rows, write=False):
-    """Compares the table below the line `heading` of a page with `rows`. Returns a fault for each row that is missing and for each one
-    that the page has too much. With `write` it writes the rows into the page and returns none."""
+    """Compares the table below the line `heading` of a page with `rows`. Returns a fault for each missing row and for each row that
+    only the page has. With `write` it writes the rows into the page and returns none."""
     text = page.read_text()
     found = re.search(TABLE.format(heading=re.escape(heading)), text, re.M)
     if found is None:

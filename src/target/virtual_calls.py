@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The functions that may answer a call through a virtual table or a pointer, by virtual_calls.toml."""
+"""The functions that a call through a virtual table or a pointer may reach, by virtual_calls.toml."""
 import re
 
 
@@ -9,7 +9,7 @@ def name_of(demangled):
 
 
 def answers_of(table, demangled, names):
-    """Returns the symbols that may answer the indirect calls of a function; `names`: demangled names by symbol."""
+    """Returns the symbols that the indirect calls of a function may reach; `names`: demangled names by symbol."""
     caller = name_of(demangled)
     if caller not in table["callers"]:
         raise ValueError(f"{caller} calls through a pointer: say in virtual_calls.toml what may answer")

@@ -10,7 +10,7 @@
 
 namespace canproof::target {
 
-/// Takes the time of a command, and then the inputs.
+/// Reads the time and then the inputs from a command. Returns the time.
 template <typename Inputs>
 Instant take_time_and_inputs(bridge::Message& command, Inputs& inputs) {
     const Instant now{command.take<std::uint64_t>()};
@@ -45,7 +45,7 @@ class Bridge {
   public:
     Bridge(Channel& channel, const std::size_t memory_size) : channel_{channel}, memory_{channel, memory_size} {}
 
-    /// Executes commands until the program has ended or sends a message that is no valid command.
+    /// Executes commands until the program on the host has ended or sends a message that is not a valid command.
     void serve() {
         bridge::Message message;
         bool goes_on{true};
@@ -126,7 +126,7 @@ std::size_t greet(Channel& channel, const char* const name, const std::uint32_t 
     return answered ? message.take<std::uint32_t>() : std::size_t{0U};
 }
 
-/// Runs the image: greets, and serves commands until the program has ended.
+/// Runs the image: sends the greeting, then executes commands until the program on the host has ended.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 void serve(Channel& channel, const char* const name) {
     const std::size_t memory_size = greet<Inputs, Outputs>(channel, name, bridge::protocol);

@@ -11,9 +11,9 @@ class Channel {
     Channel(const Channel&) = delete;
     Channel& operator=(const Channel&) = delete;
 
-    /// Sends a message. Returns false when the message is unsound or the program has ended.
+    /// Sends a message. Returns false when the message is unsound or the program on the host has ended.
     bool send(bridge::Message& message) { return message.is_sound() && write(message.sent()); }
-    /// Waits for the next message. Returns false when the program has ended or sends an invalid message.
+    /// Waits for the next message. Returns false when the program on the host has ended or sends an invalid message.
     bool receive(bridge::Message& message) {
         message = bridge::Message{};
         bool done = read(message.buffer(), bridge::Message::head);
@@ -26,7 +26,7 @@ class Channel {
     Channel() = default;
     ~Channel() = default;
 
-    /// Waits until all `count` bytes are read. Returns false when the program has ended.
+    /// Waits until all `count` bytes are read. Returns false when the program on the host has ended.
     virtual bool read(std::uint8_t* to, std::size_t count) = 0;
     virtual bool write(ByteView bytes) = 0;
 };

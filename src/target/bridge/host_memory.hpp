@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameter memory of an image whose board is a program: the program keeps the bytes and reports whether each
-// access was done.
+// The parameter memory of an image whose board is simulated by a program on the host. That program keeps the bytes and
+// reports whether each access succeeded.
 #pragma once
 
 #include "firmware/base/non_volatile_memory.hpp"
@@ -18,8 +18,7 @@ class HostMemory final : public NonVolatileMemory {
     bool commit() override;
 
   private:
-    /// Sends a request and waits for the answer, which replaces `message`. Returns whether the program has done the
-    /// access.
+    /// Sends a request and waits for the answer, which replaces `message`. Returns whether the access succeeded.
     bool ask(bridge::Message& message) const;
 
     Channel& channel_;

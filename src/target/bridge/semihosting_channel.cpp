@@ -30,7 +30,7 @@ int open(const char (&name)[Size], const std::uint32_t mode) {
     return semihost(sys_open, &block);
 }
 
-/// Calls SYS_READ or SYS_WRITE, and returns the number of bytes that are left.
+/// Calls SYS_READ or SYS_WRITE, and returns the number of bytes that were not transferred.
 std::size_t transfer(const int operation, const int handle, const std::uint8_t* const bytes, const std::size_t count) {
     const struct {
         int handle;

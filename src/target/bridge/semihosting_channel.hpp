@@ -19,7 +19,7 @@ class SemihostingChannel final : public Channel {
     int out_;
 };
 
-/// Ends the process with this exit status.
+/// Ends the process of QEMU with this exit status.
 [[noreturn]] void end_image(std::uint32_t status);
 
 }  // namespace canproof::target

@@ -14,8 +14,8 @@ ENDS = {0: None, 1: "value", 2: "entry", 4: "zero"}  # LimitKind
 class Cells:
     """The cells of one image.
 
-    `cells` has (name, address, bytes) of each cell, `differences` has one line each. `absent` are the tables that are
-    not in the image. `named` are the compared items, as (item, cell) in the words of `canproof mutate`."""
+    `cells` has (name, address, bytes) of each cell, `differences` one line for each cell that differs. `absent` are the
+    tables that are not in the image. `named` has each compared cell as (item, cell), named as in `canproof mutate`."""
 
     def __init__(self, word, part, image):
         self.word, self.image = word, image

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The requirements register as src/target/cells reads it: objects and decision tables of spec/, after spec/README.md.
-Nothing here comes from the register's compiler."""
+This code shares nothing with speccompiler, which generates the tables."""
 import itertools
 import math
 import pathlib

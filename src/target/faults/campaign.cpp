@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the workload once without a fault and records it. Then, for each fault, restores the state of the device before
-// the pass of the fault and injects the fault. Compares each following pass with the record. A run ends when a
-// self-test fails, the processor raises an exception, the state equals that of the record, or the workload ends.
+// the pass of the main loop in which the fault occurs, and injects the fault. Compares each following pass with the
+// record. A run ends when a self-test fails, the processor raises an exception, the state equals that of the record, or
+// the workload ends.
 #include "target/faults/campaign.hpp"
 
 #include "target/faults/machine.hpp"
@@ -18,13 +19,14 @@ namespace canproof::faults {
 
 namespace {
 
-/// The order for this run of the emulator: the script `run` makes it, and QEMU's loader puts it into memory.
+/// The parameters of this run of the emulator. The script faults/run makes them, and QEMU's loader puts them into
+/// memory.
 struct Order {
     std::uint32_t passes;
     std::uint32_t with_tests;
     std::uint32_t events;
     std::uint32_t faults;
-    std::uint32_t skip;  ///< number of the first faults that an earlier run of the emulator has already judged
+    std::uint32_t skip;  ///< how many faults to skip, because an earlier run of the emulator has judged them
 };
 enum class Kind : std::uint32_t { ram, core_register, program_counter, flash };
 struct Fault {
@@ -113,8 +115,9 @@ void turn_register(Interrupted& interrupted, bool has_floats, std::uint32_t plac
     }
 }
 
-/// Inverts a bit of the program counter. Where the microcontroller has neither flash nor RAM, it raises an exception;
-/// the emulated machine has other memory there, so the device continues where that machine has nothing.
+/// Inverts a bit of the program counter. If the new address is in neither flash nor RAM, the microcontroller raises an
+/// exception. The emulated machine has other memory at some of these addresses, so the device then continues at an
+/// address where that machine has no memory.
 void turn_program_counter(Interrupted& interrupted, std::uint32_t bit) {
     constexpr std::uint32_t flash_end = 0x00100000U;  // 1 MiB
     constexpr std::uint32_t ram_end = 0x20020000U;    // 128 KiB

@@ -43,12 +43,12 @@ class Subject {
     virtual void pass() = 0;
     /// Returns the number of the self-test that failed; 0 when none did.
     virtual std::uint32_t failed() const = 0;
-    /// Returns the completed passes of the test of the flash, or of the RAM when they are fewer.
+    /// Returns how often the tests of flash and RAM have been completed: the smaller of the two numbers.
     virtual std::uint32_t tested() const = 0;
     virtual void convert(const Event& event, RawBytes& inputs) const = 0;
-    /// Sets a bit of `mask` for each bit of the outputs that is not between two members.
+    /// Sets the bits of `mask` that belong to a member of the outputs; the bits of padding stay 0.
     virtual void mask_outputs(RawBytes& mask) const = 0;
-    /// Returns the parts of the RAM: device, queue, parameter memory, main loop with self-tests.
+    /// Returns the parts of the RAM that get faults: device, queue, parameter memory, main loop with self-tests.
     virtual std::array<Area, 4> areas() const = 0;
 
   protected:
@@ -58,7 +58,7 @@ class Subject {
 /// Returns the device; each image has one.
 Subject& subject();
 
-// The harness does the work of the device's drivers.
+// The functions by which the harness replaces the device's drivers.
 Instant time_now();
 bool take_frame(Frame& frame);
 void frame_sent(const Frame& frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kinds of frames, by which a campaign of faults judges a difference.
+// The kinds of frames. A campaign of faults judges a wrong or missing frame by its kind.
 #pragma once
 
 #include "firmware/canopen/frame.hpp"

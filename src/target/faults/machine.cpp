@@ -39,7 +39,8 @@ constexpr int sys_exit_extended = 0x20;
 
 }  // namespace
 
-/// Keeps the registers that a damaged device may not restore. s16 to s31 belong to them.
+/// Saves all registers that a function must preserve, s16 to s31 included, because a device with a fault may not
+/// restore them.
 [[gnu::naked]] void run_on_device_stack(void (*)()) {
     asm volatile(R"(
         push {r4-r11, lr}
@@ -143,7 +144,7 @@ void resume_after(std::uint32_t was_exception) {
     canproof::faults::resume(was_exception != 0U);
 }
 
-/// Leaves the stack on which the start-up code ran.
+/// Switches from the stack of the start-up code to the stack of the harness.
 [[gnu::naked]] void image_main() {
     asm volatile(R"(
         ldr r0, =harness_stack_top
@@ -154,7 +155,7 @@ void resume_after(std::uint32_t was_exception) {
 }
 
 /// Handles each exception. The timer's interrupt (15) injects a fault. After any other exception, and when a run
-/// hangs, leaves the exception by a made-up frame on the stack of the harness: it returns to resume_after().
+/// hangs, returns from the exception to resume_after(), by an artificial stack frame on the stack of the harness.
 [[gnu::naked]] void fault() {
     asm volatile(R"(
         mrs r0, ipsr

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The harness needs these of the processor: a stack for each side, a timer that interrupts the device, exceptions, and
-// lines to the host.
+// The functions of the processor that the harness needs: separate stacks for the device and the harness, a timer that
+// interrupts the device, exceptions, and lines of text to the host.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct Interrupted {
 
 /// Calls `run` on the stack of the device. Returns when `run` returns.
 void run_on_device_stack(void (*run)());
-/// Returns whether the processor takes interrupts.
+/// Returns whether the processor accepts interrupts (they are not masked).
 bool takes_interrupts();
-/// Takes all interrupts and exceptions again, whatever the device has masked.
+/// Makes the processor accept all interrupts and exceptions again, whatever the device has masked.
 void unmask_interrupts();
 /// Interrupts the device after about `ticks` of the timer (1.25 instructions each).
 void arm_timer(std::uint32_t ticks);
@@ -35,9 +35,10 @@ void say(const char* text);
 void say_number(std::uint32_t number);
 [[noreturn]] void end_emulation();
 
-// The campaign defines these.
+// The functions that campaign.cpp defines.
 
-/// Called by the interrupt of the timer. Returns true to continue the device, false to end the run as hanging.
+/// Injects the fault when the timer interrupts the device. Returns true to continue the device, false to end the run as
+/// hanging.
 bool timer_fired(Interrupted& interrupted, bool has_floats);
 /// Continues after an exception of the processor or a hanging run, on the stack of the harness.
 [[noreturn]] void resume(bool was_exception);

@@ -33,15 +33,15 @@ constexpr std::size_t most_image = 114688;
 /// The data that the harness keeps from pass to pass.
 struct Memory {
     std::uint32_t next_event;
-    std::uint32_t inputs;  ///< number of the event that set the present inputs
+    std::uint32_t inputs;  ///< position of the event that set the present inputs
     std::uint32_t bit_rate;
 };
 struct RecordedPass {
-    std::uint32_t ticks_before;  ///< ticks of all earlier passes, with the time in which they waited
+    std::uint32_t ticks_before;  ///< ticks of all earlier passes, their waiting time included
     std::uint32_t ticks;         ///< ticks that the instructions of this pass take
     std::uint32_t sum;
     std::uint32_t first_frame;
-    std::uint32_t outputs;  ///< number of the outputs in the record
+    std::uint32_t outputs;  ///< position of the pass's outputs in the record
 };
 
 const Event* events;
@@ -108,7 +108,8 @@ bool is_recorded_anywhere(const Frame& frame) {
     return false;
 }
 
-/// Returns whether the record has this PDO as the last one up to `pass` or the first one after it.
+/// Returns whether this PDO equals a recorded PDO with its identifier: the last one up to `pass` or the first one after
+/// it.
 bool was_recorded_around(const Frame& frame, std::uint32_t pass) {
     const Frame* last = nullptr;
     for (std::uint32_t i = 0; i < frame_count; ++i) {
@@ -223,7 +224,8 @@ void begin_record(const Event* all, std::uint32_t count) {
     capture.timer.status.write(captured);
 }
 
-/// Events up to the present time happen before the pass. Of several inputs at one time, the last one counts.
+/// Applies the events up to the time of the pass before the pass begins. Of several inputs at one time, the last one
+/// counts.
 void begin_pass(std::uint32_t pass) {
     now_pass = pass;
     sent_count = 0;
@@ -335,7 +337,8 @@ Instant time_now() {
     return Instant{now_pass * pass_us};
 }
 
-/// On the microcontroller an interrupt moves received frames to the ring from which the device takes them.
+/// Returns no frame while interrupts are masked: on the microcontroller an interrupt moves received frames to the ring
+/// from which the device takes them.
 bool take_frame(Frame& frame) {
     if (!takes_interrupts()) {
         return false;

@@ -11,7 +11,8 @@ constexpr std::uintptr_t events_address = 0x21000100U;
 constexpr std::uintptr_t faults_address = 0x21100000U;
 constexpr std::uintptr_t harness_start = 0x21000000U;
 
-/// 100 µs on a core of 168 MHz with 1.5 cycles per instruction, as in run_suites, and 1.25 instructions per tick.
+/// Ticks of a pass of 100 µs, on a core of 168 MHz with 1.5 cycles per instruction, as in run_suites, and 1.25
+/// instructions per tick.
 constexpr std::uint32_t ticks_of_pass = 8960;
 
 /// How a run ended. Numbers below 16 are those of SelfTest.
@@ -39,20 +40,20 @@ void begin_pass(std::uint32_t pass);
 void end_recorded_pass(std::uint32_t pass, std::uint32_t ticks);
 /// Returns the ticks of all passes before `pass`. A pass takes 0.1 ms, or longer when its instructions do.
 std::uint32_t ticks_before(std::uint32_t pass);
-/// Returns the ticks from the start of `pass` to a fault at `time`. While nothing is due, the main loop of a
-/// microcontroller repeats such a pass for the rest of the 0.1 ms; so does this time.
+/// Returns the ticks from the start of `pass` to a fault at `time`. A fault after the last instruction of the pass
+/// counts as in a repetition of the pass, because a microcontroller's main loop repeats it for the rest of the 0.1 ms.
 std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 
-/// Keeps a copy of the flash, and restores the flash from it. A stray store of a damaged device changes the emulated
-/// flash; that of the microcontroller stays.
+/// Keeps a copy of the flash, and restores the flash from it. A store to a wrong address by a device with a fault
+/// changes the emulated flash; it would not change the flash of the microcontroller.
 void keep_flash();
 void restore_flash();
 
-/// Restores the recorded state before `pass`, which is not smaller than in the call before. `do_pass` does one pass.
+/// Restores the recorded state before `pass`, which is not smaller than in the call before. `do_pass` runs one pass.
 void go_to(std::uint32_t pass, void (*do_pass)(std::uint32_t));
-/// Returns whether the RAM is that of the record after `pass`.
+/// Returns whether the RAM has the contents that were recorded after `pass`.
 bool state_is_recorded(std::uint32_t pass);
 void compare_pass(std::uint32_t pass);
 void clear_differences();
@@ -64,8 +65,8 @@ bool is_silent(const Differences& seen);
 std::uint32_t ram_start();
 std::uint32_t variable_bytes();
 std::uint32_t stack_end();
-/// Returns the number of the part of the RAM: 0 device, 1 queue, 2 parameter memory, 3 main loop and self-tests, 4
-/// stack, 5 other.
+/// Returns the number of the part of the RAM in which `address` is: 0 device, 1 queue, 2 parameter memory, 3 main loop
+/// and self-tests, 4 stack, 5 other.
 std::uint32_t region_of(std::uintptr_t address);
 
 }  // namespace canproof::faults

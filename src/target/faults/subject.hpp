@@ -65,7 +65,8 @@ class RamMemory final : public NonVolatileMemory {
     std::array<std::uint8_t, Size> bytes_{};
 };
 
-/// The registers by which the self-test measures the clock. The harness writes a right capture before each pass.
+/// The registers by which the self-test measures the clock. The harness writes a correct capture value before each
+/// pass.
 stm32f405::CaptureRegisters& capture_registers();
 
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData, std::size_t MemorySize>

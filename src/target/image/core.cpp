@@ -33,8 +33,8 @@ void core_restore_interrupts(std::uint32_t mask) noexcept {
     )");
 }
 
-/// Loads eight words by one instruction, and turns and adds each by one: 32 words in a turn of the first loop, eight in
-/// one of the second. The third loop adds the other words.
+/// Loads eight words with one instruction; one more instruction for each word rotates the sum and adds the word. The
+/// first loop adds 32 words in each iteration, the second loop eight, and the third loop one.
 [[gnu::naked]] std::uint32_t core_sum(std::uint32_t, const std::uint8_t*, std::uint32_t) noexcept {
     asm volatile(R"(
         .macro add_eight

@@ -6,14 +6,16 @@
 #include "target/stm32f405/device_loop.hpp"
 #include "target/stm32f405/image_check.hpp"
 
-/// Handles the interrupt of received frames: the device's file drains its controller.
+/// Handles the interrupt for received frames. device.cpp of the device defines it: it empties the FIFOs of the CAN
+/// controller.
 extern "C" void can_received();
-/// Switches the outputs off after an exception of the processor: the device's file stops its image.
+/// Switches the outputs off after an exception of the processor. device.cpp of the device defines it: it stops the
+/// device's image.
 extern "C" void device_failed();
 
 namespace canproof::target {
 
-/// Returns the memory of the image, by the addresses of the linker.
+/// Returns the memory areas of the image, whose addresses the linker provides.
 stm32f405::ImageMemory image_memory();
 /// Returns the words that a reset by the watchdog keeps.
 stm32f405::FailureWords& failure_words();
@@ -39,7 +41,7 @@ class DeviceImage {
         wiring_.start();
         is_wired_ = true;
         memory_.open();
-        // without this erased sector, a later commit erases it itself, or reports the failure
+        // if the sector is not erased here, a later commit erases it or reports the failure
         static_cast<void>(memory_.prepare());
         stm32f405::DeviceLoop<Device, Wiring> loop{device_,    queue_,         wiring_, chip_.can,
                                                    chip_.time, chip_.watchdog, tests_};
@@ -51,7 +53,7 @@ class DeviceImage {
             }
         }
     }
-    /// Handles the interrupt of received frames.
+    /// Handles the interrupt for received frames.
     void drain() { chip_.can.drain(); }
     /// Drives the outputs as before power-on and leaves the bus.
     void stop() {

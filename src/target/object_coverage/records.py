@@ -39,7 +39,7 @@ class Records:
         return [one for one in self.all if not fnmatch.filter(functions, one.function)]
 
     def unused(self):
-        """Returns the records that gave no reason."""
+        """Returns the records from which no row got its reason."""
         return [one for one in self.all if one.uses == 0]
 
 

@@ -14,10 +14,11 @@ constexpr std::uint32_t converter_on = bit(0U);        // ADON
 constexpr std::uint32_t start_conversion = bit(30U);   // SWSTART
 constexpr std::uint32_t longest_sample = 0x07FFFFFFU;  // 480 cycles for each of nine channels
 constexpr std::uint32_t clock_by_4 = bit(16U);         // ADCPRE: at most 21 MHz; 36 MHz are allowed
-/// A conversion takes 24 us; a poll takes at least six cycles of 168 MHz.
+/// The limit of polls for a conversion. A conversion takes 24 us; a poll takes at least six cycles of 168 MHz, so this
+/// number of polls takes at least 0.7 ms.
 constexpr std::uint32_t most_polls = 20000U;
 constexpr std::uint32_t chip_sensor = bit(23U);  // TSVREFE
-// The sensor gives 0.76 V at 25 °C and 2.5 mV per degree.
+// The chip's temperature sensor gives 0.76 V at 25 °C and 2.5 mV per degree.
 constexpr float reference_v = 3.3F;
 constexpr float sensor_at_25_v = 0.76F;
 constexpr float sensor_v_a_degree = 0.0025F;
@@ -103,7 +104,7 @@ void PulseOutputs::start() noexcept {
     timer_.control.write(tim::enable | buffered);
 }
 
-/// Sets the frequency with the least prescaler for which the period fits 16 bits.
+/// Sets the frequency with the smallest prescaler for which the period fits into 16 bits.
 void PulseOutputs::set_frequency(const float hertz) noexcept {
     const float clocks = (static_cast<float>(timer_mhz_) * 1000000.0F) / between(hertz, 1.0F, 1000000.0F);
     const auto divider = static_cast<std::uint32_t>(clocks / most_counts) + 1U;

@@ -46,7 +46,8 @@ class AnalogInputs {
     void start(std::uint32_t channels) noexcept;
     /// Stores a finished conversion and starts that of the next channel.
     void advance() noexcept;
-    /// Returns the channel's last conversion, 0 to 1 of the reference; 0 before the first.
+    /// Returns the channel's last conversion as a share, 0 to 1, of the reference voltage; 0 before the first
+    /// conversion.
     float share(const std::size_t channel) const noexcept {
         return static_cast<float>(values_[channel]) / full_scale_12_bit;
     }

@@ -34,7 +34,7 @@ std::uint64_t error_ppm(const std::uint32_t clock_hz, const std::uint32_t clocks
     return (off * million) / wanted;
 }
 
-/// Returns the timing of a bit of `quanta` with the sample point nearest to seven eighths.
+/// Returns the timing of a bit of `quanta` time quanta with the sample point nearest to seven eighths of the bit.
 BitTiming timing_of(const std::uint32_t prescaler, const std::uint32_t quanta) noexcept {
     const std::uint32_t eighth = (quanta + 4U) / 8U;
     const std::uint32_t least_after = (quanta > (most_before_sample + 1U)) ? (quanta - (most_before_sample + 1U)) : 1U;
@@ -43,7 +43,7 @@ BitTiming timing_of(const std::uint32_t prescaler, const std::uint32_t quanta) n
     return BitTiming{prescaler, quanta - (1U + after), after, at_most(after, most_jump)};
 }
 
-/// Returns the distance of the sample point from seven eighths, in thousandths of a bit.
+/// Returns the distance of the sample point from seven eighths of the bit, in thousandths of a bit.
 std::uint32_t sample_error(const BitTiming& timing) noexcept {
     return difference(((1U + timing.before_sample) * 1000U) / timing.quanta(), 875U);
 }

@@ -14,7 +14,7 @@ void Bxcan::advance(TransmitQueue& queue, const Instant now) noexcept {
     if (controller_.is_on_bus()) {
         transmitter_.serve(queue);
     } else if (was_on_bus) {
-        transmitter_.forget();  // recovery from bus-off has begun: configure() aborts the mailboxes
+        transmitter_.forget();  // recovery from bus-off has begun: configure() aborts the frames in the mailboxes
     } else {
         // the controller is still off the bus
     }

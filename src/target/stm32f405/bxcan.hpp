@@ -24,9 +24,9 @@ class Bxcan {
     CanState state() const noexcept { return controller_.state(); }
     bool is_on_bus() const noexcept { return controller_.is_on_bus(); }
 
-    /// Called by the interrupt: moves all frames of the FIFOs to the ring.
+    /// Moves all frames of the FIFOs to the ring. The interrupt calls it.
     void drain() noexcept;
-    /// Called by the main loop: takes the oldest frame of the ring; returns false when there is none.
+    /// Takes the oldest frame of the ring; returns false when there is none. The main loop calls it.
     bool receive(Frame& frame) noexcept { return ring_.pop(frame); }
     /// Returns whether a frame was lost since the last call because a FIFO or the ring was full.
     bool take_overrun() noexcept { return ring_.take_overrun(); }

@@ -54,7 +54,7 @@ static_assert(sizeof(BxcanRegisters) == 0x320U, "the last register of a filter b
 namespace mcr {
 constexpr std::uint32_t initialise = bit(0U);     // INRQ
 constexpr std::uint32_t sleep = bit(1U);          // SLEEP
-constexpr std::uint32_t by_request = bit(2U);     // TXFP: 0 sends by identifier
+constexpr std::uint32_t by_request = bit(2U);     // TXFP: 1 sends in order of requests, 0 by identifier
 constexpr std::uint32_t lock_fifo = bit(3U);      // RFLM: a full FIFO keeps its frames and drops new ones
 constexpr std::uint32_t no_retry = bit(4U);       // NART
 constexpr std::uint32_t leave_bus_off = bit(6U);  // ABOM

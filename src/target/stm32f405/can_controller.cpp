@@ -71,8 +71,9 @@ void CanController::advance(const Instant now) noexcept {
     }
 }
 
-/// Handles a missing acknowledgement. A controller that does not enter initialisation is reset as a whole (RM0090
-/// 32.9.2, CAN_MCR.RESET). One that does not join sees a bus that is never recessive and continues to wait.
+/// Handles a missing acknowledgement of the hardware. A controller that does not enter initialisation is reset as a
+/// whole (RM0090 32.9.2, CAN_MCR.RESET). A controller that does not join the bus continues to wait, because the bus is
+/// never recessive long enough.
 static_assert(implements<req::CO_CAN_002> && implements<req::CO_CAN_010>);
 void CanController::give_up_waiting(const Instant now) noexcept {
     if (elapsed(since_, now).us < most_wait.us) {
@@ -94,8 +95,8 @@ void CanController::configure() noexcept {
 }
 
 /// Sets the filters. Identifiers below 400h (NMT, SYNC, EMCY, most PDOs) go to FIFO 0. Those from 400h on (SDO, error
-/// control, LSS) go to FIFO 1, so that six places are used. A mask over IDE rejects 29-bit identifiers. All 11-bit
-/// identifiers pass, because the dictionary can change at any time which of them the node uses.
+/// control, LSS) go to FIFO 1, so that all six places of the two FIFOs are used. A mask over IDE rejects 29-bit
+/// identifiers. All 11-bit identifiers pass, because the dictionary can change at any time which of them the node uses.
 static_assert(implements<req::CO_CAN_003>);
 void CanController::set_filters() noexcept {
     registers_.filter_master.set(filter_initialise);

@@ -51,8 +51,8 @@ std::size_t CanTransmitter::waiting() const noexcept {
 }
 
 /// Frees the mailboxes whose frames were sent or aborted. The hardware reports which of the two happened, because an
-/// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue, unless it is unwanted or a boot-up
-/// message waits.
+/// abort may come too late (RM0090 32.7.1). An aborted frame goes back to the queue, unless it must not be sent again
+/// (`unwanted`) or a boot-up message waits.
 static_assert(implements<req::CO_CAN_013>);
 void CanTransmitter::collect(TransmitQueue& queue) noexcept {
     const std::uint32_t status = registers_.transmit_status.read();
@@ -90,7 +90,7 @@ void CanTransmitter::exchange(const std::size_t mailbox, TransmitQueue& queue) n
     if (is_in_order) {
         const Frame aborted = slot.frame;
         slot.frame = queue.pop();
-        static_cast<void>(queue.put_back(aborted));  // uses the place of the frame that left
+        static_cast<void>(queue.put_back(aborted));  // there is room: the frame that left the queue has freed a place
     }
     request(mailbox);
 }

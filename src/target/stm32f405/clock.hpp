@@ -88,8 +88,8 @@ enum class ClockSource : std::uint8_t {
 
 class Clock {
   public:
-    /// A crystal starts within some milliseconds. A poll takes at least six cycles at 16 MHz, so this waits at least 37
-    /// ms.
+    /// The limit of polls for the start of a crystal, which takes some milliseconds. A poll takes at least six cycles
+    /// at 16 MHz, so this number of polls takes at least 37 ms.
     static constexpr std::uint32_t usual_polls = 100000U;
 
     Clock(ClockRegisters& clocks, PowerRegisters& power, FlashRegisters& flash,

@@ -17,7 +17,7 @@
 
 namespace canproof::stm32f405 {
 
-/// The drivers of a device on the chip. An emulated image has others.
+/// The drivers of a device on the chip. The image for a campaign of faults has other drivers (faults/subject.hpp).
 struct ChipDrivers {
     using Can = Bxcan;
     using Time = TimeBase;
@@ -32,7 +32,7 @@ class DeviceLoop {
     /// A lost frame is reported for this long, so that an LED shows it.
     static constexpr Duration overrun_time = milliseconds(1000U);
     /// Time from one sample of the physical inputs to the next. In between, the device computes only when a frame comes
-    /// or a deadline is due; its state is under the checksum for the rest of the time.
+    /// or a deadline is due; a checksum protects its state for the rest of the time.
     static constexpr Duration sample_time = milliseconds(1U);
 
     DeviceLoop(Device& device, TransmitQueue& queue, Board& board, typename Drivers::Can& can,

@@ -41,7 +41,8 @@ constexpr std::uint32_t lock = bit(31U);         // LOCK
 
 class Flash {
   public:
-    /// Erasing 16 KiB takes at most 0.5 s (data sheet); a poll takes at least six cycles of 168 MHz.
+    /// The limit of polls for an operation. Erasing 16 KiB takes at most 0.5 s (data sheet); a poll takes at least six
+    /// cycles of 168 MHz, so this number of polls takes at least 0.7 s.
     static constexpr std::uint32_t usual_polls = 20000000U;
 
     explicit Flash(FlashRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameter memory in two sectors of flash. Its bytes lie in RAM; commit() appends the changed lines to a journal in
-// one sector, and starts the other sector when the first is full. A power cut at any word leaves what the last commit()
-// left.
+// one sector, and starts the other sector when the first is full. After a power cut at any word, the memory has the
+// contents of the last commit().
 //
 // A sector has a header and slots of six words. The header is valid once its last word is right; of two valid sectors
 // the one with the newer generation is used. A slot has a line of 16 bytes with its place, the number of its commit and

@@ -14,7 +14,7 @@ class ReceiveRing {
     /// less than 1 ms.
     static constexpr std::uint32_t capacity = 32U;
 
-    /// Called by the interrupt. Without room the frame is lost, and take_overrun() reports it.
+    /// Adds a frame; the interrupt calls it. Without room the frame is lost, and take_overrun() reports it.
     void push(const Frame& frame) noexcept {
         const std::uint32_t end = end_.load(std::memory_order_relaxed);
         if ((end - first_.load(std::memory_order_acquire)) == capacity) {
@@ -26,7 +26,7 @@ class ReceiveRing {
     }
     void note_overrun() noexcept { overrun_.store(true, std::memory_order_release); }
 
-    /// Called by the main loop. Returns false when there is no frame.
+    /// Takes the oldest frame; the main loop calls it. Returns false when there is no frame.
     bool pop(Frame& frame) noexcept {
         const std::uint32_t first = first_.load(std::memory_order_relaxed);
         const bool any = end_.load(std::memory_order_acquire) != first;

@@ -19,14 +19,15 @@ class Watchdog {
     /// Period in ms at the nominal 32 kHz. The oscillator runs at 17 to 47 kHz (data sheet): 0.68 to 1.9 s, longer than
     /// the 0.5 s for which an erase of 16 KiB stops the processor.
     static constexpr std::uint32_t period_ms = 1000U;
-    /// A new value becomes effective within five cycles of the oscillator; a poll takes at least six cycles at 168 MHz.
+    /// The limit of polls for a new value. It becomes effective within five cycles of the oscillator, at most 0.3 ms; a
+    /// poll takes at least six cycles at 168 MHz, so this number of polls takes at least 35 ms.
     static constexpr std::uint32_t usual_polls = 1000000U;
 
     explicit Watchdog(WatchdogRegisters& registers, const std::uint32_t most_polls = usual_polls) noexcept
         : registers_{registers}, most_polls_{most_polls} {}
 
     /// Starts the watchdog: from now on refresh() is due within 0.68 s, the shortest period. Returns false when the
-    /// hardware did not report that it accepted the period: it is then 0.125, 0.512, 1 or 4.096 s (nominal).
+    /// hardware did not report that it accepted the period: the period is then 0.125, 0.512, 1 or 4.096 s (nominal).
     bool start() noexcept;
     void refresh() noexcept;
 

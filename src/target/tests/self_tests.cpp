@@ -41,7 +41,7 @@ void say(const char* text) {
 }
 
 /// Prints a line `NAME ok INSTRUCTIONS`, or `NAME failed INSTRUCTIONS`. For flash_crc and state_changed the number is
-/// that of the bytes.
+/// the number of checked bytes.
 void say(const char* name, bool ok, std::uint32_t instructions) {
     std::array<char, 12> digits{};
     std::size_t first = digits.size() - 1;
@@ -69,7 +69,7 @@ void measure(const char* name, std::uint32_t steps, const Step& step) {
     say(name, ok, most);
 }
 
-/// Measures the checksum over a state of the size of `Device`, kept once and compared once.
+/// Measures the checksum over a state as large as a `Device`: keeps it once and compares it once.
 template <typename Device>
 void measure_state(const char* name) {
     StateGuard state{ByteView{device_memory.bytes}.part(0, sizeof(Device))};

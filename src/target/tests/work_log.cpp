@@ -11,8 +11,8 @@ namespace canproof::target {
 
 namespace {
 
-/// The worst work of a kind. Its texts reserve memory at once, because a short text in the middle of a free 64 KiB
-/// block would leave no room for a DOMAIN.
+/// The worst case of one kind of work. Its texts reserve memory at once, because a short text in the middle of a free
+/// 64 KiB block would leave no room for a DOMAIN.
 struct WorstWork {
     explicit WorstWork(const char* name) : kind{name} {
         what.reserve(40);
@@ -70,7 +70,8 @@ void note(Kind which, std::uint32_t worth, const WorstWork& one) {
 std::uint32_t counted = 0;
 std::FILE* every_work = nullptr;
 
-// The last counted work. Frames that the device sends because of it are added until the next work begins.
+// The last work that was counted. The frames that the device sends because of this work are added until the next work
+// begins.
 WorstWork last{"-"};
 test::Work last_work = test::Work::tick;
 std::uint32_t received = 0;

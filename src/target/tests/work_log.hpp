@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the instructions of every power-on, frame and tick, and records the worst of each kind.
+// Counts the instructions of every power-on, frame and tick (device cycle), and records the worst case of each kind.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mu
 @functools.cache
 def source_lines(file):
     path = pathlib.Path(file)
-    return path.read_text().splitlines() if path.exists() else []  # that of the C library is not here
+    return path.read_text().splitlines() if path.exists() else []  # the source of the C library is not on this machine
 
 
 def text_at(place):
@@ -45,7 +45,7 @@ def evaluate(expression, names):
 
 def constants(root, generated, table):
     """Returns the constants of the firmware that bounds.toml names: each is read from the file that defines it. `generated`: the folder of
-    the files that the register's compiler writes."""
+    the generated files."""
     found = {}
     for name, file in table.items():
         path = generated.parent / file if file.startswith("generated/") else root / file
@@ -82,7 +82,7 @@ class Names:
 
 
 class Bounds:
-    """The bounds of loops and the limits of calls, from several files; the first file that has a loop bounds it."""
+    """The bounds of loops and the limits of calls, from several files. A loop gets the bound of the first file that names it."""
 
     def __init__(self, root, generated, files, values):
         tables = [tomllib.loads(file.read_text()) for file in files if file.exists()]

@@ -77,7 +77,7 @@ class Graph:
             return onward
         if kind == "call":
             callee = one.target if one.target is not None else "indirect"
-            # A function that does not return has no code behind it.
+            # There may be no code behind the call of a function that does not return.
             called = [(one.after if one.after else EXIT, (callee,))]
             return called + onward if one.maybe else called
         if kind in ("branch", "jump"):

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of a device that bound its loops, from the tables that the register's compiler writes."""
+"""Numbers of a device that bound its loops, from its generated tables."""
 import re
 
 # error_table.hpp: the rows of an ErrorTable, and numbers of ErrorId.
 MAX_ERRORS = 48
 FIRST_OF_DEVICE = 15
-# The errors of guarding, heartbeat, SYNC and receive PDOs; the others depend on inputs or on a reset.
+# The errors of guarding, heartbeat, SYNC and receive PDOs. All other errors depend on the device's inputs (the CAN
+# state included) or on a reset.
 BUS_ERRORS = (2, 4, *range(7, 15))
 
 

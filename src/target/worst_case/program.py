@@ -91,7 +91,7 @@ class Program:
         return Names(self.graph(address), self.name(address))
 
     def loop_bounds(self, key):
-        """Yields each loop of a function with its iterations of each entry and of each call."""
+        """Yields each loop of a function with the most iterations of each entry into the loop and of each call of the function."""
         graph, function = self.graph(key[0]), self.name(key[0])
         names = self.loop_names(key[0])
         extra = {} if key[1] is None else {"bytes": key[1]}
@@ -104,7 +104,7 @@ class Program:
 
 
 def most_back(graph, loop, iterations):
-    """Returns how often the loop goes back at most.
+    """Returns how often the loop jumps back to its beginning at most.
 
     A loop whose test is behind its body goes back once less than its body runs. It is left only where it goes back, or
     by an `if` or `return` in its body."""

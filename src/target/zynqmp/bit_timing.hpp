@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bit timing of the CAN controller (UG1087, BRPR and BTR). Its segments have the same bounds as those of bxCAN, so this
-// port uses the search of the other port. Only the prescaler is narrower, but at 24 MHz it still gives every rate of
-// LSS.
+// driver uses the search of the STM32F405's driver. Only the prescaler has fewer bits, but at 24 MHz it still allows
+// every bit rate of LSS.
 #pragma once
 
 #include "target/stm32f405/bit_timing.hpp"
@@ -27,7 +27,7 @@ constexpr std::uint32_t segments_register(const BitTiming& timing) noexcept {
     return ((timing.jump - 1U) << 7U) | ((timing.after_sample - 1U) << 4U) | (timing.before_sample - 1U);
 }
 
-/// Returns the clocks of a bit by the values of BRPR and BTR.
+/// Returns the number of clocks of a bit, from the values of BRPR and BTR.
 constexpr std::uint32_t clocks_of_bit(const std::uint32_t prescaler, const std::uint32_t timing) noexcept {
     const std::uint32_t before_sample = (timing & 0xFU) + 1U;
     const std::uint32_t after_sample = ((timing >> 4U) & 0x7U) + 1U;

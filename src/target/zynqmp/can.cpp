@@ -68,8 +68,8 @@ void Can::send(const Frame& frame) noexcept {
     buffer.data_2.write(word_of<4U>(frame));
 }
 
-/// Each read of a word takes it out of the FIFO. RXNEMP stays set until it is cleared, and is set again at once while
-/// another frame waits (UG1087, ISR).
+/// Reads the four words of the oldest frame; each read takes the word out of the FIFO. RXNEMP stays set until it is
+/// cleared, and is set again at once while another frame waits (UG1087, ISR).
 static_assert(implements<req::CO_ZCAN_006> && implements<req::CO_ZCAN_009> && implements<req::CO_ZCAN_012>);
 bool Can::receive(Frame& frame) noexcept {
     if (!registers_.interrupt_status.has(isr::not_empty)) {

@@ -12,8 +12,8 @@ constexpr std::uint32_t first_filter = bit(0U);  // UAF1 of AFR
 
 }  // namespace
 
-/// The reset also drops the frame in the transmit buffer: configuration mode alone would keep it (UG1085, "TX
-/// Messages"), and it would be sent at the new rate.
+/// Resets the controller, which also drops the frame in the transmit buffer: configuration mode alone would keep it
+/// (UG1085, "TX Messages"), and it would be sent at the new rate.
 static_assert(implements<req::CO_ZCAN_001> && implements<req::CO_ZCAN_002> && implements<req::CO_ZCAN_003>);
 void CanController::set_bit_rate(const std::uint32_t bit_rate, const Instant now) noexcept {
     bit_rate_ = bit_rate;
@@ -37,7 +37,8 @@ void CanController::begin(const Phase phase, const Instant now) noexcept {
     since_ = now;
 }
 
-/// A filter may be written when it is not used and ACFBSY is 0: this is why its use ends before it is written.
+/// Takes the next step when the hardware is ready for it. A filter may be written only while it is not used and ACFBSY
+/// is 0, so the step before ends the use of the filter.
 static_assert(implements<req::CO_ZCAN_005>);
 void CanController::advance(const Instant now) noexcept {
     const std::uint32_t status = registers_.status.read();
@@ -105,7 +106,8 @@ void CanController::configure() noexcept {
     registers_.software_reset.write(srr::enable);
 }
 
-/// The controller counts the 128 times 11 recessive bits of its recovery by itself and shows bus-off until then.
+/// Returns the state that the controller shows. In its recovery from bus-off, the controller itself counts 128 times 11
+/// recessive bits and shows bus-off until then.
 static_assert(implements<req::CO_ZCAN_007>);
 CanState CanController::state_of(const std::uint32_t status) noexcept {
     if ((status & sr::error_state) == sr::bus_off) {

@@ -42,7 +42,7 @@ struct CanRegisters {
     Register time_stamp;                       ///< 28h TCR
     Register watermarks;                       ///< 2Ch WIR
     FrameRegisters transmit_fifo;              ///< 30h TXFIFO
-    FrameRegisters transmit_first;             ///< 40h TXHPB, the buffer that goes before the FIFO
+    FrameRegisters transmit_first;             ///< 40h TXHPB, the buffer that is sent before the FIFO
     FrameRegisters receive_fifo;               ///< 50h RXFIFO
     Register filters_used;                     ///< 60h AFR
     std::array<Filter, filter_count> filters;  ///< 64h AFMR1 to 80h AFIR4

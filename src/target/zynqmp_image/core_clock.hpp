@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time of a Cortex-A53: its virtual timer (Arm DDI 0487, G6), with which the core also sleeps.
+// The time of a Cortex-A53: its virtual timer (Arm DDI 0487, G6), which also wakes the core from sleep.
 #pragma once
 
 #include "firmware/base/time.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The main loop's pass of a device on a port that has no watchdog and no self-tests.
+// One pass of a device's main loop, for a chip on which the firmware has no watchdog and no self-tests.
 #pragma once
 
 #include "firmware/base/time.hpp"

@@ -96,8 +96,8 @@ class Relay {
     }
 
     void pass() {
-        // QEMU's controllers send at once, and its bus drops a frame that no other controller can receive. A bus
-        // carries one frame at a time, and only when two nodes have joined: here, too.
+        // QEMU's controllers send at once, and its bus drops a frame that no other controller can receive. On a real
+        // bus one frame is sent at a time, and only when two nodes have joined. This function imitates that.
         if (host_can_.is_on_bus() && to_host_.empty() && admitted_.empty() && !queue_.empty()) {
             static_cast<void>(admitted_.push(queue_.pop()));
         }

@@ -17,8 +17,8 @@ void image_main();
 [[noreturn]] void start_image();
 }
 
-/// The assembler of this compiler has no 64-bit instructions: these are their numbers. Then: stack, vectors, access to
-/// the floating-point unit (CPACR, FPEXC).
+/// The assembler of this compiler has no 64-bit instructions, so they are written as numbers. The 32-bit instructions
+/// behind them set up the stack, the vectors and the access to the floating-point unit (CPACR, FPEXC).
 asm(R"(
     .section .start, "ax", %progbits
     .arm

@@ -23,7 +23,7 @@ static_assert(sizeof(CaptureRegisters) == 0x54U, "TIM5_OR lies at 50h");
 class ClockCheck {
   public:
     static constexpr std::uint32_t periods = 8U;  ///< periods of the oscillator between two captures
-    /// Limits of `periods` in µs, at 47 and at 17 kHz, rounded away from each other.
+    /// Limits of the time of `periods` in µs, at 47 and at 17 kHz. The lower one is rounded down, the upper one up.
     static constexpr std::uint32_t shortest_us = 170U;
     static constexpr std::uint32_t longest_us = 471U;
     /// Without a capture for this long the oscillator or the timer has stopped.
@@ -33,7 +33,7 @@ class ClockCheck {
     ClockCheck(CaptureRegisters& registers, const std::uint32_t timer_mhz) noexcept
         : registers_{registers}, timer_mhz_{timer_mhz} {}
 
-    /// Starts the timer. The watchdog has started the oscillator.
+    /// Starts the timer. The watchdog must have started the oscillator before.
     void start(Instant now) noexcept;
     /// Looks for a capture. Returns false when the frequency of the oscillator, measured by the clock of the core, is
     /// wrong, or when no capture came for `most_wait`. An interval during which another capture was missed does not

@@ -8,7 +8,7 @@ namespace canproof::stm32f405 {
 
 namespace {
 
-/// The upper bytes of a kept word.
+/// The upper three bytes of a valid record; the lowest byte is the number of the SelfTest.
 constexpr std::uint32_t mark = 0x5E1F7E00U;
 
 }  // namespace

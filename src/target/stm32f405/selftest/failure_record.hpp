@@ -26,7 +26,7 @@ class FailureRecord {
     explicit FailureRecord(FailureWords& words) noexcept : words_{words} {}
 
     void keep(SelfTest test) noexcept;
-    /// Returns the test that was kept, or none, and forgets it.
+    /// Returns the recorded test, or SelfTest::none, and clears the record.
     SelfTest take() noexcept;
 
   private:

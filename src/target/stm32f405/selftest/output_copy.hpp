@@ -23,7 +23,7 @@ class OutputCopy {
             complement_[i] = ~std::uint32_t{parts[i]};
         }
     }
-    /// Returns whether the outputs are those that were kept.
+    /// Returns whether the outputs equal those at the last keep().
     bool matches(const Outputs& outputs) const noexcept {
         static_assert(implements<req::CO_SELF_007>);
         const Parts parts = bit_cast<Parts>(outputs);

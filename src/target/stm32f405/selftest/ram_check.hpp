@@ -21,8 +21,8 @@ struct RamUnderTest {
 };
 
 /// One pass over the words finds each bit that is stuck or makes no transition, each word that another address reaches,
-/// and the coupling between neighbouring words. Passes alternate between six backgrounds. Each two bits of a word
-/// differ in at least one of them, so that six passes also find the coupling between the bits of a word.
+/// and the coupling between neighbouring words. Passes alternate between six backgrounds. Any two bits of a word differ
+/// in at least one of these backgrounds, so that six passes also find the coupling between the bits of a word.
 class RamCheck {
   public:
     static constexpr std::uint32_t background_count = 6U;
