@@ -8,9 +8,9 @@
 
 namespace canproof::cob_id {
 
-constexpr std::uint32_t not_valid = 0x80000000U;      ///< bit 31: the object does not exist
-constexpr std::uint32_t no_remote = 0x40000000U;      ///< bit 30 of a PDO: no RTR on this identifier
-constexpr std::uint32_t produces_sync = 0x40000000U;  ///< bit 30 of 1005h
+constexpr std::uint32_t not_valid = 0x80000000U;      ///< bit 31: the communication object does not exist
+constexpr std::uint32_t no_remote = 0x40000000U;      ///< bit 30 of a PDO's COB-ID: no RTR on this identifier
+constexpr std::uint32_t produces_sync = 0x40000000U;  ///< bit 30 of 1005h (COB-ID SYNC)
 constexpr std::uint32_t identifier_mask = 0x7FFU;
 
 constexpr std::uint32_t identifier(const std::uint32_t entry) noexcept {

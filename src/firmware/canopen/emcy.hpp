@@ -33,8 +33,8 @@ class Emcy {
     /// Sets the node-ID with which the node boots. Without 1014h COB-ID EMCY it determines the identifier of the
     /// message.
     void set_node_id(const std::uint8_t node_id) noexcept { node_id_ = node_id; }
-    /// Clears active errors, the list and the waiting messages: the state after power-on and NMT reset node. Messages
-    /// wait for enable(), because the boot-up message empties the queue.
+    /// Clears active errors, the error list and the waiting messages: the state after power-on and NMT reset node.
+    /// Messages wait for enable(), because the boot-up message empties the queue.
     void reset() noexcept;
     /// Restores 1001h after a reset of the communication area has set 1001h and 1014h to their defaults. The error list
     /// 1003h stays as it is if it lists active errors (ErrorList::active); a history is cleared. Waiting messages are

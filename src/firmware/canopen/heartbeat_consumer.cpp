@@ -21,8 +21,8 @@ constexpr std::uint32_t slot_bit(const std::size_t slot) noexcept {
 }
 
 static_assert(implements<req::CO_HB_003>);
-/// Returns whether an entry of 1016h watches a node. It does not when its time or node-ID is zero or the node-ID is
-/// above 127 (CiA 301, 7.5.2.19).
+/// Returns whether an entry of 1016h (consumer heartbeat time) watches a node. It does not when its time or node-ID is
+/// zero or the node-ID is above 127 (CiA 301, 7.5.2.19).
 constexpr bool is_active(const std::uint32_t setting) noexcept {
     const std::uint32_t node_id = node_id_of(setting);
     return ((setting & time_mask) != 0U) && (node_id >= 1U) && (node_id <= max_node_id);

@@ -12,7 +12,7 @@ namespace canproof {
 
 using generated::canopen::LssNumber;
 
-/// The numbers of an LSS address: vendor-ID, product code, revision number and serial number, as LssNumber counts them.
+/// How many numbers an LSS address has: vendor-ID, product code, revision number and serial number (see LssNumber).
 constexpr std::uint32_t lss_number_count = 4U;
 
 class LssFastscan {

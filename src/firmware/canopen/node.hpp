@@ -191,9 +191,9 @@ class Node final : private ObjectAccess {
 
     /// Returns the next deadline of all services except SDO and the TPDOs.
     Instant next_of_others() const noexcept;
-    /// Ends the idle time: a service may have work now.
+    /// Makes the next advance() check all services, because one of them may have work now.
     void wake() noexcept { idle_until_ = Instant{}; }
-    /// Ends the idle time at `at` at the latest: a service has work then.
+    /// Makes advance() check all services from `at` on, because one of them has work then.
     void wake_at(const Instant at) noexcept { idle_until_ = earliest(idle_until_, at); }
     void act(Instant now) noexcept;
     void serve(const Frame& frame, Instant now) noexcept;

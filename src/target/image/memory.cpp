@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a device's image: flash with its seal, RAM, the stack and its guard. The linker provides the addresses
-// (stm32f405/device.ld).
+// The memory of a device's image: flash with its CRC (the seal), RAM, the stack and its guard words. The linker
+// provides the addresses (stm32f405/device.ld).
 #include "target/image/image.hpp"
 
 extern "C" {

@@ -16,8 +16,8 @@ class Register {
 
     /// Returns whether any bit of `mask` is set.
     bool has(const std::uint32_t mask) const noexcept { return (read() & mask) != 0U; }
-    /// Reads the register, replaces the bits of `mask` by those of `bits` and writes it. Not for registers in which a
-    /// read or a written 1 has an effect.
+    /// Reads the register, replaces the bits of `mask` by those of `bits` and writes it. Must not be used for a
+    /// register in which a read or a written 1 has an effect.
     void replace(const std::uint32_t mask, const std::uint32_t bits) noexcept {
         write((read() & ~mask) | (bits & mask));
     }

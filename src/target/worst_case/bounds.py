@@ -65,7 +65,7 @@ def rows_of_table(place):
 
 
 class Names:
-    """Names each loop of a function: `file: text` of its source, or `function, loop N` without one."""
+    """Names each loop of a function: `file: text` of its source, or `function, loop N` without a source line."""
 
     def __init__(self, graph, function):
         self.of, self.place = {}, {}
@@ -96,7 +96,8 @@ class Bounds:
         self.used = set()
 
     def of_loop(self, names, header, function, extra):
-        """Returns (iterations of each entry, iterations of each call), None for a missing one; or None for a loop without a bound."""
+        """Returns (most iterations for each entry into the loop, most for each call of its function), a number that is not given as
+        None. Returns None for a loop without a bound."""
         name = names.of[header]
         for one in self.loops:
             if name.startswith(one["at"]) and one.get("in", "") in function:

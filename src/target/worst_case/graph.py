@@ -13,7 +13,7 @@ class Unknown(Exception):
 class Edge:
     source: int
     target: object    # the address of a block, or EXIT
-    calls: tuple = () # addresses of functions that run on this edge, or "indirect"
+    calls: tuple = () # addresses of the functions that run between source and target, or "indirect"
 
 
 @dataclasses.dataclass

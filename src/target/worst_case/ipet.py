@@ -25,7 +25,7 @@ class LinearProgram:
         return self.count
 
     def row(self, terms, relation, right=0):
-        """Adds a sum of (factor, variable) that is `relation` (= or <=) a number."""
+        """Adds a constraint: the sum of factor * variable over `terms` is = or <= (`relation`) the number `right`."""
         self.rows.append((terms, relation, right))
 
     @staticmethod

@@ -34,7 +34,7 @@ class TableBlock {
     SignalState state_{SignalState::not_available};
 };
 
-/// Returns whether table `number` has a time response (3yz5h:1).
+/// Returns whether table `number` has a time response, which 3yz5h:1 (point response of point 1) selects.
 bool is_over_time(const ObjectDictionary& objects, std::uint8_t number) noexcept;
 /// Prepares table `number` (1…10) for the time response that was just selected: sets X and Y of point 1 and the digits
 /// of X to 0.

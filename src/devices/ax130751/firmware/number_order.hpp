@@ -7,7 +7,8 @@
 
 namespace canproof::ax130751 {
 
-/// Returns a number that orders as `value` does; `value` is not NaN. Both zeros give the same number.
+/// Returns an unsigned number that is greater for a greater `value`; `value` must not be NaN. Both zeros give the same
+/// number.
 inline std::uint64_t order_of(const double value) noexcept {
     constexpr std::uint64_t sign = std::uint64_t{1U} << 63U;
     const auto bits = bit_cast<std::uint64_t>(value);

@@ -30,7 +30,7 @@ struct Point {
     int y;
 };
 
-/// Returns the index of an object of a lookup table by that of the same object of table 1.
+/// Returns the index of an object of lookup table `table`, from the index of the same object of table 1.
 constexpr std::uint32_t of_table(int table, std::uint32_t of_table_1) {
     constexpr std::uint32_t distance = index::lt2_input_x_axis_source - index::lt1_input_x_axis_source;
     return of_table_1 + distance * static_cast<std::uint32_t>(table - 1);

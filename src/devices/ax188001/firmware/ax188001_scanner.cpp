@@ -132,8 +132,8 @@ void Scanner::put_channel(const std::size_t channel, const std::uint32_t field_v
 
 static_assert(implements<req::TCS_LIM_002> && implements<req::TCS_LIM_009> && implements<req::TCS_LIM_019>);
 void Scanner::judge_temperature(const std::size_t channel, const Conversion& conversion, const Instant now) noexcept {
-    // Computes in the unit of the thresholds, because the product of two short numbers is exact. A quotient is not, and
-    // a division is slow.
+    // Computes in the unit of the thresholds, because the product of two numbers with few significant bits is exact. A
+    // quotient is not exact, and a division is slow.
     static_assert(implements<req::TCS_K_LIMIT_RESOLUTION>);
     const double steps = static_cast<double>(own::limit_steps_per_c);
     static_assert(implements<req::TCS_K_HYSTERESIS>);

@@ -54,8 +54,8 @@ struct Offset {
     bool is_below{false};
 };
 
-/// The polynomial Σ a[i]·((x − centre) / 2^reach)ⁱ. About the middle of its range its terms do not cancel, so that
-/// units of 2^-40 are sufficient for each sum. Beyond 2^reach from the centre its value stays constant.
+/// The polynomial Σ a[i]·((x − centre) / 2^reach)ⁱ. Because the centre is the middle of the range, the terms do not
+/// cancel, so that units of 2^-40 are sufficient for each sum. Beyond 2^reach from the centre its value stays constant.
 template <std::size_t Size>
 struct FixedPolynomial {
     Fixed centre{0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A continuous check of the image in flash: its CRC-32 in slices, compared with its seal at the end.
+// A continuous check of the image in flash: computes its CRC-32 in slices and compares the result with the CRC at its
+// end (the seal).
 #pragma once
 
 #include "firmware/base/crc32.hpp"
@@ -11,10 +12,11 @@ class FlashCheck {
     /// Bytes of a slice.
     static constexpr std::size_t slice = 16U;
 
-    /// The last four bytes of `image` are the seal; see is_sound_image().
+    /// The last four bytes of `image` are the stored CRC (the seal); see is_sound_image().
     FlashCheck(const ByteView vectors, const ByteView image) noexcept : vectors_{vectors}, image_{image} {}
 
-    /// Adds the next slice. Returns false when it was the last one and the CRC is not the seal.
+    /// Adds the next slice. Returns false when it was the last slice and the CRC differs from the stored one (the
+    /// seal).
     bool step() noexcept;
     /// Returns the number of completed checks of the whole image.
     std::uint32_t passes() const noexcept { return passes_; }

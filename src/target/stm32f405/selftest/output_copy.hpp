@@ -11,7 +11,7 @@
 
 namespace canproof::stm32f405 {
 
-/// `Outputs`: the outputs as plain data. Bytes between its members are compared too; nothing changes them either.
+/// `Outputs`: the outputs as plain data. The padding between its members is compared too; nothing changes it either.
 template <typename Outputs>
 class OutputCopy {
   public:

@@ -13,7 +13,7 @@ namespace canproof::stm32f405 {
 /// The memory of an image.
 struct ImageMemory {
     ByteView vectors;
-    ByteView flash;  ///< ends with the seal
+    ByteView flash;  ///< ends with the CRC of the image (the seal)
     RamUnderTest ram;
     Slots<Register> stack_guard;
 };
@@ -29,8 +29,8 @@ class SelfTests {
     /// Tests registers and the whole RAM, and starts the other tests. The flash has been checked by is_sound_image().
     /// Returns the test that failed, or SelfTest::none.
     SelfTest start(Instant now) noexcept;
-    /// Tests guard and clock, and in turns the registers, a slice of RAM or a slice of the flash, because a pass of the
-    /// main loop has to be short. Returns the first test that failed, or SelfTest::none.
+    /// Tests the stack guard and the clock, and in turns the registers, a slice of RAM or a slice of the flash, because
+    /// a pass of the main loop has to be short. Returns the first test that failed, or SelfTest::none.
     SelfTest step(Instant now) noexcept;
 
     const RamCheck& ram() const noexcept { return ram_; }

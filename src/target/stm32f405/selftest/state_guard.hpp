@@ -7,7 +7,7 @@
 
 namespace canproof::stm32f405 {
 
-/// Returns the bytes of an object. Bytes between its members belong to them; nothing changes these bytes either.
+/// Returns the bytes of an object. The padding between its members is included; nothing changes it either.
 template <typename Object>
 ByteView object_bytes(const Object& object) noexcept {
     static_assert((sizeof(Object) % sizeof(std::uint32_t)) == 0U, "the checksum adds whole words");
