@@ -32,7 +32,7 @@ struct DemoScene {
 struct DeviceModel {
     std::vector<std::string> other_names;  ///< further part numbers with the same simulation
     std::unique_ptr<SimulatedDevice> (*make)(const FactoryValues& factory);
-    /// Makes the plots of its behaviour by file name, which begins with the name of the device.
+    /// Makes the plots of the device's behaviour, by file name. Each file name begins with the name of the device.
     std::map<std::string, LinePlot> (*figures)();
     DemoScene demo;
     /// Returns the keys of factory data that no object contains, for a part number (the device's own name when none is

@@ -149,7 +149,7 @@ void Node::receive(const Frame& frame, const Instant now) noexcept {
     if (sdo_.is_request(frame)) {
         serve_sdo(frame, now);
     } else if (lss_.is_silent()) {
-        // the node changes its bit rate
+        // the frame is ignored while the node changes its bit rate
     } else if (lss_.is_request(frame)) {
         configure(frame, now);
     } else if (state_ != NmtState::initialising) {

@@ -266,7 +266,7 @@ class Node final : private ObjectAccess {
 
     /// The present communication faults, as bits.
     struct CommunicationFaults {
-        /// Bit n: the heartbeat of the producer in 1016h:n + 1 is missing.
+        /// Bit n: the heartbeat of the producer in 1016h:n + 1 (consumer heartbeat time) is missing.
         static constexpr std::uint32_t silent_producers = 0xFFU;
         static constexpr std::uint32_t guarding = 0x100U;
         static constexpr std::uint32_t bus_off = 0x400U;

@@ -15,7 +15,7 @@
 
 namespace canproof {
 
-/// Groups as bits: 1 << ParameterGroup.
+/// Parameter groups as bits: bit n is the group with number n of ParameterGroup.
 using ParameterGroups = std::uint32_t;
 constexpr ParameterGroups no_groups = 0x00U;
 constexpr ParameterGroups all_groups = 0x07U;
@@ -104,7 +104,7 @@ class ParameterStore {
     NonVolatileMemory& memory_;
     std::uint8_t node_id_{0U};  ///< node-ID of the last load()
     std::size_t payload_size_;  ///< bytes of all stored values
-    std::uint8_t tag_{0U};      ///< tag of the next save
+    std::uint8_t tag_{0U};      ///< tag of the next save, see tag_saves()
     std::size_t bank_{1U};      ///< the bank in use, or the damaged one: the next save uses the other
     std::uint32_t sequence_{0U};
     /// The saved groups in the low three bits, the tag above them; 0 when there is no readable set.

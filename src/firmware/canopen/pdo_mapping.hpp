@@ -41,7 +41,7 @@ struct PdoLine {
     }
 };
 
-/// A resolved mapping object.
+/// A mapping object whose entries have been looked up in the dictionary.
 class PdoMapping {
   public:
     /// Reads mapping object `index` again and stores its lines in `places`.

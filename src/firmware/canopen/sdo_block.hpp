@@ -93,8 +93,8 @@ class SdoBlockUpload {
     bool can_send(const std::size_t queued) const noexcept {
         return !last_sent_ && (std::uint32_t{sent_} < block_size_) && (queued < generated::canopen::sdo_block_queued);
     }
-    /// Queues the next segments with identifier `id` until the sub-block ends or the room is used. Call only while
-    /// can_send() is true.
+    /// Queues the next segments with identifier `id` until the sub-block ends or the queue has no more room for
+    /// segments. Call only while can_send() is true.
     void send(TransmitQueue& queue, std::uint32_t id) noexcept;
     /// Processes an acknowledgement: the client has received the segments of this sub-block up to `sequence` (0: none)
     /// and wants `block_size` segments next. Returns 05040003h when the segment `sequence` was not sent, 05040002h for

@@ -163,7 +163,7 @@ void TransmitPdos::plan(TransmitPdo& tpdo, const Instant event) noexcept {
 }
 
 /// Restarts the event timer. When the timer itself caused the event, the next interval follows without a gap, so that
-/// the period does not drift. Intervals missed in a long pause are not made up.
+/// the period does not drift. Intervals that were missed in a long pause do not lead to additional frames.
 void TransmitPdos::restart_timer(TransmitPdo& tpdo, const Instant now) const noexcept {
     const Instant in_step = (tpdo.pending ? now : tpdo.timer_expires) + tpdo.parameters.event;
     tpdo.timer_expires = (in_step > now) ? in_step : (now + tpdo.parameters.event);

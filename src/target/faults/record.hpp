@@ -46,8 +46,8 @@ std::uint32_t ticks_into(std::uint32_t pass, std::uint32_t time);
 /// Returns the pass during which the ticks of all passes reach `time`.
 std::uint32_t pass_at(std::uint32_t time);
 
-/// Keeps a copy of the flash, and restores the flash from it. A store to a wrong address by a device with a fault
-/// changes the emulated flash; it would not change the flash of the microcontroller.
+/// Copies the flash (keep_flash), and restores the flash from this copy (restore_flash). A store to a wrong address by
+/// a device with a fault changes the emulated flash; it would not change the flash of the microcontroller.
 void keep_flash();
 void restore_flash();
 

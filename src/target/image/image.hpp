@@ -17,7 +17,7 @@ namespace canproof::target {
 
 /// Returns the memory areas of the image, whose addresses the linker provides.
 stm32f405::ImageMemory image_memory();
-/// Returns the words that a reset by the watchdog keeps.
+/// Returns the words of RAM that record a failed self-test; a reset by the watchdog keeps them.
 stm32f405::FailureWords& failure_words();
 
 /// A device with its drivers. `Wiring` connects the device to its board; `MemorySize` is the size of its parameter

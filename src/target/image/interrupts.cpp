@@ -18,7 +18,7 @@ constexpr std::size_t can1_rx1 = 21;
 constexpr std::array<Handler, can1_rx1 + 1> make_interrupts() {
     std::array<Handler, can1_rx1 + 1> handlers{};
     for (Handler& one : handlers) {
-        one = fault;  // all other interrupts are not enabled
+        one = fault;  // no other interrupt is enabled
     }
     handlers[can1_rx0] = can_received;
     handlers[can1_rx1] = can_received;

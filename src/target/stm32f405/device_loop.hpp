@@ -180,7 +180,7 @@ class DeviceLoop {
         }
     }
 
-    /// Keeps the first failure.
+    /// Records a failed self-test, unless another one has failed before.
     void fail(const SelfTest test) noexcept { failed_ = (failed_ == SelfTest::none) ? test : failed_; }
 
     Device& device_;

@@ -7,7 +7,7 @@
 
 namespace canproof::stm32f405 {
 
-/// TIM2 to TIM5. TIM3 and TIM4 count in 16 bits.
+/// The registers of TIM2 to TIM5. TIM3 and TIM4 count in 16 bits.
 struct TimerRegisters {
     Register control;                       ///< 00h TIMx_CR1
     Register control_2;                     ///< 04h TIMx_CR2

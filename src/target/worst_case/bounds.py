@@ -109,7 +109,7 @@ class Bounds:
         return None if rows is None else (rows, None)
 
     def bytes_of(self, caller, function):
-        """Returns the most bytes that a call of memcpy or its like passes when the caller computes them."""
+        """Returns the most bytes that a call of memcpy, memmove or memset passes when the caller computes their number."""
         for one in self.sizes:
             if one["in"] == caller and one.get("function", function) == function:
                 self.used.add(id(one))

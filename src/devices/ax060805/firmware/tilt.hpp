@@ -39,8 +39,8 @@ PitchRoll tilt_angles(const Vector3& gravity) noexcept;
 /// Returns the angle between the Z axis and gravity, 0…180 degrees, by the manual's equation 2.
 float gravity_angle(const Vector3& gravity) noexcept;
 
-/// Returns the rotations about Y and then X that turn (0, 0, 1) to the direction of gravity, by the manual's equation
-/// 3. Near gimbal lock the roll follows noise: see in_gimbal_lock(). Half a turn is +180.
+/// Returns the rotations about Y and then X that turn (0, 0, 1) to the direction of gravity (equation 3 of the manual).
+/// Near gimbal lock the roll follows noise: see in_gimbal_lock(). Half a turn is +180.
 PitchRoll euler_angles(const Vector3& gravity) noexcept;
 
 /// Returns whether the X axis is nearer to the vertical than `cone` degrees (2.1.6).

@@ -42,7 +42,7 @@ class Device final : private Application {
     std::uint8_t node_id() const noexcept { return node_.node_id(); }
     NmtState state() const noexcept { return node_.state(); }
     const ObjectDictionary& objects() const noexcept { return objects_; }
-    /// Returns the type that 6110h sensor type sets for a channel, 0 or 1.
+    /// Returns the type that 6110h (sensor type) sets for channel 0 or 1.
     SensorType sensor_type(const std::size_t channel) const noexcept { return scanner_.sensor_type(channel); }
 
   private:

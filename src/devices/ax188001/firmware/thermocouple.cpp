@@ -14,8 +14,8 @@ namespace {
 // Newton's method doubles the number of correct digits with each step. Bisection, its fallback, gains at least one bit
 // per step: 64 steps reduce the widest interval below the unit of the numbers.
 constexpr std::size_t most_steps = 64U;
-/// After a step this short, the error is below a thousandth of the step, because the slopes in single precision are
-/// that accurate.
+/// A short step of the search, in °C. After such a step, the error is below a thousandth of the step, because the
+/// slopes in single precision are that accurate.
 constexpr Fixed close_enough = to_fixed(1e-5);
 
 /// The value and the derivatives of a curve at a temperature.

@@ -107,8 +107,8 @@ struct ThermocoupleCurve {
     constexpr double highest_c() const noexcept { return from_fixed(highest); }
 };
 
-/// Returns the voltage in mV at `celsius` with the reference junction at 0 °C, to 1e-10 mV. Beyond the type's range the
-/// nearest piece continues, to at most twice its length.
+/// Returns the voltage in mV at `celsius` with the reference junction at 0 °C, accurate to 1e-10 mV. Beyond the type's
+/// range the nearest piece continues, to at most twice its length.
 double reference_mv(const ThermocoupleCurve& curve, double celsius) noexcept;
 
 /// Returns the slope of reference_mv in mV/°C, in single precision.
@@ -122,7 +122,7 @@ double approximate_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 /// voltage beyond that range gives the end of the range.
 double exact_celsius(const ThermocoupleCurve& curve, double mv) noexcept;
 
-/// Returns the exponential term in mV at `celsius`, to 1e-11 mV.
+/// Returns the exponential term in mV at `celsius`, accurate to 1e-11 mV.
 double exponential_mv(const ExponentialTerm& term, double celsius) noexcept;
 
 }  // namespace canproof::ax188001

@@ -10,7 +10,7 @@ namespace canproof::stm32f405 {
 
 enum class SelfTest : std::uint8_t { none, core, stack, clock, ram, flash, outputs, flow, state };
 
-/// Returns whether a test finds failed hardware; the others find failed software.
+/// Returns whether a failure of this test means failed hardware; a failure of the other tests means failed software.
 constexpr bool finds_hardware(const SelfTest test) noexcept {
     return (test == SelfTest::core) || (test == SelfTest::clock) || (test == SelfTest::ram) ||
            (test == SelfTest::flash);
