@@ -15,7 +15,7 @@ constexpr std::uintptr_t parameter_memory = 0x60000000U;
 /// FSMC bank 1, NOR/SRAM 2: clock, CAN mailboxes and signals.
 constexpr std::uintptr_t window = 0x64000000U;
 
-/// Parameter memory of `size` bytes.
+/// Parameter memory of `Size` bytes.
 template <std::size_t Size>
 class MappedMemory final : public NonVolatileMemory {
   public:

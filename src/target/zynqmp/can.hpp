@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A CAN controller of the Zynq UltraScale+ with the functions that a device's main loop calls (target/can_port.hpp).
-// Frames leave through TXHPB, which holds one, and arrive in RXFIFO, which holds 64 (UG1085, "TX Messages", "RX
-// Messages"). 64 of the shortest frames take 3 ms at 1 Mbit/s, so the main loop can read them in time without an
-// interrupt.
+// Frames leave through TXHPB, which holds one frame, and arrive in RXFIFO, which holds 64 frames (UG1085, "TX
+// Messages", "RX Messages"). 64 of the shortest frames take 3 ms at 1 Mbit/s, so the main loop can read them in time
+// without an interrupt.
 #pragma once
 
 #include "firmware/canopen/transmit_queue.hpp"

@@ -107,7 +107,7 @@ void CanController::configure() noexcept {
 }
 
 /// Returns the state that the controller shows. In its recovery from bus-off, the controller itself counts 128 times 11
-/// recessive bits and shows bus-off until then.
+/// recessive bits; it shows bus-off until the count is complete.
 static_assert(implements<req::CO_ZCAN_007>);
 CanState CanController::state_of(const std::uint32_t status) noexcept {
     if ((status & sr::error_state) == sr::bus_off) {

@@ -24,8 +24,8 @@ constexpr std::uint8_t suited_slew_rate(const std::uint32_t bit_rate) noexcept {
     return (bit_rate >= own::fast_slew_bit_rate) ? 1U : 0U;
 }
 
-/// Returns the number that identifies a bit rate in stored parameters: its index in Table 21 plus 1, or 0 for a rate
-/// outside the table.
+/// Returns the number that identifies a bit rate in stored parameters: its index in the manual's Table 21 plus 1, or 0
+/// for a rate outside the table.
 constexpr std::uint8_t tag_of(const std::uint32_t bit_rate) noexcept {
     std::uint8_t tag{0U};
     for (const own::bit_rates::Row& row : own::bit_rates::rows) {
@@ -106,7 +106,8 @@ void Device::restart(const Instant now) {
     }
     static_assert(implements<req::INC_SLEW_002> && implements<req::INC_SLEW_003>);
     if (std::uint32_t{node_.saved_tag()} != tag_of(bit_rate_)) {
-        objects_.set(field::o2000_can_slew_rate, suited_slew_rate(bit_rate_));  // 2000h was not stored at this bit rate
+        objects_.set(field::o2000_can_slew_rate,
+                     suited_slew_rate(bit_rate_));  // its value was not stored at this bit rate
     }
     drive_slew_rate();
     restart_sensor(now);

@@ -16,7 +16,8 @@ namespace {
 namespace own = generated::ax060805;
 namespace field = generated::ax060805::field;
 
-/// Returns the distance of `signal` from `first` in Table 1; a large number when `signal` comes before `first`.
+/// Returns the distance of `signal` from `first` in the manual's Table 1; a large number when `signal` comes before
+/// `first`.
 constexpr std::size_t distance(const own::signal_source::Signal first,
                                const own::signal_source::Signal signal) noexcept {
     return static_cast<std::size_t>(signal) - static_cast<std::size_t>(first);

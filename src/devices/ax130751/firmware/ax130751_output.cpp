@@ -33,7 +33,7 @@ bool follows_profile(const std::uint8_t response, const ScalingPosition position
     return cell_or(table::find(response, position), &table::Row::drive, table::Drive::off) == table::Drive::profile;
 }
 
-/// Returns whether the override input is active, as Table 8 defines it.
+/// Returns whether the override input is active, as the manual's Table 8 defines it.
 static_assert(implements<req::AOR_T08>);
 bool is_overridden(const std::uint8_t response, const bool on) noexcept {
     return cell_or(own::override_response::find(response, on), &own::override_response::Row::overridden, false);

@@ -12,8 +12,8 @@ namespace canproof::ax130751 {
 /// The drive of an output; `none` is that of a relay that is not implemented, and counts as OFF.
 using SwitchDrive = generated::ax130751::SwitchDrive;
 
-/// The drive of an output by its logic state in the cycle before and its present one. Position 0 of each array is for a
-/// present OFF, position 1 for a present ON.
+/// The drive of an output, which depends on its logic state in the last cycle and in the present one. Position 0 of
+/// each array is for a present OFF, position 1 for a present ON.
 struct SwitchPolarity {
     std::array<SwitchDrive, 2U> was_off{{SwitchDrive::off, SwitchDrive::on}};
     std::array<SwitchDrive, 2U> was_on{{SwitchDrive::off, SwitchDrive::on}};

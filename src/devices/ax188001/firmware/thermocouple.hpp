@@ -70,7 +70,7 @@ constexpr InversePiece inverse_piece(const double from_mv, const double to_mv,
                         fixed_polynomial(coefficients, terms_of(coefficients), from_mv, to_mv)};
 }
 
-/// Makes the term from the parameters of the ITS-90.
+/// Makes the exponential term from the parameters of the ITS-90.
 constexpr ExponentialTerm exponential_term(const double a0_mv, const double a1_per_c2, const double a2_c) noexcept {
     constexpr double natural_logarithm_of_2 = 0.69314718055994530942;
     constexpr double root_of_2 = 1.41421356237309504880;

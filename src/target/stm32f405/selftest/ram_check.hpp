@@ -9,7 +9,7 @@
 
 namespace canproof::stm32f405 {
 
-/// Words of a slice. Interrupts are masked while one is tested.
+/// Number of words of a slice. Interrupts are masked while a slice is tested.
 constexpr std::uint32_t ram_slice = 4U;
 
 /// RAM that is tested. The words from `stack_begin` to `stack_end` contain no variable and serve as a stack. The march
