@@ -32,7 +32,7 @@ enum class LimitAbort : std::uint8_t {
     high_low  ///< 06090031h above the maximum, 06090032h below the minimum
 };
 
-/// Parameter groups of 1010h (store parameters) and 1011h (CiA 301, 7.5.2.13).
+/// Parameter groups of 1010h (store parameters) and 1011h (restore default parameters; CiA 301, 7.5.2.13).
 enum class ParameterGroup : std::uint8_t { communication = 0U, application = 1U, manufacturer = 2U };
 constexpr std::uint32_t parameter_group_count = 3U;
 

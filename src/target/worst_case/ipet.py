@@ -108,7 +108,7 @@ class Flow:
 
     def limit(self, limit, most, each):
         """Adds a [[limit]]: its functions, calls and loops together run at most `most` times, and `each` times more for
-        each call of the functions `per`. Returns whether there is any of them."""
+        each call of the functions `per`. Returns whether the image has any of them."""
         terms = []
         for kind, find in (("functions", self._calls_of), ("calls", self._calls_between), ("loops", self._returns_of)):
             terms += [(1, one) for name in limit.get(kind, []) for one in find(name)]

@@ -62,7 +62,7 @@ class Inclination {
     Vector3 acceleration_{};
     std::array<float, angle_count> angles_{};
     Vector3 direction_{};  ///< the last acceleration of the unit that was large enough for a direction
-    Vector3 rolled_{};     ///< the last such acceleration with a defined Euler roll
+    Vector3 rolled_{};     ///< the last of these accelerations whose Euler roll was defined
     bool measuring_{false};
     bool weightless_{false};
     bool roll_unsure_{false};

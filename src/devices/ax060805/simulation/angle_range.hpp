@@ -10,7 +10,7 @@
 namespace canproof::ax060805 {
 
 struct AngleRange {
-    const char* word;  ///< name of the range in Table 8, without "Degree Range"
+    const char* word;  ///< name of the range in the manual's Table 8, without "Degree Range"
     AngleConfiguration range;
 };
 

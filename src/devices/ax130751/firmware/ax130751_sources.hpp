@@ -28,7 +28,8 @@ struct SourceRef {
     Quantity quantity{Quantity::none};
     std::uint8_t channel{0U};
 };
-/// Returns the quantity for a source and a number by Tables 4A and 4B; none for a pair that is not in them.
+/// Returns the quantity for a source and a number by the manual's Tables 4A and 4B; none for a pair that is not in
+/// them.
 SourceRef resolve(std::uint8_t source, std::uint8_t number) noexcept;
 
 /// Holds the last chosen source and number, and the quantity that they select. The quantity is looked up when the
@@ -90,7 +91,7 @@ class Sources {
     using Upper = generated::ax130751::value_limits::Upper;
     using Digits = generated::ax130751::value_limits::Digits;
 
-    /// A source with its row in Table 5 and its decimal digits.
+    /// A source with its row in the manual's Table 5 and its decimal digits.
     struct Place {
         SourceRef ref{};
         const generated::ax130751::value_limits::Row* row{nullptr};

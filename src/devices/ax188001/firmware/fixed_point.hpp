@@ -60,7 +60,7 @@ template <std::size_t Size>
 struct FixedPolynomial {
     Fixed centre{0};
     std::uint32_t reach{0U};  ///< at most 23
-    std::uint32_t terms{0U};  ///< the coefficients after these are zero
+    std::uint32_t terms{0U};  ///< number of coefficients used; those after them are zero
     std::array<Fixed, Size> coefficients{};
 
     constexpr Offset offset(const Fixed x) const noexcept {

@@ -8,7 +8,7 @@
 
 namespace canproof::stm32f405 {
 
-/// TIM5 with the register that connects its channel 4.
+/// The registers of TIM5, up to the one that selects the input of its channel 4.
 struct CaptureRegisters {
     TimerRegisters timer;
     Reserved<3U> reserved_44{};

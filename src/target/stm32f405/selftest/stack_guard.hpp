@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guard words below the room of the stack. A stack that writes over them has outgrown its room; one that jumps over
+// Guard words below the memory of the stack. A stack that writes over them has outgrown its memory; one that jumps over
 // them without a write is not noticed.
 #pragma once
 
