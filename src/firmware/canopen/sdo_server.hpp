@@ -152,7 +152,7 @@ class SdoServer {
     void refuse_command() noexcept;
     bool toggle_fits(std::uint8_t command) noexcept;
     Instant deadline() const noexcept { return last_progress_ + milliseconds(generated::canopen::sdo_timeout_ms); }
-    /// Sends a frame with these eight bytes, the first one lowest.
+    /// Sends a frame with the eight bytes of `bytes`; its least significant byte becomes byte 0.
     void send(std::uint64_t bytes) noexcept;
     /// Sends a frame with `command`, index, sub-index and four bytes of data.
     void answer_object(const std::uint32_t command, const std::uint32_t data = 0U) noexcept {

@@ -9,8 +9,8 @@
 /// Handles the interrupt for received frames. device.cpp of the device defines it: it empties the FIFOs of the CAN
 /// controller.
 extern "C" void can_received();
-/// Switches the outputs off after an exception of the processor. device.cpp of the device defines it: it stops the
-/// device's image.
+/// Switches the outputs off after an exception of the processor. Each device defines this function in its device.cpp;
+/// there it calls DeviceImage::stop().
 extern "C" void device_failed();
 
 namespace canproof::target {

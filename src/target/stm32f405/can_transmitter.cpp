@@ -129,7 +129,7 @@ std::size_t CanTransmitter::place_for(const std::uint32_t id) const noexcept {
         } else if (!slot.busy && (found == mailbox_count)) {
             found = mailbox;
         } else {
-            // a mailbox with another identifier, or the place is already found
+            // a frame with another identifier waits here, or a free mailbox is already found
         }
     }
     return found;

@@ -96,8 +96,8 @@ class Bounds:
         self.used = set()
 
     def of_loop(self, names, header, function, extra):
-        """Returns (most iterations for each entry into the loop, most for each call of its function), a number that is not given as
-        None. Returns None for a loop without a bound."""
+        """Returns (most iterations for each entry into the loop, most for each call of its function); None replaces a number that
+        is not given. Returns None for a loop without a bound."""
         name = names.of[header]
         for one in self.loops:
             if name.startswith(one["at"]) and one.get("in", "") in function:

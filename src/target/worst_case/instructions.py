@@ -61,7 +61,7 @@ class Instruction:
 
 
 def disassemble(image):
-    """Returns the instructions by address and the name of the function at each address that has one."""
+    """Returns two tables by address: the instructions, and the names of the functions that begin there."""
     text = subprocess.run(["arm-none-eabi-objdump", "-d", "-l", "--no-show-raw-insn", image], text=True, check=True, capture_output=True).stdout
     code, names, place, before, in_it = {}, {}, None, None, 0
     for line in text.splitlines():

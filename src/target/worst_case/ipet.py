@@ -60,7 +60,7 @@ class Flow:
         self.program, self.lp = program, LinearProgram()
         self.functions = program.below(entry)
         self.calls = {key: self.lp.variable() for key in self.functions}
-        self.sites = collections.defaultdict(list)  # by callee: the variables that count the calls of it
+        self.sites = collections.defaultdict(list)  # for each called function: the variables that count its calls
         self.blocks, self.edges = {}, {}
         for key, calls in self.functions.items():
             self._add(key, calls)

@@ -228,8 +228,8 @@ float Device::given_acceleration(const std::uint8_t axis) const noexcept {
 }
 
 static_assert(implements<req::INC_RANGE_003> && implements<req::INC_FV_008>);
-/// Returns an angle in degrees after its filter. Pitch and roll lie in the angle range of the unit (Table 8). The sign
-/// is reversed if 2031h angular data inversion is set for this angle.
+/// Returns an angle in degrees after its filter. Pitch and roll lie in the angle range of the unit (Table 8 of the
+/// manual). The sign is reversed if 2031h angular data inversion is set for this angle.
 float Device::given_angle(const std::size_t angle) const noexcept {
     const float measured = filters_[angle].output();
     static_assert(implements<req::INC_RANGE_007>);

@@ -17,7 +17,7 @@ namespace canproof::ax188001 {
 struct ExponentialTerm {
     static constexpr std::size_t powers = 12U;  ///< terms of the series of 2^−rest, whose error is then 7e-15
     Fixed centre{0};
-    std::uint64_t halvings{0U};  ///< the exponent of 2 at 1024 °C from the centre, as a fraction of 256
+    std::uint64_t halvings{0U};  ///< how often the term halves from the centre to 1024 °C from it, times 2^56
     float bend{0.0F};            ///< 2·a1
     FixedPolynomial<powers> mv_of_rest{};
 };

@@ -45,7 +45,7 @@ class ClockCheck {
 
     CaptureRegisters& registers_;
     std::uint32_t timer_mhz_;
-    Instant seen_{};  ///< the last capture, by the time base
+    Instant seen_{};  ///< time of the last capture; before the first one, time of start()
     std::uint32_t last_{0U};
     bool has_last_{false};
 };
