@@ -26,7 +26,7 @@ struct ConformCommandOptions {
     bool allow_lss{false};
     bool by_hand{false};           ///< whether the user switches the slave off and on
     bool no_remote_frames{false};  ///< the user's adapter does not transmit remote frames
-    double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
+    double traffic{0.0};           ///< load by traffic of other nodes, in per cent of the bus's capacity
 };
 
 /// Prints the verdicts and writes the report. Returns the exit status of the report: 0 when every case that applies
