@@ -151,7 +151,8 @@ PackInput gather(const Places& places, const Register& content) {
     return input;
 }
 
-/// Returns the SHA-256 of what the pack is made from: the tracked files, and the verdicts as `verdicts/NAME`.
+/// Returns the SHA-256 of each file from which the pack is made: the tracked files, and the verdicts as
+/// `verdicts/NAME`.
 std::map<std::string, std::string> materials_in(const Places& places) {
     auto sums = source_sums(places.root);
     for (const auto& file : std::filesystem::directory_iterator{places.verdicts}) {

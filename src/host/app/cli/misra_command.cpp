@@ -68,8 +68,10 @@ std::filesystem::path home_of(const std::filesystem::path& build) {
     std::ifstream in{file};
     std::string home;
     if (!std::getline(in, home) || home.empty()) {
-        throw InputError{fmt::format(
-            "there is no {}; build the project first, or name the folder of its build with --build", file.string())};
+        throw InputError{
+            fmt::format("{} does not name the folder of canproof; build the project first, or name the folder of its "
+                        "build with --build",
+                        file.string())};
     }
     return home;
 }
@@ -80,7 +82,8 @@ int check_misra(const MisraOptions& options) {
     const auto build = build_folder(options);
     const auto script = home_of(build) / "misra" / "run";
     if (!std::filesystem::exists(script)) {
-        throw InputError{fmt::format("there is no {}; install all files of canproof", script.string())};
+        throw InputError{fmt::format("there is no {}; install all files of canproof, then build the project again",
+                                     script.string())};
     }
     const std::string root = std::filesystem::absolute(options.root).string();
     if (!options.review_file.empty()) {

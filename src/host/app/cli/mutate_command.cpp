@@ -87,7 +87,7 @@ void print_survivors(const std::vector<MutationOutcome>& outcomes) {
             fmt::print("{}\n", item);
         }
         fmt::print("  {}: {}{}\n", outcome.cell.cell, outcome.cell.change,
-                   outcome.claimed ? "" : " (no test can notice)");
+                   outcome.claimed ? "" : " (no test depends on it)");
     }
 }
 
@@ -129,7 +129,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     if (options.json) {
         fmt::print("{}\n", nlohmann::ordered_json{{"tests", record.size()}, {"notice_nothing", idle}}.dump(2));
     } else {
-        fmt::print("{} test(s) judged; {} notice no mutant of the items that they claim\n", record.size(), idle);
+        fmt::print("{} test(s) judged; {} notice no mutant of the items that they verify\n", record.size(), idle);
     }
     return 0;
 }
@@ -263,7 +263,8 @@ int mutate(const MutateOptions& options) {
         keep_figures(outcomes, root);
     }
     if (options.subject.empty() && options.sample == 0) {
-        const auto more = lines_about(unneeded, record_file, "no survivor needs this record");
+        const auto more =
+            lines_about(unneeded, record_file, "a test notices every alteration that this record explains");
         faults.insert(faults.end(), more.begin(), more.end());
         keep(outcomes, options, programs);
     }

@@ -35,7 +35,8 @@ void OutputFile::flush() {
 void OutputFile::finish() {
     flush();
     if (out_.is_open() && !out_) {
-        throw InputError{fmt::format("{} could not be written to its end; check that the disk has space", path_)};
+        throw InputError{
+            fmt::format("{} could not be written completely; free space on its disk, or name another file", path_)};
     }
 }
 

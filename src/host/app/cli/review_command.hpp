@@ -9,7 +9,7 @@ namespace canproof::host {
 
 struct ReviewOptions {
     std::string spec{"spec"};           ///< folder of the register; its parent is the project's folder
-    std::vector<std::string> subjects;  ///< ids or devices
+    std::vector<std::string> subjects;  ///< ids of items or sections, or devices
     bool all{false};
     std::string by;
     std::string role;      ///< author (of the change) or independent

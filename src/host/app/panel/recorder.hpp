@@ -36,7 +36,7 @@ struct Channel {
     bool whole{false};  ///< whether the value is an integer, shown without decimals
 };
 
-/// Data for drawing a device that the requirements register does not contain.
+/// Data for drawing a device. The requirements register does not contain these data.
 struct DeviceFace {
     std::vector<std::string> leds;      ///< outputs that are LEDs; empty: the panel adds `run` and `error`
     std::vector<std::string> settings;  ///< names of the entries that the page marks on a scale

@@ -111,7 +111,7 @@ TEST(CandumpLine, RefusalStatesWhichFieldIsWrong) {
     EXPECT_NE(refusal("(1.0) can0 703#05 X").find("does not consist of a time, an interface and a frame"),
               std::string::npos);
     for (const char* text : {"1.0) can0 703#05", "(1.0 can0 703#05", "() can0 703#05", "( can0 703#05"}) {
-        EXPECT_NE(refusal(text).find("is not in brackets"), std::string::npos) << text;
+        EXPECT_NE(refusal(text).find("is not in round brackets"), std::string::npos) << text;
     }
     EXPECT_NE(refusal("(1,0) can0 703#05").find("`1,0` is no time"), std::string::npos);
     EXPECT_EQ(line("(1) can0 703#05").time, Instant{1000000});  // the shortest form of a time
