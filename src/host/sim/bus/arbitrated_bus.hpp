@@ -110,8 +110,8 @@ class ArbitratedBus final : public Bus {
     std::vector<Port*> changed_;  ///< ports of nodes that report changes, and must now be inspected
     std::vector<Port*> watched_;  ///< ports of nodes that do not report changes; they are inspected in every step
     std::vector<Port*> off_;      ///< ports of nodes that are bus-off
-    WaitingLine waiting_;         ///< contains the numbers of ports
-    FrameReaders readers_;        ///< contains the numbers of ports
+    WaitingLine waiting_;         ///< ports that have a frame to send, by their numbers
+    FrameReaders readers_;        ///< ports that receive a frame, by their numbers
     bool rates_differ_{false};    ///< whether a node has another bit rate than was last reported
     bool troubled_{false};        ///< whether an error counter of a receiver is not 0, or a receiver has lost a frame
     Gateway outside_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gateway between a bus and the outside. It sends the frames of the outside in order of arrival, and stores a limited
-// number of them.
+// A gateway between a simulated bus and the world outside, such as a client of socketcand. It sends the frames from
+// outside in the order of arrival, and stores a limited number of them.
 #pragma once
 
 #include <deque>

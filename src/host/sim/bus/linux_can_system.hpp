@@ -6,7 +6,7 @@
 
 namespace canproof::host {
 
-/// Returns the only object of this kind in the program.
+/// Returns the program's only object that makes these system calls.
 CanSystem& linux_can_system();
 
 }  // namespace canproof::host

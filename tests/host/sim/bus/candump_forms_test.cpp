@@ -115,7 +115,7 @@ TEST(CandumpLine, RefusalStatesWhichFieldIsWrong) {
     }
     EXPECT_NE(refusal("(1,0) can0 703#05").find("`1,0` is no time"), std::string::npos);
     EXPECT_EQ(line("(1) can0 703#05").time, Instant{1000000});  // the shortest form of a time
-    EXPECT_NE(refusal("(1.0) can0 703#GG").find("data `GG` is not up to eight bytes"), std::string::npos);
+    EXPECT_NE(refusal("(1.0) can0 703#GG").find("data `GG` is no sequence of zero to eight bytes"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 900#").find("identifier 900 is too large"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#R9").find("`9` is no length from 0 to 8 after R"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#01_9").find("`_9` is no length code"), std::string::npos);
