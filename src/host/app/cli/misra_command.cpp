@@ -40,7 +40,9 @@ int run_program(const std::vector<std::string>& words) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR) {
-            throw InputError{fmt::format("cannot wait for the end of {}: {}", words.front(), std::strerror(errno))};
+            throw InputError{
+                fmt::format("cannot wait for the end of {}: {}; start this program with SIGCHLD not ignored",
+                            words.front(), std::strerror(errno))};
         }
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 2;

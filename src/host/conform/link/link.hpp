@@ -74,8 +74,8 @@ class Link {
     void produce(const Frame& frame, Duration period);
     void stop_producing();
     void stop_producing(std::uint32_t id);
-    /// Sends foreign frames that use `percent` of the bus capacity; 0 sends none. With `high`, they have priority over
-    /// the slave's PDOs, SDOs and heartbeat.
+    /// Sends background frames that use `percent` of the bus capacity; 0 sends none. With `high`, they have priority
+    /// over the slave's PDOs, SDOs and heartbeat.
     void set_traffic(double percent, bool high);
     /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }

@@ -60,7 +60,9 @@ std::string ask_capability(Context& context, unsigned index) {
     }
     const SdoOutcome outcome = context.sdo.read(place);
     const bool can = outcome.abort == 0 && (from_little_endian(outcome.data, 0, 4) & 1) != 0;
-    return can ? "" : fmt::format("bit 0 of {} is not set, so the slave does not have the command", words_of(place));
+    return can ? ""
+               : fmt::format("a read of {} does not return bit 0 = 1, so the slave does not have the command",
+                             words_of(place));
 }
 
 std::string unless(bool met, const char* reason) {
