@@ -344,7 +344,7 @@ class ProveCommand : Command {
             }
         }
     }
-    /// Returns the options in the form in which the user gave them.
+    /// Returns the options that the user gave, and their values, as arguments for canproof-prove.
     static std::vector<std::string> words_of(const CLI::App& command) {
         std::vector<std::string> words;
         for (const CLI::Option* option : command.get_options()) {

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, id, section, statement, source file or test; empty: everything
+    std::string subject;  ///< device, id of an item, section, statement, source file or test; empty: everything
     std::string verdicts;
     AuditFilter filter;
     /// items, gaps, suspects (items that have changed since their review) and orphans (code or tests without a

@@ -203,7 +203,7 @@ void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::files
     write_file(file, write_code_figures(figures));
 }
 
-/// Prints the figures of reports/code_figures.csv by layer, and the files that have none of their present code.
+/// Prints the figures of reports/code_figures.csv by layer, and the files whose present code has no figures.
 int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
     const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
     fmt::print("{}", table.text);

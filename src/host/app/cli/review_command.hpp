@@ -22,7 +22,7 @@ struct ReviewOptions {
     std::string date;  ///< YYYY-MM-DD; empty: today
 };
 
-/// Writes reviews.toml of each selected part. Returns the exit status.
+/// Writes reviews.toml of each device (or of the shared rules) that has a selected item. Returns the exit status.
 int review_spec(const ReviewOptions& options);
 
 }  // namespace canproof::host

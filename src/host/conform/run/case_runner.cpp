@@ -15,8 +15,8 @@ namespace {
 constexpr Duration settling = milliseconds(50);
 // time in which an additional frame of the slave would come after the last step
 constexpr Duration afterthought = milliseconds(20);
-constexpr Duration tolerated_delay =
-    milliseconds(20);  // own delay of the tester; a failure after a greater delay mentions it
+// delay of the tester itself; if it was greater, the message of a failure says so
+constexpr Duration tolerated_delay = milliseconds(20);
 constexpr Duration power_off_time = milliseconds(200);
 // longest wait for the boot-up message of a slave that sent none after an earlier reset
 constexpr Duration silent_boot_limit = milliseconds(500);

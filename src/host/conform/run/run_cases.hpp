@@ -15,7 +15,7 @@
 namespace canproof::host::conform {
 
 struct ConformOptions {
-    std::vector<std::string> only;   ///< groups to run; empty: all
+    std::vector<std::string> only;   ///< groups of cases to run; empty: all
     std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
     std::vector<std::string> skip;   ///< ids, numbers or groups of the cases to leave out
     bool allow_outputs{true};

@@ -47,7 +47,7 @@ class StepSource {
     unsigned depth_{0};
 };
 
-/// Parses the rest of a verb's line, and its block if it has one.
+/// Parses the line of a step after its first word (the verb), and its block if it has one.
 using VerbParser = Action (*)(Scanner& line, StepSource& source);
 
 struct Verb {

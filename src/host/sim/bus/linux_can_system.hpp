@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The raw CAN sockets of the kernel.
+// Makes the system calls for raw CAN sockets of Linux.
 #pragma once
 
 #include "host/sim/bus/can_system.hpp"

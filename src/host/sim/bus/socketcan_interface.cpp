@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of SocketCanBus: its sockets, its bit rate, and its loss and return.
+// The functions of SocketCanBus for its CAN interface: sockets, bit rate, and loss and return of the interface.
 
 #include <fmt/format.h>
 

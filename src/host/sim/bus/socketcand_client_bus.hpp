@@ -102,7 +102,7 @@ class SocketcandClientBus final : public Bus {
     std::deque<Busy> busy_;  ///< busy periods within the last second
     std::uint64_t frames_{0};
     bool remote_frame_told_{false};
-    std::string complaint_told_;  ///< last error of this connection that was reported
+    std::string complaint_told_;  ///< last error message of the server that was reported to the user
 };
 
 }  // namespace canproof::host

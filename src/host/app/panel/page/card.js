@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One device: its data, its values, and its controls.
+// The card of one device on the page: its data, its values, and its controls.
 import { el, tell } from './dom.js';
 import { Dial, makeControl } from './controls.js';
 import { attitude, connector, relay } from './drawings.js';
