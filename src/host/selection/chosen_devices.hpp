@@ -16,8 +16,8 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< name of the device as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< part of the requirements register or of the EDS; valid as long as `device`
-    std::uint32_t bit_rate{0};  ///< bit/s as shipped
+    const Part* part{nullptr};  ///< description of the device in the register or the EDS; valid as long as `device`
+    std::uint32_t bit_rate{0};  ///< bit rate with which the device is shipped, in bit/s
     std::string notice;         ///< message for the user before the run; empty: no message
 };
 

@@ -137,7 +137,7 @@ class CoverageCommand : Command {
             "coverage", "list places in the firmware that no test reaches and that have no recorded reason");
         command->add_option("FILE", options_.measured, "coverage that tests/coverage measured")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--cobertura", options_.cobertura, "XML file to write");
+        command->add_option("--cobertura", options_.cobertura, "Cobertura XML file to write");
         command->add_flag("--json", options_.json,
                           "print as JSON the MC/DC of each file and all places that no test reaches");
         command->add_flag("--records", options_.records_only,

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints how the statements of a device's manual are covered.
+/// Prints how many statements of a device's manual are shown, explained, suspect, open and failed.
 void print_statements(const PartAudit& audit) {
     if (audit.part->info.manual.empty()) {
         return;

@@ -15,7 +15,7 @@ struct ConformCommandOptions {
     std::optional<std::string> node;  ///< node-ID; without it, that of the data sheet
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
-    std::vector<std::string> only;   ///< services to run; empty: all
+    std::vector<std::string> only;   ///< services whose cases run; empty: all
     std::vector<std::string> skip;   ///< ids, numbers or services of the cases to leave out
     std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
     std::string folder;              ///< folder with cases that replace the built-in cases

@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 struct PlotOptions {
-    std::string csv;  ///< file that `--outputs` wrote
+    std::string csv;  ///< file that `--outputs` of `run`, `panel` or `replay` wrote
     std::string svg;  ///< file to write
     std::vector<std::string> signals;
 };

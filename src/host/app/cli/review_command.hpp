@@ -19,7 +19,7 @@ struct ReviewOptions {
     /// records that only the text of the items was read; the review marks are those of the present code and tests, as
     /// with `mark`
     bool wording{false};
-    std::string date;  ///< YYYY-MM-DD; empty: today
+    std::string date;  ///< date of the review, YYYY-MM-DD; empty: today
 };
 
 /// Writes reviews.toml of each device (or of the shared rules) that has a selected item. Returns the exit status.

@@ -26,7 +26,7 @@ struct FrameKey {
     }
 };
 
-/// Frames of some kinds, collected from a point in time on.
+/// Collects frames of some kinds from a point in time on.
 struct Watched {
     std::vector<FrameKey> keys;  ///< kinds of frames to collect; empty: all frames except the tester's own
     std::function<bool(const FrameRecord&)> counts;  ///< selects frames among those kinds; empty: all of them

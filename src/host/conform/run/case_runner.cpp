@@ -13,7 +13,7 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-// time in which an additional frame of the slave would come after the last step
+// wait after the last step, in which an unexpected frame of the slave would come
 constexpr Duration afterthought = milliseconds(20);
 // delay of the tester itself; if it was greater, the message of a failure says so
 constexpr Duration tolerated_delay = milliseconds(20);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a run.
+// The results of a conformance test.
 #pragma once
 
 #include <algorithm>

@@ -24,7 +24,7 @@ struct ConformOptions {
     double traffic{0.0};  ///< background frames during the whole run, in per cent of the bus capacity
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
-    /// Receives each result; may be empty.
+    /// Is called with the result of each case; may be empty.
     std::function<void(const CaseResult&)> progress;
 };
 

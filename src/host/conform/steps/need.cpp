@@ -56,7 +56,7 @@ std::string ask_block(Context& context, bool upload) {
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {
-        return fmt::format("the EDS has no {}", words_of(place));
+        return fmt::format("the EDS has no entry {}", words_of(place));
     }
     const SdoOutcome outcome = context.sdo.read(place);
     const bool can = outcome.abort == 0 && (from_little_endian(outcome.data, 0, 4) & 1) != 0;
@@ -187,7 +187,7 @@ Unmet parse_object_need(Scanner& line) {
     return [place, filter](Context& context) -> std::string {
         const SheetEntry one = context.sheet.find(place.index, place.subindex);
         if (one.entry == nullptr) {
-            return fmt::format("the EDS has no {}", words_of(place));
+            return fmt::format("the EDS has no entry {}", words_of(place));
         }
         return filter.passes(one) ? "" : fmt::format("{} is not {} in the EDS", words_of(place), filter.words);
     };

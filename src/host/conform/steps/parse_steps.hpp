@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the steps of a case.
+// Parses the steps of a conformance case.
 #pragma once
 
 #include <set>
@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 /// The lines of a case that are not parsed yet.
 class StepSource {
   public:
-    /// `first` is the place of the first line of `text`.
+    /// Splits `text` into lines. `first` is the place of its first line.
     StepSource(const std::string& text, const Place& first);
 
     /// Parses the steps of a block. An inner block ends with `}`, which is skipped; the outermost block ends with the

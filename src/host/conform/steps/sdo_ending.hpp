@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 struct Ending {
     bool any{false};                 ///< whether the step begins with `try`, so that any end is accepted
     std::optional<AbortList> fails;  ///< accepted abort codes; absent: the transfer must succeed
-    std::string name;                ///< name after `->`, or empty
+    std::string name;                ///< name of the variable after `->`; empty: none
     Expression value;                ///< value after the `=` of a read; empty: any value
 
     /// Parses `fails …` or `-> name`. Returns false when neither of them follows.

@@ -31,7 +31,7 @@ class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
 
-    /// `bit_rate`, in bit/s, applies until a node has another bit rate.
+    /// Makes a bus without nodes. `bit_rate`, in bit/s, applies until a node has another bit rate.
     ArbitratedBus(std::string interface, std::uint32_t bit_rate, const BusFaultRates& faults);
 
     /// Adds a node. Throws InputError for more than 127 nodes.
@@ -112,7 +112,7 @@ class ArbitratedBus final : public Bus {
     std::vector<Port*> off_;      ///< ports of nodes that are bus-off
     WaitingLine waiting_;         ///< ports that have a frame to send, by their numbers
     FrameReaders readers_;        ///< ports that receive a frame, by their numbers
-    bool rates_differ_{false};    ///< whether a node has another bit rate than was last reported
+    bool rates_differ_{false};    ///< whether a node's bit rate differs from `rate` of its port
     bool troubled_{false};        ///< whether an error counter of a receiver is not 0, or a receiver has lost a frame
     Gateway outside_;
     std::optional<Transmission> running_;

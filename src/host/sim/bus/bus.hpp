@@ -13,7 +13,7 @@
 
 namespace canproof::host {
 
-/// The interface of a node for its bus.
+/// The functions of a node that its bus calls.
 class BusNode {
   public:
     virtual ~BusNode() = default;

@@ -15,7 +15,7 @@ class Gateway final : public BusNode {
   public:
     using Outlet = std::function<void(const Frame&, Instant)>;
 
-    /// `outlet` is called with each frame that another node has sent; it may be empty.
+    /// Makes a gateway. `outlet` is called with each frame that another node has sent; it may be empty.
     Gateway(std::string name, std::size_t capacity, Outlet outlet)
         : name_{std::move(name)}, capacity_{capacity}, outlet_{std::move(outlet)} {}
 

@@ -71,7 +71,7 @@ class SocketCanBus final : public Bus {
         std::size_t port{0};
         can_frame frame{};
         bool lost_before{false};
-        std::uint64_t order{0};  ///< order of reading, used for equal times
+        std::uint64_t order{0};  ///< number in the order of reading; decides between equal times
     };
 
     void open_sockets(Instant now);

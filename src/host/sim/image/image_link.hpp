@@ -33,7 +33,7 @@ class ImageLink {
     /// start.
     static constexpr int patience_ms = 300000;
 
-    /// `to` and `from` are ends of pipes. `name` appears in messages.
+    /// Makes a link. `to` and `from` are ends of pipes to and from the image. `name` appears in messages.
     ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator = {});
 
     const std::string& name() const { return name_; }
