@@ -177,7 +177,7 @@ class EvidenceCommand : Command {
   public:
     EvidenceCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("evidence", "write the evidence pack: claims, evidence and open points");
-        command->add_option("--out", options_.out, "folder to write")->capture_default_str();
+        command->add_option("--out", options_.out, "folder to write the pack to")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
@@ -267,7 +267,7 @@ class InjectCommand : Command {
         command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
         auto* log = command->add_option("LOG", options_.log,
                                         "candump log of frames to the device; default: tests/devices/DEVICE/workload");
-        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of the device's inputs")
+        command->add_option("--stimulus", options_.stimulus, "CSV file of seconds,signal,value: changes of inputs")
             ->needs(log);
         command->add_option("--node", options_.node, "node-ID, or position of the coding switches");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();

@@ -51,9 +51,10 @@ const CLI::Validator seconds{
 class CatalogueCommands : Command {
   public:
     CatalogueCommands(CLI::App& app, Chosen& chosen) {
-        app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")
+        app.add_subcommand("devices", "list the devices: part numbers, node-ID and bit rate as shipped")
             ->callback([&chosen] { chosen = list_devices; });
-        auto* signals = app.add_subcommand("signals", "physical inputs and outputs of a device, and its factory data");
+        auto* signals =
+            app.add_subcommand("signals", "list physical inputs and outputs of a device, and its factory data");
         signals->add_option("DEVICE", shown_)->required();
         signals->callback([this, &chosen] { chosen = [this] { return list_signals(shown_); }; });
 
@@ -62,7 +63,7 @@ class CatalogueCommands : Command {
 
   private:
     void add_eds(CLI::App& app, Chosen& chosen) {
-        auto* eds = app.add_subcommand("eds", "electronic data sheet of a device, or its frames as DBC");
+        auto* eds = app.add_subcommand("eds", "print the electronic data sheet of a device, or its frames as DBC");
         eds->add_option("DEVICE", printed_.device, "device; with --format dbc also an EDS, DCF or XDD file");
         eds->add_option("--format", printed_.format,
                         "eds, eds-lely (reals as bits, for Lely's tools), xdd, json, md, or dbc (its frames, "
@@ -105,7 +106,7 @@ class SpecCommands : Command {
         spec->require_subcommand(1);
         auto* check =
             spec->add_subcommand("check", "list every fault and warning of a register, with file, line and fix");
-        check->add_option("--spec", checked_.spec, "folder of the register")->capture_default_str();
+        check->add_option("--spec", checked_.spec, "folder of the requirements register")->capture_default_str();
         check->add_flag("--strict", checked_.strict, "exit status 1 for warnings, as for faults");
         check->add_flag("--json", checked_.json, "faults and warnings as JSON");
         check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
@@ -115,12 +116,13 @@ class SpecCommands : Command {
         statements->add_option(
             "--text", statements_.text,
             "text version of the manual: check that it has all passages, and list text without a statement");
-        statements->add_option("--spec", statements_.spec, "folder of the register")->capture_default_str();
+        statements->add_option("--spec", statements_.spec, "folder of the requirements register")
+            ->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
         auto* review = spec->add_subcommand(
             "review", "record that items were read with their code and tests, or sections with their dispositions");
         review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
-        review->add_flag("--all", review_.all, "every item and section that has changed since its review");
+        review->add_flag("--all", review_.all, "every item and section that has no review of its present form");
         review->add_option("--by", review_.by, "name of the reader");
         review->add_flag(
             "--mark", review_.mark,
@@ -133,7 +135,7 @@ class SpecCommands : Command {
         review->add_option("--verdicts", review_.verdicts,
                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         review->add_option("--date", review_.date, "YYYY-MM-DD; default: today");
-        review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
+        review->add_option("--spec", review_.spec, "folder of the requirements register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });
     }
 
@@ -168,7 +170,7 @@ class RunCommands : Command {
         auto* run =
             app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
         add_run_options(*run, run_);
-        run->add_option("--seconds", run_.seconds, "end after this time")->check(seconds);
+        run->add_option("--seconds", run_.seconds, "end the run after this time")->check(seconds);
         run->add_flag("--plain", run_.plain, "print every frame as a line, even on a terminal");
         run->callback([this, &chosen] { chosen = [this] { return run_devices(run_); }; });
 
@@ -335,9 +337,9 @@ class WordsCommands : Command {
 /// Returns the message of an error. For an error of a path that no command has described, makes a general message.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-    return path == nullptr
-               ? error.what()
-               : fmt::format("cannot use {}: {}; name another path", path->path1().string(), path->code().message());
+    return path == nullptr ? error.what()
+                           : fmt::format("cannot use {}: {}; correct this or name another path", path->path1().string(),
+                                         path->code().message());
 }
 
 /// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that

@@ -231,7 +231,7 @@ std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std
         return cells;
     }
     if (!options.json) {
-        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
+        fmt::print("sample of {} of {} alterations, seed {}\n", options.sample, cells.size(), options.seed);
     }
     return sample_of(cells, options.sample, options.seed);
 }

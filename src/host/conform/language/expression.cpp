@@ -136,7 +136,7 @@ Expression constant(Scanner& line, const std::string& digits, int base) {
         }
         const auto added = static_cast<std::uint64_t>(digit);
         if (number > (UINT64_MAX - added) / static_cast<unsigned>(base)) {
-            line.fail(fmt::format("`{}` is too large", digits), "numbers have 64 bits");
+            line.fail(fmt::format("`{}` is too large", digits), "write a number of at most 64 bits");
         }
         number = number * static_cast<unsigned>(base) + added;
     }

@@ -121,7 +121,7 @@ std::string known_words() {
 unsigned hex_number(Scanner& line) {
     const std::string word = line.word();
     if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
-        line.fail(fmt::format("`{}` is no index or sub-index", word), "write hexadecimal digits");
+        line.fail(fmt::format("`{}` is no index or sub-index", word), "write one to four hexadecimal digits");
     }
     return static_cast<unsigned>(std::stoul(word, nullptr, 16));
 }

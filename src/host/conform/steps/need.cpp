@@ -78,16 +78,18 @@ Unmet parse_word_need(Scanner& line) {
         {"guarding",
          [](Context& c) {
              return unless(has(c, cia301::guard_time) && has(c, cia301::life_time_factor),
-                           "the EDS has no guarding (100Ch and 100Dh)");
+                           "the EDS has no node guarding (100Ch guard time and 100Dh life time factor)");
          }},
-        {"lss", [](Context& c) { return unless(c.sheet.part.info.lss, "the EDS says that there is no LSS"); }},
+        {"lss", [](Context& c) { return unless(c.sheet.part.info.lss, "by the EDS, the slave has no LSS"); }},
         {"block upload", [](Context& c) { return ask_block(c, true); }},
         {"block download", [](Context& c) { return ask_block(c, false); }},
         {"sync producer",
          [](Context& c) {
              const SheetEntry id = c.sheet.find(cia301::sync_cob_id, 0);
              const bool met = id.entry != nullptr && is_writable(*id.entry) && has(c, cia301::sync_period);
-             return unless(met, "the EDS has no SYNC producer (1005h writable, and 1006h)");
+             return unless(
+                 met,
+                 "the EDS has no SYNC producer (writable 1005h COB-ID SYNC, and 1006h communication cycle period)");
          }},
         {"power",
          [](Context& c) {
