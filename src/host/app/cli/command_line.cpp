@@ -334,7 +334,7 @@ class WordsCommands : Command {
     std::string manual_folder_;
 };
 
-/// Returns the message of an error. For an error of a path that no command has described, makes a general message.
+/// Returns the message of an error. For a file system error that no command has described, makes a general text.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
     return path == nullptr ? error.what()

@@ -59,7 +59,7 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Checks that the code of each record still is in the sources; needs no measurement. Returns the exit status: 1 when
+/// Checks that the code of each record is still in the sources; needs no measurement. Returns the exit status: 1 when
 /// the code of a record is gone.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);

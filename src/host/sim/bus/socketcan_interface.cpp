@@ -51,8 +51,8 @@ void SocketCanBus::close_sockets() {
     }
 }
 
-/// Applies a change of the node to the filters of its socket, and its bit rate to the interface. Another node-ID or
-/// configuration changes the node's filters and can change its bit rate.
+/// Follows a change of the node: sets the filters of its socket, and calls change_bit_rate() for a new bit rate. A new
+/// node-ID or configuration changes the node's filters and can change its bit rate.
 void SocketCanBus::follow_node(Port& port) {
     if (port.descriptor >= 0) {
         const std::vector<AcceptanceFilter>& wanted = port.node->filters();
