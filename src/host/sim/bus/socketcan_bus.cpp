@@ -76,8 +76,7 @@ std::vector<Watch> SocketCanBus::watches() const {
 Instant SocketCanBus::poll(Instant now) {
     arrival_clock().compare(now, [this] { return system_.realtime_ns(); });
     if (arrived_.size() >= most_arrived && arrived_.front().time <= known_) {
-        return known_;  // the run is behind real time: further frames stay in the kernel, which counts those that it
-                        // drops
+        return known_;  // the run is behind real time: further frames stay in the kernel, which counts its losses
     }
     known_ = now;
     const auto held = static_cast<std::ptrdiff_t>(arrived_.size());
