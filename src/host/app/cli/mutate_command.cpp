@@ -263,8 +263,7 @@ int mutate(const MutateOptions& options) {
         keep_figures(outcomes, root);
     }
     if (options.subject.empty() && options.sample == 0) {
-        const auto more =
-            lines_about(unneeded, record_file, "a test notices every alteration that this record explains");
+        const auto more = lines_about(unneeded, record_file, "this record explains no alteration that survives");
         faults.insert(faults.end(), more.begin(), more.end());
         keep(outcomes, options, programs);
     }
