@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # canproof_join(TARGET BELOW folder [APART regex]): compiles the sources of a folder in groups of about ten, each group as one joined
-# file. This halves the time for their headers. The names of the sources determine the groups, so that a new source changes one group.
+# file. This halves the time to compile their headers. The names of the sources determine the groups, so that a new source changes one group.
 # A joined file includes its sources by their path below BELOW, an include folder of TARGET, so that all copies of the project can
-# share one compiler cache. A source that matches APART is compiled alone, and one that apart.cmake beside it names; with
-# -DCANPROOF_JOIN=OFF every source is.
+# share one compiler cache. A source is compiled alone if it matches APART, or if apart.cmake in its folder names it. With
+# -DCANPROOF_JOIN=OFF, every source is compiled alone.
 set(CANPROOF_JOIN ON CACHE BOOL "Compile several sources of one folder as one")
 function(canproof_join target)
   cmake_parse_arguments(PARSE_ARGV 1 join "" "BELOW;APART" "")

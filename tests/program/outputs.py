@@ -64,7 +64,7 @@ def full_disk(folder):
     for command in (["run", "cbx-ao412@3", "--seconds", "0.01", "--log"],
                     ["run", "cbx-ao412@3", "--seconds", "0.01", "--outputs"],
                     ["replay", "cbx-ao412", "--node", "3", log, "--outputs"]):
-        refused(canproof(*command, "/dev/full"), f"{command} /dev/full", "/dev/full could not be written to its end")
+        refused(canproof(*command, "/dev/full"), f"{command} /dev/full", "/dev/full could not be written completely")
 
 
 def closed_output(folder):

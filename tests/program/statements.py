@@ -33,7 +33,7 @@ def compared(project):
     project.statements(GREEN, RATE)
     status, out, _ = project.call("spec", "statements", "M1", "--text", "manual.txt")
     # "The lamp is green" and "Ten times a second" have 14 + 15 letters. "It never sleeps" has 13 letters and the headings have 11.
-    assert status == 0 and out == ("3: 1: It never sleeps.\n2 mark(s), 0 not in the text\n"
+    assert status == 0 and out == ("3: 1: It never sleeps.\n2 passage(s), 0 not in the text\n"
                                    "letters and digits of normative sections: 69.0 % of 42 covered, 1 line(s) not fully covered\n"
                                    "letters and digits of the whole text: 54.7 % of 53 covered\n"), out
     project.statements(GREEN, statement("2", "Eleven times a second", 'covered = ["BOX-R-1"]'))

@@ -89,7 +89,8 @@ pid_t start_process(const std::vector<std::string>& words, const std::vector<std
 int wait_for_process(pid_t process) {
     int status = 0;
     if (!waits_for_end(process, status)) {
-        throw InputError{fmt::format("cannot wait for process {}: {}", process, std::strerror(errno))};
+        throw InputError{fmt::format("cannot wait for process {}: {}; start this program with SIGCHLD not ignored",
+                                     process, std::strerror(errno))};
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indices of the object dictionary in CiA 301 and CiA 302: its areas, and the communication objects. The host names
-// them here alone (tests/indices_check). An object that spec/canopen/objects.toml lists has the name that it has there.
+// Indices of the object dictionary in CiA 301 and CiA 302: its areas, and the communication objects. Host code writes
+// these numbers only here (tests/indices_check checks this). An object has the same name as in
+// spec/canopen/objects.toml, if that file lists it.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,7 @@ inline constexpr std::uint16_t verify_configuration = 0x1020;
 inline constexpr std::uint16_t emcy_consumers = 0x1028;
 inline constexpr std::uint16_t error_behaviour = 0x1029;
 
-// Families: the index of the first object, and that of the last one.
+// Families of objects of one kind: the index of the first object and of the last one.
 inline constexpr std::uint16_t sdo_server_parameter = 0x1200;
 inline constexpr std::uint16_t last_sdo_server_parameter = 0x127F;
 inline constexpr std::uint16_t sdo_client_parameter = 0x1280;
@@ -58,7 +59,7 @@ inline constexpr std::uint16_t program_data = 0x1F50;
 inline constexpr std::uint16_t nmt_startup = 0x1F80;
 inline constexpr std::uint16_t self_starting_nodes = 0x1F91;
 
-/// Returns whether the index is in the area of the manufacturer.
+/// Returns whether the index is in the manufacturer-specific area.
 constexpr bool is_of_manufacturer(unsigned index) {
     return index >= first_manufacturer_object && index <= last_manufacturer_object;
 }

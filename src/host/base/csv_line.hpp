@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of comma-separated values.
+// Writes lines of comma-separated values.
 #pragma once
 
 #include <string>

@@ -28,7 +28,8 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
         }
         replace_file(path, bytes);
     } catch (const std::system_error& error) {
-        throw InputError{fmt::format("cannot write {}: {}", path.string(), error.code().message())};
+        throw InputError{fmt::format("cannot write {}: {}; correct this, or write to another place", path.string(),
+                                     error.code().message())};
     }
 }
 

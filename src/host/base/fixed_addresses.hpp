@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The addresses of this program's memory.
+// Fixes the addresses of this program's memory.
 #pragma once
 
 namespace canproof::host {

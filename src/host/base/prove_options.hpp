@@ -25,7 +25,7 @@ inline constexpr std::array<ProveOption, 16> prove_options{{
     {"--xml", true, "file to write verdicts to, for the audit: build/NAME/verdicts/proofs.xml"},
     {"--shard", true, "I/N: prove only part I of N of the theorems; write the results with --json for --merge"},
     {"--merge", true, "read the JSON files of all shards from this folder and prove nothing"},
-    {"--faults", true, "table of seeded faults; canproof-prove must refute each"},
+    {"--faults", true, "table of seeded faults; each fault must make canproof-prove refute a theorem"},
     {"--every", true, "with --faults: use only every Nth fault of the table"},
     {"--seeds", true, "write counterexamples as inputs of fuzz targets to this folder, such as fuzz/corpus"},
     {"--no-replay", false, "do not run counterexamples natively"},

@@ -15,8 +15,8 @@ const std::string byte_order_mark = "\xEF\xBB\xBF";
 
 void check_read(const std::istream& in, const std::string& name) {
     if (in.bad()) {
-        throw InputError{
-            fmt::format("{} cannot be read to its end: the system reports a read error; check the disk", name)};
+        throw InputError{fmt::format(
+            "{} cannot be read to its end: the system reports a read error; check its disk or connection", name)};
     }
 }
 
@@ -29,7 +29,8 @@ bool LineReader::next() {
     }
     ++number_;
     if (in_.fail()) {
-        throw InputError{fmt::format("{}: a line has more than {} bytes; name a text file", where(), longest_line)};
+        throw InputError{fmt::format("{}: a line has more than {} bytes; shorten the line, or name another file",
+                                     where(), longest_line)};
     }
     // `count` includes the line break, unless the last line has none.
     line_.assign(buffer_.data(), in_.eof() ? count : count - 1);

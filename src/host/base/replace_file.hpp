@@ -19,7 +19,7 @@ namespace canproof::host {
 /// std::system_error with the target's path on an error; the constructor also when the existing target is not writable.
 class FileBeside {
   public:
-    /// `target` should be resolved: if it is a symbolic link, the file replaces the link itself.
+    /// Creates the temporary file. `target` should be resolved: if it is a symbolic link, the file replaces the link.
     explicit FileBeside(std::filesystem::path target);
     ~FileBeside();
     FileBeside(const FileBeside&) = delete;

@@ -43,7 +43,7 @@ void sort_shards(std::vector<Read>& all) {
 }
 
 /// Throws InputError unless the elements belong to the shards 1/n to n/n, one to each, of the same sources. An element
-/// has the members `shard`, `name`, its origin, and `sources`, the source_hash() of the tree that made it.
+/// has the members `shard`, `name` (its origin) and `sources` (the source_hash() of the tree that made it).
 template <typename Read>
 void require_all_shards(const std::vector<Read>& all) {
     std::vector<Shard> shards;

@@ -155,7 +155,7 @@ void HttpRequest::keep_header(const std::string& name, const std::string& value)
         return;
     }
     if (!seen_.insert(name).second) {
-        return refuse_with(400, fmt::format("the header {} occurs twice", name));
+        return refuse_with(400, fmt::format("the header {} occurs twice; send it once", name));
     }
     if (place != kept.end()) {
         *place->second = value;
@@ -170,7 +170,8 @@ void HttpRequest::read_length(const std::string& value) {
     }
     std::from_chars(value.data(), value.data() + std::min(value.size(), longest_number), length_);
     if (value.size() > longest_number || length_ > longest_body) {
-        refuse_with(413, fmt::format("the body of a request may have at most {} bytes", longest_body));
+        refuse_with(413,
+                    fmt::format("the body of a request may have at most {} bytes; send a shorter body", longest_body));
     }
 }
 

@@ -44,7 +44,7 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return std::nullopt;
     }
     if (request.method != "POST") {
-        return error_response(405, "the panel accepts GET, HEAD and POST only");
+        return error_response(405, "the panel accepts GET, HEAD and POST only; use one of these methods");
     }
     if (!request.origin.empty() && request.origin != "http://" + request.host) {
         return error_response(
@@ -58,7 +58,8 @@ std::optional<PanelResponse> refuse(const PanelRequest& request) {
         return error_response(415, "the body is not of the type application/json; send JSON");
     }
     if (request.body.size() > longest_body) {
-        return error_response(413, fmt::format("the body of a request may have at most {} bytes", longest_body));
+        return error_response(
+            413, fmt::format("the body of a request may have at most {} bytes; send a shorter body", longest_body));
     }
     return std::nullopt;
 }

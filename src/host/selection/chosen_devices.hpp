@@ -16,8 +16,8 @@ namespace canproof::host {
 struct ChosenDevice {
     std::string name;  ///< name of the device as the user wrote it: NAME or NAME@NODE
     std::unique_ptr<SimulatedDevice> device;
-    const Part* part{nullptr};  ///< part of the requirements register or of the EDS; valid as long as `device`
-    std::uint32_t bit_rate{0};  ///< bit/s as shipped
+    const Part* part{nullptr};  ///< description of the device in the register or the EDS; valid as long as `device`
+    std::uint32_t bit_rate{0};  ///< bit rate with which the device is shipped, in bit/s
     std::string notice;         ///< message for the user before the run; empty: no message
 };
 
@@ -33,8 +33,8 @@ ChosenDevice choose_eds(const std::string& text);
 /// Returns the device for FILE or FILE@NODE, where FILE is the image of a device of the catalogue for the emulated
 /// microcontroller. Its name is that of the device, with @NODE if NODE is given. Throws InputError and ImageFailed.
 ChosenDevice choose_image(const std::string& text);
-/// Returns every device of the catalogue for a run. When the node-ID of a device as shipped is taken, the device gets
-/// the lowest free node-ID.
+/// Returns every device of the catalogue for a run. When another device already has the node-ID with which a device is
+/// shipped, that device gets the lowest free node-ID.
 std::vector<ChosenDevice> choose_catalogue();
 std::vector<ChosenDevice> choose_catalogue(FactoryOptions& factory);
 

@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// Reads the description of a device. Prints notes to stderr. Throws InputError with every fault of the file.
+/// Reads the description of a device. Prints the values that it assumes to standard error. Throws InputError with every
+/// fault of the file.
 Part read_eds_part(const std::string& path);
 /// Makes a device from the file, as read_eds_part() reads it. Also throws InputError for a PDO that a simulated node
 /// does not support (check_served_pdos()).

@@ -56,7 +56,8 @@ TEST(StartOfARun, MissingBootUpMessageIsReportedAndTheCasesRun) {
     EXPECT_THAT(report.troubles, ElementsAre("the slave sent no boot-up message after reset node"));
     ASSERT_EQ(report.results.size(), 1U);
     EXPECT_EQ(report.results.front().verdict, Verdict::passed);
-    EXPECT_THAT(report.results.front().notes, ElementsAre("the slave sends no boot-up message, or not each time"));
+    EXPECT_THAT(report.results.front().notes,
+                ElementsAre("the slave sends no boot-up message after a reset, or not after every reset"));
 }
 
 TEST(StartOfARun, RunEndsWithASlaveThatDoesNotAnswer) {

@@ -60,7 +60,8 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
     const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
     EXPECT_EQ(returned.verdict, Verdict::failed);
     ASSERT_EQ(returned.left.size(), 1U);
-    EXPECT_EQ(returned.left.front(), "the restore step `return 1` failed: a `return` stands outside of a procedure");
+    EXPECT_EQ(returned.left.front(),
+              "the restore step `return 1` failed: a `return` stands outside of a procedure; remove it");
     const CaseResult next =
         run_steps_on_slave("read 1000:00", "restore = '''\nnext unless 0 \"nothing to restore\"\n'''");
     EXPECT_EQ(next.verdict, Verdict::failed);
@@ -96,7 +97,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_THAT(report.results[0].why, HasSubstr("afterwards: "));
     EXPECT_THAT(report.results[0].why, HasSubstr("does not advance at"));
     EXPECT_EQ(report.results[1].verdict, Verdict::not_run);
-    EXPECT_EQ(report.results[1].why, "the slave stopped answering in some");
+    EXPECT_EQ(report.results[1].why, "the slave stopped answering in the case some");
 }
 
 TEST(ConformRun, LoopVariableOfAProcedureEndsWithAReturnFromTheLoop) {
@@ -222,7 +223,7 @@ TEST(ConformRun, SilentSlaveIsDistinguishedFromAFailingSlave) {
         run_on(target, case_text("ends-it", "read 1001:00") + case_text("after", "read 1000:00"));
     EXPECT_EQ(report.results.at(0).verdict, Verdict::no_answer);
     EXPECT_EQ(report.results.at(1).verdict, Verdict::not_run);
-    EXPECT_THAT(report.results.at(1).why, HasSubstr("stopped answering in ends-it"));
+    EXPECT_THAT(report.results.at(1).why, HasSubstr("stopped answering in the case ends-it"));
     EXPECT_EQ(report.exit_status(), 1);
 }
 

@@ -57,7 +57,7 @@ def not_granted(program):
         ask_for_250(ear)
         said = run.wait_notice("LSS sets 250000 bit/s; can0 is unchanged without --control-interface")
         assert rate_of("can0") == 125000
-        commands = said.partition("would have done: ")[2]
+        commands = said.partition("the commands for this are: ")[2]
         sh("sh", "-c", commands)
         assert rate_of("can0") == 250000, f"{commands} gave {rate_of('can0')}"
 

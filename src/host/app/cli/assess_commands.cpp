@@ -25,16 +25,16 @@ class FuzzCommand : Command {
     FuzzCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
             app.add_subcommand("fuzz", "run all fuzz targets for a given time, then report findings and coverage");
-        auto* minutes =
-            command
-                ->add_option("--minutes", options_.minutes, "minutes of fuzzing; the later passes take additional time")
-                ->check(CLI::Range(0.01, 100000.0))
-                ->capture_default_str();
+        auto* minutes = command
+                            ->add_option("--minutes", options_.minutes,
+                                         "minutes of fuzzing; valgrind and coverage take additional time")
+                            ->check(CLI::Range(0.01, 100000.0))
+                            ->capture_default_str();
         command->add_option("--hours", hours_, "hours of fuzzing")->check(CLI::Range(0.01, 1000.0))->excludes(minutes);
         command->add_option("--targets", options_.targets, "a,b: only these targets")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--root", options_.root, "the project's folder, with the folders that are not given")
+        command->add_option("--root", options_.root, "the project's folder; a folder that you do not name is below it")
             ->capture_default_str();
         add_folder(command->add_option("--corpus", options_.corpus, "folder that keeps inputs, findings and history"),
                    options_.corpus);
@@ -49,9 +49,9 @@ class FuzzCommand : Command {
             options_.replay_build);
         add_folder(command->add_option("--coverage-build", options_.coverage_build, "folder of the build for coverage"),
                    options_.coverage_build);
-        command->add_option("--land", options_.land,
-                            "findings become regression tests in TARGET below this folder; default: the target's own "
-                            "corpus; '' for none");
+        command->add_option(
+            "--land", options_.land,
+            "folder for findings as regression tests, FOLDER/TARGET; default: corpus of each target; '' for none");
         command->add_flag("!--no-second-pass", options_.second_pass, "do not run the corpus under valgrind");
         command->add_flag("!--no-coverage", options_.coverage, "do not measure coverage");
         command->add_flag("--plain", options_.plain, "lines instead of a table, even on a terminal");
@@ -60,7 +60,7 @@ class FuzzCommand : Command {
                                           "I/N: fuzz part I of N of the targets; other machines fuzz the other parts");
         command
             ->add_option("--merge", options_.merge,
-                         "folder with the corpus folders of all shards: sort, measure and report their findings")
+                         "folder with the corpus folders of all shards: sort findings, measure coverage, report")
             ->excludes(shard);
         command->callback([this, shard, &chosen] {
             options_.minutes = hours_ > 0.0 ? hours_ * 60.0 : options_.minutes;
@@ -75,7 +75,7 @@ class FuzzCommand : Command {
     }
 
   private:
-    /// A folder whose default is below the project's folder.
+    /// An option that names a folder. Its default is below the project's folder.
     struct Folder {
         const CLI::Option* option;
         std::string* path;
@@ -102,9 +102,9 @@ class AuditCommand : Command {
   public:
     AuditCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("audit", "trace manual sections to requirements, code, tests and verdicts");
-        command->add_option(
-            "SUBJECT", options_.subject,
-            "a device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test; default: all");
+        command->add_option("SUBJECT", options_.subject,
+                            "a device, id of an item, section (AX130751:1.3), statement (AX130751:1.3/2), source file "
+                            "or test; default: all");
         command->add_option("--section", options_.filter.section,
                             "list items and statements of a section: AX130751:1 includes 1.3; 3.2.8 suffices if only "
                             "one manual has it");
@@ -119,7 +119,7 @@ class AuditCommand : Command {
             ->check(CLI::IsMember({"failed", "open", "suspect", "shown", "explained"}));
         command->add_flag_callback(
             "--untested", [this] { options_.filter.status = "open"; }, "the same as --status open");
-        command->add_flag("--json", options_.json, "the audit, the list or the story as JSON");
+        command->add_flag("--json", options_.json, "print JSON instead of lines");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
@@ -133,14 +133,15 @@ class AuditCommand : Command {
 class CoverageCommand : Command {
   public:
     CoverageCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("coverage", "list places in the firmware that no test reaches, with their reasons");
-        command->add_option("FILE", options_.measured, "measurement of tests/coverage")->capture_default_str();
+        auto* command = app.add_subcommand(
+            "coverage", "list places in the firmware that no test reaches and that have no recorded reason");
+        command->add_option("FILE", options_.measured, "coverage that tests/coverage measured")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
-        command->add_option("--cobertura", options_.cobertura, "XML file to write");
-        command->add_flag("--json", options_.json, "MC/DC of each file and all places that are not reached as JSON");
+        command->add_option("--cobertura", options_.cobertura, "Cobertura XML file to write");
+        command->add_flag("--json", options_.json,
+                          "print as JSON the MC/DC of each file and all places that no test reaches");
         command->add_flag("--records", options_.records_only,
-                          "without a measurement: check that each record matches a place in the sources");
+                          "check only that each recorded reason matches a place in the sources; needs no measurement");
         command->callback([this, &chosen] { chosen = [this] { return check_coverage(options_); }; });
     }
 
@@ -158,7 +159,7 @@ class MisraCommand : Command {
         command->add_option("--html", options_.out,
                             "folder for misra.html, misra.sarif, compliance.md; default: BUILD/misra");
         command->add_flag("--json", options_.json,
-                          "findings, faults and figures as JSON; the steps go to standard error");
+                          "findings, faults and figures as JSON; the progress goes to standard error");
         auto* review = command->add_subcommand("review", "record that a person judged a file for a guideline");
         review->add_option("FILE", options_.review_file, "file, as named in the finding")->required();
         review->add_option("RULE", options_.review_rule)->required();
@@ -176,12 +177,12 @@ class EvidenceCommand : Command {
   public:
     EvidenceCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand("evidence", "write the evidence pack: claims, evidence and open points");
-        command->add_option("--out", options_.out, "folder to write")->capture_default_str();
+        command->add_option("--out", options_.out, "folder to write the pack to")->capture_default_str();
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--coverage", options_.coverage,
-                            "measurement of tests/coverage; default: build/coverage/coverage.json");
+                            "coverage that tests/coverage measured; default: build/coverage/coverage.json");
         command->add_option("--exhibits", options_.exhibits,
                             "folder of results of other tools; default: build/exhibits");
         command->add_option("--sign", options_.key, "PEM file of a private key: signs the manifest")
@@ -212,19 +213,19 @@ class MutateCommand : Command {
   public:
     MutateCommand(CLI::App& app, Chosen& chosen) {
         auto* command =
-            app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices");
+            app.add_subcommand("mutate", "alter each cell of the generated tables and check whether a test notices it");
         command->add_option("SUBJECT", options_.subject,
-                            "a device or an id; with --code part of a file's path; default: everything");
+                            "a device or the id of an item; with --code a part of a file's path; default: everything");
         auto* code = command->add_flag(
             "--code", options_.code,
-            "the code of the firmware, and of the host's buses and replay, instead of generated cells");
+            "alter the code of the firmware and of the host's buses and replay, instead of generated cells");
         auto* kills = command->add_flag(
             "--kills", options_.kills,
-            "record the items whose mutants each test notices, for tests that are new, changed or have other code of "
-            "these items (reports/kills.csv)");
+            "record in reports/kills.csv which items' mutants each test notices; judges only tests that are new, or "
+            "whose code or items' code has changed");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
         command->add_option("--programs", options_.programs, "folder of the test programs; default: build/mutation");
-        command->add_option("--sample", options_.sample, "number of cells, drawn at random with --seed");
+        command->add_option("--sample", options_.sample, "number of alterations to judge, drawn at random with --seed");
         command->add_option("--seed", options_.seed, "seed of the sample")->capture_default_str();
         command->add_option("--jobs", options_.jobs, "processes at a time")
             ->capture_default_str()
@@ -232,13 +233,13 @@ class MutateCommand : Command {
         auto* shard =
             command->add_option("--shard", shard_, "I/N: judge part I of N; other machines judge the other parts")
                 ->excludes(kills);
-        command->add_option("--merge", options_.merge, "folder of the shards' files: one run from all of them")
+        command->add_option("--merge", options_.merge, "folder with the files of all shards: merge them into one run")
             ->excludes(shard)
             ->excludes(kills);
-        auto* json = command->add_flag("--json", options_.json, "counts, survivors and faults of the records as JSON");
+        auto* json = command->add_flag("--json", options_.json, "counts, unnoticed mutants and record faults as JSON");
         command
             ->add_flag("--table", options_.table,
-                       "with --code: no run; the figures of reports/code_figures.csv by layer, in Markdown")
+                       "with --code: judge nothing, print reports/code_figures.csv by layer, in Markdown")
             ->needs(code)
             ->excludes(kills)
             ->excludes(shard)
@@ -266,7 +267,7 @@ class InjectCommand : Command {
         command->add_option("DEVICE", options_.device, "a device of the catalogue")->required();
         auto* log = command->add_option("LOG", options_.log,
                                         "candump log of frames to the device; default: tests/devices/DEVICE/workload");
-        command->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value: changes of the device's inputs")
+        command->add_option("--stimulus", options_.stimulus, "CSV file of seconds,signal,value: changes of inputs")
             ->needs(log);
         command->add_option("--node", options_.node, "node-ID, or position of the coding switches");
         command->add_option("--root", options_.root, "the project's folder")->capture_default_str();
@@ -274,15 +275,15 @@ class InjectCommand : Command {
         command->add_option("--faults", campaign.faults, "number of faults")
             ->capture_default_str()
             ->check(CLI::Range(1, 10'000'000));
-        command->add_option("--seed", campaign.seed, "seed of time, place and bit")->capture_default_str();
+        command->add_option("--seed", campaign.seed, "seed of each fault's time, place and bit")->capture_default_str();
         command->add_option("--jobs", campaign.jobs, "processes at a time")
             ->capture_default_str()
             ->check(CLI::Range(1, 64));
         command->add_flag("--json", options_.json, "counts and silent faults as JSON");
-        auto* shard =
-            command->add_option("--shard", shard_, "I/N: inject part I of N; other machines inject the other parts");
+        auto* shard = command->add_option(
+            "--shard", shard_, "I/N: inject part I of N of the faults; other machines inject the other parts");
         command->add_option("--out", options_.out, "folder of the shard's file")->capture_default_str()->needs(shard);
-        command->add_option("--merge", options_.merge, "folder of the shards' files: one campaign from all of them")
+        command->add_option("--merge", options_.merge, "folder with the files of all shards: merge these files")
             ->excludes(shard);
         command->callback([this, shard, &chosen] {
             chosen = [this, shard] {
@@ -310,7 +311,7 @@ class DiffCommand : Command {
         command->add_option("--verdicts", options_.verdicts,
                             "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         command->add_option("--old-verdicts", options_.old_verdicts,
-                            "test results of the revision, to list changed verdicts");
+                            "folder of the revision's test results: lists the verdicts that changed");
         command->add_flag("--json", options_.json, "changed items, files, verdicts and stale evidence as JSON");
         command->add_flag("--exit-code", options_.exit_code, "exit status 1 when anything changed");
         command->callback([this, &chosen] { chosen = [this] { return diff(options_); }; });
@@ -324,7 +325,7 @@ class ProveCommand : Command {
   public:
     ProveCommand(CLI::App& app, Chosen& chosen) {
         auto* command = app.add_subcommand(
-            "prove", "theorems about the firmware, shown for all values: proven, refuted or unknown");
+            "prove", "prove theorems about the firmware for all values; each one is proven, refuted or unknown");
         add_options(*command);
         command->callback([this, command, &chosen] {
             words_ = words_of(*command);
@@ -343,7 +344,7 @@ class ProveCommand : Command {
             }
         }
     }
-    /// Returns the options in the form in which the user gave them.
+    /// Returns the options that the user gave, and their values, as arguments for canproof-prove.
     static std::vector<std::string> words_of(const CLI::App& command) {
         std::vector<std::string> words;
         for (const CLI::Option* option : command.get_options()) {

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Prints how the statements of a device's manual are covered.
+/// Prints how many statements of a device's manual are shown, explained, suspect, open and failed.
 void print_statements(const PartAudit& audit) {
     if (audit.part->info.manual.empty()) {
         return;
@@ -174,7 +174,7 @@ int tell_story(const AuditOptions& options, const Register& content, const std::
     const auto story = StoryTeller{content, audits, evidence, mutations}.tell(options.subject);
     if (!story) {
         throw InputError{fmt::format(
-            "`{}` is no device, id, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test "
+            "`{}` is no device, id of an item, section (AX130751:1.3), statement (AX130751:1.3/2), source file or test "
             "(Suite.Name); `canproof audit --kind requirement` lists the ids of requirements",
             options.subject)};
     }

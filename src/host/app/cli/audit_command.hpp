@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct AuditOptions {
     std::string root{"."};
-    std::string subject;  ///< device, id, section, statement, source file or test; empty: everything
+    std::string subject;  ///< device, id of an item, section, statement, source file or test; empty: everything
     std::string verdicts;
     AuditFilter filter;
     /// items, gaps, suspects (items that have changed since their review) and orphans (code or tests without a
@@ -19,7 +19,8 @@ struct AuditOptions {
 };
 
 /// Prints the audit. Returns the exit status. It is 1 when an item is not proven by a passed test, has changed since
-/// its review or has a failed test, or when something else is open. It is always 0 for a list of conditions of use.
+/// its review or has a failed test, or when the audit finds another gap, such as an orphan. It is always 0 for a list
+/// of conditions of use.
 int audit(const AuditOptions& options);
 
 }  // namespace canproof::host

@@ -27,7 +27,9 @@ const Part& described_device(const std::string& name) {
     const Part& part = device_named(name);
     if (part.objects.empty()) {
         throw InputError{fmt::format(
-            "{} cannot be used yet: the register contains the manual of the device, but not its objects", name)};
+            "{} cannot be used yet: the register contains the manual of the device, but not its objects; choose a "
+            "device that `canproof devices` lists with `yes`",
+            name)};
     }
     return part;
 }
@@ -102,7 +104,9 @@ int print_eds(const EdsOptions& options) {
                                           : print_dbc(described_device(options.device), options.node);
     }
     if (options.node != 0) {
-        throw InputError{"--node is for --format dbc: a data sheet is the same for every node-ID; remove --node"};
+        throw InputError{
+            "--node applies only to --format dbc, because a data sheet is the same for every node-ID; remove --node, "
+            "or add --format dbc"};
     }
     const Part& part = described_device(options.device);
     const std::string& format = options.format;

@@ -11,8 +11,8 @@ namespace canproof::host {
 int list_devices();
 int list_signals(const std::string& device);
 struct EdsOptions {
-    /// name in the catalogue; for `dbc` also the path of a data sheet. For `dbc` a text with a dot or a slash is a
-    /// path.
+    /// device of the catalogue; for `dbc` also a data sheet. For `dbc`, a text with a dot or a slash is the path of a
+    /// data sheet, unless it is the name of a device.
     std::string device;
     std::string format{"eds"};  ///< eds, eds-lely, xdd, json, md or dbc
     int node{0};                ///< node-ID of a DBC, 1 to 127; 0: the node-ID as shipped

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types with which a command joins the command line.
+// Types that each command uses to add itself to the command line.
 #pragma once
 
 #include <functional>

@@ -39,21 +39,22 @@ constexpr int wrong_use = 2;
 /// Longest time on the command line, in seconds. Below this limit, neighbouring doubles are less than 1 µs apart.
 constexpr double most_seconds = 4.0e9;
 
-const CLI::Validator seconds{[](std::string& text) -> std::string {
-                                 char* end = nullptr;
-                                 const double value = std::strtod(text.c_str(), &end);
-                                 const bool fits =
-                                     !text.empty() && *end == '\0' && value >= 0.0 && value <= most_seconds;
-                                 return fits ? "" : text + " is no time from 0 to 4000000000 seconds";
-                             },
-                             "SECONDS"};
+const CLI::Validator seconds{
+    [](std::string& text) -> std::string {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool fits = !text.empty() && *end == '\0' && value >= 0.0 && value <= most_seconds;
+        return fits ? "" : text + " is no time from 0 to 4000000000 seconds; write a number such as 1.5";
+    },
+    "SECONDS"};
 
 class CatalogueCommands : Command {
   public:
     CatalogueCommands(CLI::App& app, Chosen& chosen) {
-        app.add_subcommand("devices", "the catalogue: part numbers, node-ID and bit rate as shipped")
+        app.add_subcommand("devices", "list the devices: part numbers, node-ID and bit rate as shipped")
             ->callback([&chosen] { chosen = list_devices; });
-        auto* signals = app.add_subcommand("signals", "physical inputs and outputs of a device, and its factory data");
+        auto* signals =
+            app.add_subcommand("signals", "list physical inputs and outputs of a device, and its factory data");
         signals->add_option("DEVICE", shown_)->required();
         signals->callback([this, &chosen] { chosen = [this] { return list_signals(shown_); }; });
 
@@ -62,8 +63,8 @@ class CatalogueCommands : Command {
 
   private:
     void add_eds(CLI::App& app, Chosen& chosen) {
-        auto* eds = app.add_subcommand("eds", "electronic data sheet of a device, or its frames as DBC");
-        eds->add_option("DEVICE", printed_.device, "device; for dbc an EDS, DCF or XDD file as well");
+        auto* eds = app.add_subcommand("eds", "print the electronic data sheet of a device, or its frames as DBC");
+        eds->add_option("DEVICE", printed_.device, "device; with --format dbc also an EDS, DCF or XDD file");
         eds->add_option("--format", printed_.format,
                         "eds, eds-lely (reals as bits, for Lely's tools), xdd, json, md, or dbc (its frames, "
                         "for tools that decode logs)")
@@ -105,7 +106,7 @@ class SpecCommands : Command {
         spec->require_subcommand(1);
         auto* check =
             spec->add_subcommand("check", "list every fault and warning of a register, with file, line and fix");
-        check->add_option("--spec", checked_.spec, "folder of the register")->capture_default_str();
+        check->add_option("--spec", checked_.spec, "folder of the requirements register")->capture_default_str();
         check->add_flag("--strict", checked_.strict, "exit status 1 for warnings, as for faults");
         check->add_flag("--json", checked_.json, "faults and warnings as JSON");
         check->callback([this, &chosen] { chosen = [this] { return check_spec(checked_); }; });
@@ -115,25 +116,26 @@ class SpecCommands : Command {
         statements->add_option(
             "--text", statements_.text,
             "text version of the manual: check that it has all passages, and list text without a statement");
-        statements->add_option("--spec", statements_.spec, "folder of the register")->capture_default_str();
+        statements->add_option("--spec", statements_.spec, "folder of the requirements register")
+            ->capture_default_str();
         statements->callback([this, &chosen] { chosen = [this] { return list_statements(statements_); }; });
         auto* review = spec->add_subcommand(
             "review", "record that items were read with their code and tests, or sections with their dispositions");
         review->add_option("ID", review_.subjects, "ids of items, ids of sections such as AX188001:3.2.8, or devices");
-        review->add_flag("--all", review_.all, "every item and section that has changed since its review");
+        review->add_flag("--all", review_.all, "every item and section that has no review of its present form");
         review->add_option("--by", review_.by, "name of the reader");
         review->add_flag(
             "--mark", review_.mark,
-            "mark the present code and tests of reviewed items, without a claim that someone has read them");
+            "record hashes of the present code and tests of reviewed items; does not claim that someone has read them");
         review->add_flag(
             "--wording", review_.wording,
-            "only the texts of the items were read; their present code and tests are marked, as by --mark");
-        review->add_option("--role", review_.role, "author of the change, or independent of it")
+            "record that only the texts of the items were read; their code and tests are recorded as by --mark");
+        review->add_option("--role", review_.role, "role of the reader: author of the change, or independent of it")
             ->check(CLI::IsMember({"author", "independent"}));
         review->add_option("--verdicts", review_.verdicts,
                            "folder of test results; default: the newest of build/{release,debug,coverage}/verdicts");
         review->add_option("--date", review_.date, "YYYY-MM-DD; default: today");
-        review->add_option("--spec", review_.spec, "folder of the register")->capture_default_str();
+        review->add_option("--spec", review_.spec, "folder of the requirements register")->capture_default_str();
         review->callback([this, &chosen] { chosen = [this] { return review_spec(review_); }; });
     }
 
@@ -146,14 +148,15 @@ class SpecCommands : Command {
 class NewCommand : Command {
   public:
     NewCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("new", "create a project with a device of your own, which builds and passes its tests");
+        auto* command = app.add_subcommand(
+            "new", "create a project for a device of your own; the project builds and passes its tests");
         command->add_option("NAME", options_.name, "name of folder and device: small letters, digits, single dashes")
             ->required();
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file with identity and objects");
         command->add_option("--manual", options_.manual, "title of the device's manual");
-        command->add_option("--prefix", options_.prefix,
-                            "prefix of the ids, in capital letters; default: from the name");
+        command->add_option(
+            "--prefix", options_.prefix,
+            "prefix of the ids of requirements and decisions, in capital letters; default: from the name");
         command->callback([this, &chosen] { chosen = [this] { return write_new_project(options_); }; });
     }
 
@@ -167,8 +170,8 @@ class RunCommands : Command {
         auto* run =
             app.add_subcommand("run", "run devices in real time on a bus; without a device the whole catalogue");
         add_run_options(*run, run_);
-        run->add_option("--seconds", run_.seconds, "end after this time")->check(seconds);
-        run->add_flag("--plain", run_.plain, "every frame as a line, even on a terminal");
+        run->add_option("--seconds", run_.seconds, "end the run after this time")->check(seconds);
+        run->add_flag("--plain", run_.plain, "print every frame as a line, even on a terminal");
         run->callback([this, &chosen] { chosen = [this] { return run_devices(run_); }; });
 
         auto* panel = app.add_subcommand("panel", "run devices as `run` does, and show them on a local page");
@@ -195,9 +198,11 @@ class ReplayCommand : Command {
         replay->add_option("--node", options_.node, node_help);
         replay->add_option("--factory", options_.factory, factory_help)->allow_extra_args(false);
         replay->add_option("--nvm", options_.nvm, "file that keeps the stored parameters");
-        replay->add_option("--stimulus", options_.stimulus, "CSV seconds,signal,value");
+        replay->add_option("--stimulus", options_.stimulus,
+                           "CSV file with lines seconds,signal,value: changes of inputs");
         replay->add_option("--outputs", options_.outputs, "CSV file to write changes of outputs to");
-        replay->add_option("--until", options_.until, "end, in seconds of the log's time")->check(seconds);
+        replay->add_option("--until", options_.until, "end of the replay, in seconds of the log's time")
+            ->check(seconds);
         replay
             ->add_option(
                 "--start", options_.start,
@@ -225,14 +230,14 @@ class ReplayCommand : Command {
 class ConformCommand : Command {
   public:
     ConformCommand(CLI::App& app, Chosen& chosen) {
-        auto* command =
-            app.add_subcommand("conform", "conformance test of a CANopen slave: report, exit status 0 or 1");
+        auto* command = app.add_subcommand(
+            "conform", "test whether a CANopen slave conforms to CiA 301 and CiA 305; exit status 0 or 1");
         command->add_option("DEVICE", options_.device,
                             "device of the catalogue; it runs in virtual time without --bus");
         command->add_option("--eds", options_.eds, "EDS, DCF or XDD file of the slave");
         command->add_option(
             "--arm", options_.arm,
-            "build/target/bridged_NAME.elf: the slave's image on an STM32F405 in QEMU, in virtual time");
+            "build/target/bridged_NAME.elf: run this image of the slave on an STM32F405 in QEMU, in virtual time");
         command->add_option("--node", options_.node, "node-ID of the slave; default: that of the data sheet");
         command->add_option("--bus", options_.bus,
                             "socketcan:can0 or socketcand-client:127.0.0.1:29536; default: no bus, in virtual time");
@@ -243,11 +248,13 @@ class ConformCommand : Command {
         command->add_option("--skip", options_.skip, "cases or services to leave out")
             ->delimiter(',')
             ->allow_extra_args(false);
-        command->add_option("--case", options_.cases, "cases, by id or by number of the public transcript")
+        command
+            ->add_option("--case", options_.cases,
+                         "only these cases, by their id or by their number in the public transcript (see --list)")
             ->delimiter(',')
             ->allow_extra_args(false);
         command->add_option("--cases", options_.folder, "folder with cases that replace those of the program");
-        command->add_option("--report", options_.report, "folder for HTML, JUnit, JSON and text");
+        command->add_option("--report", options_.report, "folder for the report as HTML, JUnit, JSON and text");
         command->add_flag("--json", options_.json, "the report as JSON instead of lines");
         command->add_flag("--allow-outputs", options_.allow_outputs, "allow cases that may move an output");
         command->add_flag("--allow-store", options_.allow_store, "allow cases that store parameters");
@@ -255,7 +262,7 @@ class ConformCommand : Command {
         command->add_flag("--by-hand", options_.by_hand, "you switch the slave off and on when the program asks");
         command->add_flag("--no-remote-frames", options_.no_remote_frames,
                           "the adapter carries no remote frames: cases that need them are skipped");
-        command->add_option("--traffic", options_.traffic, "background traffic, in per cent of the bus")
+        command->add_option("--traffic", options_.traffic, "load that background traffic adds to the bus, in per cent")
             ->check(CLI::Range(0.0, 95.0));
         command->callback([this, &chosen] { chosen = [this] { return run_conform(options_); }; });
     }
@@ -269,7 +276,7 @@ class DrawingCommands : Command {
     DrawingCommands(CLI::App& app, Chosen& chosen) {
         app.add_subcommand("demo", "show the devices' answers to the worked examples of their manuals")
             ->callback([&chosen] { chosen = play_examples; });
-        auto* plot = app.add_subcommand("plot", "draw a file of --outputs");
+        auto* plot = app.add_subcommand("plot", "draw the CSV file that --outputs of `run`, `panel` or `replay` wrote");
         plot->add_option("CSV", plot_.csv)->required();
         plot->add_option("SVG", plot_.svg)->required();
         plot->add_option("--signals", plot_.signals, "aout1,aout2: signals to draw; default: all that change")
@@ -302,7 +309,8 @@ class WordsCommands : Command {
             };
         });
         auto* manual = app.add_subcommand("manual", "print a manual page: `canproof manual eds | man -l -`");
-        manual->add_option("COMMAND", manual_of_, "words of a command; default: the page of the whole program");
+        manual->add_option("COMMAND", manual_of_,
+                           "command, for example `eds check`; default: the page of the whole program");
         auto* const folder =
             manual->add_option("--out", manual_folder_, "folder to write: the page of the program and of each command");
         manual->get_option("COMMAND")->excludes(folder);
@@ -326,12 +334,12 @@ class WordsCommands : Command {
     std::string manual_folder_;
 };
 
-/// Returns the message of an error. A command without a message of its own for a path gets a general one.
+/// Returns the message of an error. For a file system error that no command has described, makes a general text.
 std::string message_of(const std::exception& error) {
     const auto* const path = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-    return path == nullptr
-               ? error.what()
-               : fmt::format("cannot use {}: {}; name another path", path->path1().string(), path->code().message());
+    return path == nullptr ? error.what()
+                           : fmt::format("cannot use {}: {}; correct this or name another path", path->path1().string(),
+                                         path->code().message());
 }
 
 /// Returns the text of `error`. If standard output has failed, returns the text of that failure instead, because that

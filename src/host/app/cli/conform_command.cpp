@@ -70,7 +70,7 @@ conform::CaseBook read_cases(const std::string& folder) {
     }
     if (!faults_text.empty() || book.cases.empty()) {
         throw InputError{
-            fmt::format("{} contains no valid cases:{}", folder,
+            fmt::format("the cases in {} cannot be used:{}", folder,
                         faults_text.empty() ? " there is no case; write a .toml file with a [[case]]" : faults_text)};
     }
     return book;
@@ -142,7 +142,7 @@ std::unique_ptr<conform::Target> bus_target(const ConformCommandOptions& options
 void check_slave(const ConformCommandOptions& options) {
     if (options.device.empty() == (options.eds.empty() && options.arm.empty())) {
         throw InputError{
-            "name a slave, either by a device or by files: `canproof conform ax188001`, or "
+            "name the slave either by a device or by files, not by both: `canproof conform ax188001`, or "
             "`canproof conform --eds box.eds --node 5 --bus …`"};
     }
     if (!options.arm.empty() && !options.bus.empty()) {
@@ -206,7 +206,9 @@ int run_conform(const ConformCommandOptions& options) {
         image = choose_image(options.arm);
     }
     if (options.by_hand && options.bus.empty()) {
-        throw InputError{"--by-hand needs --bus: in virtual time the program itself switches the slave off and on"};
+        throw InputError{
+            "--by-hand needs --bus, because in virtual time the program itself switches the slave off and on; add "
+            "--bus, or remove --by-hand"};
     }
     if (!options.report.empty()) {
         check_report_folder(options.report);

@@ -15,7 +15,7 @@ struct ConformCommandOptions {
     std::optional<std::string> node;  ///< node-ID; without it, that of the data sheet
     std::string bus;                  ///< socketcan:INTERFACE or socketcand-client:HOST:PORT; empty: virtual time
     bool list{false};
-    std::vector<std::string> only;   ///< services to run; empty: all
+    std::vector<std::string> only;   ///< services whose cases run; empty: all
     std::vector<std::string> skip;   ///< ids, numbers or services of the cases to leave out
     std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
     std::string folder;              ///< folder with cases that replace the built-in cases
@@ -26,7 +26,7 @@ struct ConformCommandOptions {
     bool allow_lss{false};
     bool by_hand{false};           ///< whether the user switches the slave off and on
     bool no_remote_frames{false};  ///< the user's adapter does not transmit remote frames
-    double traffic{0.0};           ///< traffic of other nodes, in per cent of the bus
+    double traffic{0.0};           ///< load by traffic of other nodes, in per cent of the bus's capacity
 };
 
 /// Prints the verdicts and writes the report. Returns the exit status of the report: 0 when every case that applies

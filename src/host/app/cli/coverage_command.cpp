@@ -59,8 +59,8 @@ void print_verdict(const CoverageVerdict& verdict) {
     }
 }
 
-/// Checks the records against the sources, without a measurement. Returns the exit status: 1 for a record that matches
-/// no place.
+/// Checks that the code of each record is still in the sources; needs no measurement. Returns the exit status: 1 when
+/// the code of a record is gone.
 int check_records(const std::filesystem::path& place, const std::filesystem::path& root, const bool json) {
     const std::vector<CoverageRecord> records = read_coverage_records(place);
     const std::vector<CoverageRecord> stale = stale_records(records, root);

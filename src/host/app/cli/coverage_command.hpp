@@ -9,9 +9,9 @@ namespace canproof::host {
 struct CoverageOptions {
     std::string root{"."};
     std::string measured{"build/coverage/coverage.json"};  ///< file that `llvm-cov export` wrote
-    std::string cobertura;                                 ///< file to write; empty: none
+    std::string cobertura;                                 ///< Cobertura XML file to write; empty: none
     bool json{false};                                      ///< JSON instead of lines
-    bool records_only{false};  ///< whether only the records are checked, against the sources
+    bool records_only{false};  ///< checks only that each recorded reason matches a place in the sources
 };
 
 /// Prints the places that no test reaches and that have no recorded reason. Returns the exit status: 1 when there is

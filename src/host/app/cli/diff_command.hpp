@@ -15,8 +15,8 @@ struct DiffOptions {
     bool exit_code{false};  ///< exit status 1 when anything changed, as with `git diff --exit-code`
 };
 
-/// Prints the items, code, tests and verdicts that a change affects. Returns the exit status: 1 when an item whose
-/// tests passed before has another verdict now, or, with `exit_code`, when anything changed.
+/// Prints the items, code, tests and verdicts that the changes since `revision` affect. Returns the exit status: 1 when
+/// an item whose tests passed before has another verdict now, or, with `exit_code`, when anything changed.
 int diff(const DiffOptions& options);
 
 }  // namespace canproof::host

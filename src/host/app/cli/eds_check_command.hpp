@@ -8,7 +8,7 @@ namespace canproof::host {
 
 struct EdsCheckOptions {
     std::string file;
-    std::string fix;     ///< file for the fixed sheet; empty: none
+    std::string fix;     ///< file to write the fixed data sheet to; empty: none
     bool json{false};    ///< findings as JSON
     bool strict{false};  ///< warnings count as errors for the exit status
     bool rules{false};   ///< prints every rule and checks no file

@@ -39,7 +39,7 @@ namespace canproof::host {
 
 namespace {
 
-/// The files and folders from which a pack is made.
+/// The files and folders from which an evidence pack is made.
 struct Places {
     explicit Places(const EvidenceOptions& options)
         : root{options.root},
@@ -108,7 +108,8 @@ std::vector<Exhibit> exhibits_in(const Places& places) {
     return all;
 }
 
-/// Checks that the folder may be replaced: it is absent or empty, or it holds an earlier pack. Throws InputError.
+/// Checks that the folder may be replaced: it is absent or empty, or it contains an earlier evidence pack. Throws
+/// InputError.
 void check_place(const std::filesystem::path& folder) {
     check_folder_place(folder);
     if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) {
@@ -151,7 +152,8 @@ PackInput gather(const Places& places, const Register& content) {
     return input;
 }
 
-/// Returns the SHA-256 of what the pack is made from: the tracked files, and the verdicts as `verdicts/NAME`.
+/// Returns the SHA-256 of each file from which the pack is made: the tracked files, and the verdicts as
+/// `verdicts/NAME`.
 std::map<std::string, std::string> materials_in(const Places& places) {
     auto sums = source_sums(places.root);
     for (const auto& file : std::filesystem::directory_iterator{places.verdicts}) {

@@ -45,7 +45,8 @@ std::unique_ptr<Bus> make_bus(const RunOptions& options, std::uint32_t bit_rate)
     const BusFaultRates faults = parse_bus_faults(options.bus_faults);
     if ((kind == "socketcan" || kind == "socketcand-client") && faults.any()) {
         throw InputError{
-            "--bus-faults applies only to --bus inproc and --bus socketcand; use one of them, or remove --bus-faults"};
+            "--bus-faults applies only to --bus inproc and --bus socketcand; use one of these buses, or remove "
+            "--bus-faults"};
     }
     if (kind == "inproc" && rest.empty()) {
         return std::make_unique<ArbitratedBus>("inproc", bit_rate, faults);

@@ -40,7 +40,9 @@ int run_program(const std::vector<std::string>& words) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR) {
-            throw InputError{fmt::format("cannot wait for the end of {}: {}", words.front(), std::strerror(errno))};
+            throw InputError{
+                fmt::format("cannot wait for the end of {}: {}; start this program with SIGCHLD not ignored",
+                            words.front(), std::strerror(errno))};
         }
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 2;
@@ -68,8 +70,10 @@ std::filesystem::path home_of(const std::filesystem::path& build) {
     std::ifstream in{file};
     std::string home;
     if (!std::getline(in, home) || home.empty()) {
-        throw InputError{fmt::format(
-            "there is no {}; build the project first, or name the folder of its build with --build", file.string())};
+        throw InputError{
+            fmt::format("{} does not name the folder of canproof; build the project first, or name the folder of its "
+                        "build with --build",
+                        file.string())};
     }
     return home;
 }
@@ -80,7 +84,8 @@ int check_misra(const MisraOptions& options) {
     const auto build = build_folder(options);
     const auto script = home_of(build) / "misra" / "run";
     if (!std::filesystem::exists(script)) {
-        throw InputError{fmt::format("there is no {}; install all files of canproof", script.string())};
+        throw InputError{fmt::format("there is no {}; install all files of canproof, then build the project again",
+                                     script.string())};
     }
     const std::string root = std::filesystem::absolute(options.root).string();
     if (!options.review_file.empty()) {

@@ -87,7 +87,7 @@ void print_survivors(const std::vector<MutationOutcome>& outcomes) {
             fmt::print("{}\n", item);
         }
         fmt::print("  {}: {}{}\n", outcome.cell.cell, outcome.cell.change,
-                   outcome.claimed ? "" : " (no test can notice)");
+                   outcome.claimed ? "" : " (no test depends on it)");
     }
 }
 
@@ -129,7 +129,7 @@ int write_kills(const MutateOptions& options, const std::filesystem::path& progr
     if (options.json) {
         fmt::print("{}\n", nlohmann::ordered_json{{"tests", record.size()}, {"notice_nothing", idle}}.dump(2));
     } else {
-        fmt::print("{} test(s) judged; {} notice no mutant of the items that they claim\n", record.size(), idle);
+        fmt::print("{} test(s) judged; {} notice no mutant of the items that they verify\n", record.size(), idle);
     }
     return 0;
 }
@@ -203,7 +203,7 @@ void keep_figures(const std::vector<MutationOutcome>& outcomes, const std::files
     write_file(file, write_code_figures(figures));
 }
 
-/// Prints the figures of reports/code_figures.csv by layer, and the files that have none of their present code.
+/// Prints the figures of reports/code_figures.csv by layer, and the files whose present code has no figures.
 int print_table(const std::filesystem::path& root, const std::vector<AlteredCell>& mutants) {
     const LayerTable table = layer_table(read_code_figures(root / "reports" / "code_figures.csv"), mutants, root);
     fmt::print("{}", table.text);
@@ -231,7 +231,7 @@ std::vector<AlteredCell> alterations_for(const MutateOptions& options, const std
         return cells;
     }
     if (!options.json) {
-        fmt::print("sample of {} of {}, seed {}\n", options.sample, cells.size(), options.seed);
+        fmt::print("sample of {} of {} alterations, seed {}\n", options.sample, cells.size(), options.seed);
     }
     return sample_of(cells, options.sample, options.seed);
 }
@@ -263,7 +263,7 @@ int mutate(const MutateOptions& options) {
         keep_figures(outcomes, root);
     }
     if (options.subject.empty() && options.sample == 0) {
-        const auto more = lines_about(unneeded, record_file, "no survivor needs this record");
+        const auto more = lines_about(unneeded, record_file, "this record explains no alteration that survives");
         faults.insert(faults.end(), more.begin(), more.end());
         keep(outcomes, options, programs);
     }

@@ -18,7 +18,7 @@ struct MutateOptions {
     bool code{false};      ///< alters the code of the firmware and of the host's buses and replay, not generated cells
     /// writes reports/kills.csv: for each test, the items that it verifies and whose mutants it notices
     bool kills{false};
-    /// prints the recorded figures of code by layer instead of a run
+    /// prints the recorded figures of code by layer and judges nothing
     bool table{false};
     std::size_t sample{0};
     std::uint64_t seed{1};

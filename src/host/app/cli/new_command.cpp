@@ -33,8 +33,7 @@ void check_register(const std::map<std::string, std::string>& files) {
     if (!loaded.faults.empty()) {
         throw InputError{
             fmt::format("nothing is written, because the register of the new project would have {} fault(s); correct "
-                        "the data sheet or "
-                        "the options; the first fault: {}",
+                        "the data sheet or the options; the first fault: {}",
                         loaded.faults.size() + loaded.faults.left_out(), loaded.faults.front().text())};
     }
 }

@@ -35,7 +35,8 @@ void OutputFile::flush() {
 void OutputFile::finish() {
     flush();
     if (out_.is_open() && !out_) {
-        throw InputError{fmt::format("{} could not be written to its end; check that the disk has space", path_)};
+        throw InputError{
+            fmt::format("{} could not be written completely; free space on its disk, or name another file", path_)};
     }
 }
 
@@ -51,7 +52,8 @@ void OutputFile::open(const std::vector<OutputFile*>& files, const std::vector<s
             refuse_to_write(file->path_);
         }
         if (std::any_of(taken.begin(), taken.end(), [&](const auto& one) { return same_file(file->path_, one); })) {
-            throw InputError{fmt::format("{} is named twice; name another file to write", file->path_)};
+            throw InputError{fmt::format(
+                "{} is named twice, as an output and as another file; name another file to write", file->path_)};
         }
         taken.push_back(file->path_);
     }

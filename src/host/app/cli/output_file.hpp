@@ -11,7 +11,7 @@ namespace canproof::host {
 
 class OutputFile {
   public:
-    /// An empty path means that the user asked for no file.
+    /// Prepares the file. An empty path means that the user asked for no file.
     explicit OutputFile(std::string path) : path_{std::move(path)} {}
 
     bool is_wanted() const { return !path_.empty(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof plot`: draws a file of `--outputs` as SVG.
+// `canproof plot`: draws the CSV file that `--outputs` of `run`, `panel` or `replay` wrote, as SVG.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace canproof::host {
 
 struct PlotOptions {
-    std::string csv;  ///< file that `--outputs` wrote
+    std::string csv;  ///< file that `--outputs` of `run`, `panel` or `replay` wrote
     std::string svg;  ///< file to write
     std::vector<std::string> signals;
 };

@@ -17,7 +17,8 @@ namespace canproof::host {
 
 class PreparedRun {
   public:
-    /// `frames` receives every frame as a line; `frames` and `observer` may be nullptr. Throws InputError.
+    /// Makes the session. `frames` receives every frame as a line; `frames` and `observer` may be nullptr. Throws
+    /// InputError.
     PreparedRun(const RunOptions& options, std::ostream* frames, SessionObserver* observer, NoticeListener notice);
 
     RunSession& session() { return *session_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The progress of a long command.
+// Shows the progress of a long command.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct ReplayOptions {
     std::string device;
-    std::string eds;                  ///< file that replaces `device`
+    std::string eds;                  ///< data sheet of the device; replaces `device`
     std::string log;                  ///< file, or - for standard input
     std::optional<std::string> node;  ///< node-ID; without a value, the node-ID as shipped
     std::vector<std::string> factory;

@@ -38,7 +38,7 @@ void check(const ReviewOptions& options) {
     if (options.mark) {
         if (options.all || options.wording || !options.subjects.empty() || !options.by.empty() ||
             !options.role.empty()) {
-            throw InputError{"--mark applies to all reviews: it takes no ID, --all, --wording, --by or --role"};
+            throw InputError{"--mark applies to all reviews; leave out ID, --all, --wording, --by and --role"};
         }
         return;
     }
@@ -46,13 +46,12 @@ void check(const ReviewOptions& options) {
         throw InputError{"a review needs the reader and the role; write --by NAME --role author|independent"};
     }
     if (options.subjects.empty() != options.all) {
-        throw InputError{"name either the ids or devices that were read, or --all"};
+        throw InputError{"name what was read (ids of items or sections, or devices), or write --all, but not both"};
     }
 }
 
-/// Returns the items and sections of a device (or of the shared rules) to record: all that need a review if the user
-/// named the part or gave
-/// --all, otherwise the named ones. Removes each found name from `names`.
+/// Returns the items and sections of a device (or of the shared rules) to record. If the user named the part or gave
+/// --all, returns all that need a review; otherwise returns the named ones. Removes each found name from `names`.
 std::set<std::string> chosen_of(const Register& content, const Part& part, const WorkByItem& work,
                                 const ReviewOptions& options, std::set<std::string>& names) {
     const std::set<std::string> waiting = unreviewed(content, part, work);
@@ -80,7 +79,7 @@ int mark_reviews(const ReviewOptions& options, const Register& content, const Wo
             write_file(reviews_file(options, part), write_marked_reviews(content, part, date, work));
         }
     }
-    fmt::print("code and tests of reviewed items marked, without a claim that someone has read them\n");
+    fmt::print("hashes of the code and tests of reviewed items recorded, without a claim that someone has read them\n");
     return 0;
 }
 

@@ -9,7 +9,7 @@ namespace canproof::host {
 
 struct ReviewOptions {
     std::string spec{"spec"};           ///< folder of the register; its parent is the project's folder
-    std::vector<std::string> subjects;  ///< ids or devices
+    std::vector<std::string> subjects;  ///< ids of items or sections, or devices
     bool all{false};
     std::string by;
     std::string role;      ///< author (of the change) or independent
@@ -19,10 +19,10 @@ struct ReviewOptions {
     /// records that only the text of the items was read; the review marks are those of the present code and tests, as
     /// with `mark`
     bool wording{false};
-    std::string date;  ///< YYYY-MM-DD; empty: today
+    std::string date;  ///< date of the review, YYYY-MM-DD; empty: today
 };
 
-/// Writes reviews.toml of each selected part. Returns the exit status.
+/// Writes reviews.toml of each device (or of the shared rules) that has a selected item. Returns the exit status.
 int review_spec(const ReviewOptions& options);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arguments that are common to the commands with devices on a bus.
+// The arguments that are common to the commands that run devices on a bus.
 #pragma once
 
 #include "host/app/cli/run_command.hpp"

@@ -157,7 +157,7 @@ class Run {
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
         const auto lines =
             table_lines(session_, notices_, known ? TableSize{size.ws_col, size.ws_row} : TableSize{}, pace_.lag());
-        // moves the cursor home; each line clears its rest, and the last code clears the screen below
+        // moves the cursor home; the code after each line clears the rest of the line, the last code the screen below
         std::string text = "\033[H";
         for (const std::string& line : lines) {
             text += line + "\033[K\n";

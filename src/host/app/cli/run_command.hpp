@@ -9,12 +9,12 @@
 namespace canproof::host {
 
 struct RunOptions {
-    /// each NAME or NAME@NODE; when this, `eds` and `arm` are empty: all devices of the catalogue
+    /// devices of the catalogue, each NAME or NAME@NODE; when this, `eds` and `arm` are empty: the whole catalogue
     std::vector<std::string> devices;
-    std::vector<std::string> eds;      ///< each FILE or FILE@NODE
-    std::vector<std::string> arm;      ///< each IMAGE or IMAGE@NODE, an image for the emulated microcontroller
-    std::vector<std::string> factory;  ///< each KEY=VALUE or DEVICE.KEY=VALUE
-    /// inproc, socketcan:INTERFACE, socketcand[:HOST:PORT], socketcand-client:HOST:PORT[/BUS]
+    std::vector<std::string> eds;      ///< data sheets, each FILE or FILE@NODE
+    std::vector<std::string> arm;      ///< images for the emulated microcontroller, each IMAGE or IMAGE@NODE
+    std::vector<std::string> factory;  ///< factory data, each KEY=VALUE or DEVICE.KEY=VALUE
+    /// the bus: inproc, socketcan:INTERFACE, socketcand[:HOST:PORT] or socketcand-client:HOST:PORT[/BUS]
     std::string bus{"inproc"};
     std::string bus_faults;         ///< faults of the bus inproc or socketcand; parse_bus_faults() describes the format
     bool control_interface{false};  ///< the run may set the bit rate of an interface and restart its controller

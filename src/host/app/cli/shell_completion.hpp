@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shell completion and manual page, generated from the command line.
+// Makes the shell completion and the manual pages from the definition of the command line.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The requirements register of a project's folder, for commands that need it without faults.
+// Reads the requirements register of a project, for commands that need a register without faults.
 #pragma once
 
 #include <filesystem>

@@ -81,7 +81,7 @@ int print_coverage(const Manual& manual, const std::string& file) {
     constexpr std::size_t longest_manual = std::size_t{4} << 20U;
     const TextCoverage found = cover_text(manual, read_file(file, longest_manual));
     for (const auto& mark : found.missing) {
-        fmt::print("not in the text: {}\n", mark);
+        fmt::print("passage not in the text: {}\n", mark);
     }
     for (const auto& ref : found.not_located) {
         fmt::print("no heading of section {}: its text counts as part of the section before\n", ref);
@@ -89,7 +89,7 @@ int print_coverage(const Manual& manual, const std::string& file) {
     for (const auto& line : found.uncovered) {
         fmt::print("{}: {}: {}\n", line.line, line.section, line.words);
     }
-    fmt::print("{} mark(s), {} not in the text\n", found.marks, found.missing.size());
+    fmt::print("{} passage(s), {} not in the text\n", found.marks, found.missing.size());
     fmt::print("letters and digits of normative sections: {:.1f} % of {} covered, {} line(s) not fully covered\n",
                found.normative.percent(), found.normative.all, found.uncovered.size());
     fmt::print("letters and digits of the whole text: {:.1f} % of {} covered\n", found.whole.percent(),
@@ -106,7 +106,7 @@ void print_check(const Faults& faults, const Faults& advice, std::size_t items, 
     }
     const std::size_t left_out = faults.left_out() + advice.left_out();
     if (left_out != 0) {
-        tell(fmt::format("{} more are not listed", left_out));
+        tell(fmt::format("{} more fault(s) and warning(s) are not listed", left_out));
     }
     fmt::print("{} item(s), {} statement(s), {} fault(s), {} warning(s)\n", items, statements,
                faults.size() + faults.left_out(), advice.size() + advice.left_out());

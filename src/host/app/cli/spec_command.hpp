@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `canproof spec check` and `canproof spec statements`.
+// `canproof spec check` and `canproof spec statements`: faults of the register, and the statements of a manual.
 #pragma once
 
 #include <string>

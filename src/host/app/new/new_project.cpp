@@ -63,11 +63,11 @@ void check_prefix(const std::string& prefix) {
     static const std::regex form{"[A-Z][A-Z0-9]*"};
     if (!std::regex_match(prefix, form) || prefix.size() > longest_name) {
         throw InputError{fmt::format(
-            "`{}` is no prefix of ids: write capital letters and digits, a letter first, at most {} characters", prefix,
-            longest_name)};
+            "`{}` is no prefix of item ids: write capital letters and digits, a letter first, at most {} characters",
+            prefix, longest_name)};
     }
     if (prefix == "CO") {
-        throw InputError{"CO is the prefix of the shared rules; choose another with --prefix"};
+        throw InputError{"CO is the prefix of the shared rules; choose another prefix with --prefix"};
     }
 }
 

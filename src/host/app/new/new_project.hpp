@@ -12,7 +12,7 @@ namespace canproof::host {
 
 struct NewProject {
     std::string name;         ///< name of folder and device: small letters, digits, single dashes
-    std::string prefix;       ///< prefix of the ids: capital letters and digits; empty: derived from the name
+    std::string prefix;       ///< prefix of the ids of requirements and decisions; empty: derived from the name
     std::string manual;       ///< title of the manual; empty: derived from the device
     std::string date;         ///< date of the manual, YYYY-MM-DD
     std::optional<Part> eds;  ///< data sheet with identity and objects; without it, the template provides them

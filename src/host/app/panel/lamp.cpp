@@ -9,9 +9,9 @@ namespace canproof::host {
 
 namespace {
 
-// no change for this time: a steady state, because every pause of CiA 303-3 is shorter
+// An LED that has not changed for this time is steady, because every pause of CiA 303-3 is shorter.
 constexpr Duration settled = milliseconds(2000);
-// a longer dark time separates two groups; the flashes of one group start 400 ms apart
+// Flashes that start at least this time apart belong to two groups. The flashes of one group start 400 ms apart.
 constexpr Duration between_groups = milliseconds(800);
 constexpr int most_flashes = 4;
 constexpr Duration slowest_flicker = milliseconds(150);

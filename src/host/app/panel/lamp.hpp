@@ -16,7 +16,7 @@ struct LampEdge {
     bool lit{false};
 };
 
-/// The newest edges of one LED.
+/// The newest changes of one LED from dark to lit and from lit to dark.
 class LampHistory {
   public:
     /// Records the state at `now`. Returns whether it differs from the previous state; before the first call, the LED

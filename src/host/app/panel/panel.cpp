@@ -209,7 +209,7 @@ PanelResponse Panel::get(const PanelRequest& request) const {
 PanelResponse Panel::post(const PanelRequest& request) {
     const json body = json::parse(request.body, nullptr, false);
     if (!body.is_object()) {
-        return error_response(400, "the body of the request is no JSON object; send one");
+        return error_response(400, "the body of the request is no JSON object; send a JSON object");
     }
     if (request.path == "/api/stimulus") {
         return stimulate(body);
@@ -348,7 +348,7 @@ PanelResponse Panel::send(const nlohmann::json& body) {
     }
     pace_.advance(*session_, std::max(clock_(), session_->now()));
     if (!session_->put(frame)) {
-        return error_response(503, "the bus cannot take a frame now; try again");
+        return error_response(503, "the bus cannot take a frame now; try again later");
     }
     return ok({{"sent", format_frame(frame)}});
 }

@@ -22,7 +22,7 @@ class Panel {
 
     using Clock = std::function<Instant()>;
 
-    /// `clock` is a function that returns the time of the session.
+    /// Makes a panel without a session. `clock` is a function that returns the time of the session.
     Panel(const Register& content, Clock clock);
 
     /// Returns the observer to pass to the session. It is valid as long as the panel exists.

@@ -21,8 +21,8 @@ struct Channel {
     enum class Kind {
         output,    ///< a physical output, with exact times of change
         lamp,      ///< an LED that the panel adds for a device without LEDs
-        measured,  ///< an entry of the dictionary that the device updates
-        setting    ///< an entry that the page marks on a scale, such as a limit
+        measured,  ///< a dictionary entry whose value the device updates
+        setting    ///< a dictionary entry that the page marks on a scale, such as a limit
     } kind{Kind::output};
     std::string name;
     std::string text;
@@ -30,13 +30,13 @@ struct Channel {
     double scale{1.0};  ///< unit per count: 0.1 for `0.1 degC`
     std::optional<double> minimum;
     std::optional<double> maximum;
-    const Entry* entry{nullptr};  ///< the entry of a measured value or setting
+    const Entry* entry{nullptr};  ///< dictionary entry of a measured value or setting; nullptr for others
     EntryRef place{};
     bool truth{false};
     bool whole{false};  ///< whether the value is an integer, shown without decimals
 };
 
-/// Data for drawing a device that the requirements register does not contain.
+/// Data for drawing a device. The requirements register does not contain these data.
 struct DeviceFace {
     std::vector<std::string> leds;      ///< outputs that are LEDs; empty: the panel adds `run` and `error`
     std::vector<std::string> settings;  ///< names of the entries that the page marks on a scale
@@ -44,7 +44,7 @@ struct DeviceFace {
 
 struct ChannelChange {
     Instant time{};
-    std::size_t channel{0};  ///< number of the channel over all devices
+    std::size_t channel{0};  ///< number of the channel, counted over all devices
     double value{0.0};
 };
 

@@ -196,7 +196,7 @@ Bytes DataPattern::to_send(const Scope& scope) const {
     Bytes all;
     for (const DataPart& one : parts_) {
         if (!one.bytes) {
-            throw BrokenCase{"a frame with open bytes cannot be sent; write every byte"};
+            throw BrokenCase{"a frame with open bytes such as ?? cannot be sent; write the value of every byte"};
         }
         const Bytes bytes = one.bytes(scope);
         all.insert(all.end(), bytes.begin(), bytes.end());

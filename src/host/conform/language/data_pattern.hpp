@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pattern for the data bytes of a frame in a step. A step sends the bytes of the pattern, or expects a frame that
-// matches the pattern and captures values of the frame.
+// The pattern for the data bytes of a frame in a step of a conformance case. A step sends the bytes of the pattern, or
+// expects a frame that matches the pattern and captures values of the frame.
 #pragma once
 
 #include <functional>

@@ -136,7 +136,7 @@ Expression constant(Scanner& line, const std::string& digits, int base) {
         }
         const auto added = static_cast<std::uint64_t>(digit);
         if (number > (UINT64_MAX - added) / static_cast<unsigned>(base)) {
-            line.fail(fmt::format("`{}` is too large", digits), "numbers have 64 bits");
+            line.fail(fmt::format("`{}` is too large", digits), "write a number of at most 64 bits");
         }
         number = number * static_cast<unsigned>(base) + added;
     }
@@ -191,7 +191,8 @@ Expression parse_indexed(Scanner& line, Radix radix) {
             const std::int64_t at = number_of(index(scope));
             const Bytes& bytes = bytes_of(whole);
             if (at < 0 || at >= static_cast<std::int64_t>(bytes.size())) {
-                throw BrokenCase{fmt::format("byte {} does not exist in {} bytes", at, bytes.size())};
+                throw BrokenCase{
+                    fmt::format("the value has {} bytes and no byte {}; the first byte is number 0", bytes.size(), at)};
             }
             return Value{std::int64_t{bytes[static_cast<std::size_t>(at)]}};
         };
@@ -289,7 +290,8 @@ Expression parse_variable(Scanner& line) {
     Expression value = [name](const Scope& scope) {
         const Value* const found = scope.find(name);
         if (found == nullptr) {
-            throw BrokenCase{fmt::format("${} has no value here", name)};
+            throw BrokenCase{
+                fmt::format("${} has no value here; set it in an earlier step, for example with `let`", name)};
         }
         return *found;
     };
@@ -314,7 +316,7 @@ Expression parse_indexed_variable(Scanner& line) {
 std::uint64_t microseconds_of(const Expression& expression, const Scope& scope) {
     const std::int64_t number = number_of(expression(scope));
     if (number < 0) {
-        throw BrokenCase{fmt::format("a time is negative: {} us", number)};
+        throw BrokenCase{fmt::format("the time is {} us; a time must not be negative", number)};
     }
     return static_cast<std::uint64_t>(number);
 }

@@ -121,7 +121,7 @@ std::string known_words() {
 unsigned hex_number(Scanner& line) {
     const std::string word = line.word();
     if (word.empty() || word.size() > 4 || word.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
-        line.fail(fmt::format("`{}` is no index or sub-index", word), "write hexadecimal digits");
+        line.fail(fmt::format("`{}` is no index or sub-index", word), "write one to four hexadecimal digits");
     }
     return static_cast<unsigned>(std::stoul(word, nullptr, 16));
 }
@@ -159,7 +159,7 @@ Test size_test(Scanner& line) {
     }
     const std::string word = line.word();
     if (sign.empty() || word.empty() || word.size() > 6 || word.find_first_not_of("0123456789") != std::string::npos) {
-        line.fail("a size needs a sign and a number of bytes", "write size > 4");
+        line.fail("a size needs a comparison and a number of bytes", "write size > 4");
     }
     return [sign, size = static_cast<std::size_t>(std::stoul(word))](const SheetEntry& one) {
         const std::size_t has = entry_size(*one.entry);

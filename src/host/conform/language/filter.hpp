@@ -17,7 +17,7 @@ struct Filter {
     std::vector<std::function<bool(const SheetEntry&)>> tests;
 
     bool passes(const SheetEntry& one) const;
-    /// Returns all entries that pass, in ascending order.
+    /// Returns all entries that pass the filter, in ascending order.
     std::vector<SheetEntry> select(const ConformSheet& sheet) const;
 };
 

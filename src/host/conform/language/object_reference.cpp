@@ -24,7 +24,8 @@ ObjectPlace place_of(const Value& entry) {
     const auto index = entry.fields ? entry.fields("index") : std::nullopt;
     const auto subindex = entry.fields ? entry.fields("sub") : std::nullopt;
     if (!index || !subindex) {
-        throw BrokenCase{"the variable is no entry of the data sheet; write $index:$sub"};
+        throw BrokenCase{
+            "the variable has no index and sub-index; write for example 1017:00, or two variables: $index:$sub"};
     }
     return place_of(number_of(*index), number_of(*subindex));
 }

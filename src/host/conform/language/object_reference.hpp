@@ -20,7 +20,7 @@ struct ObjectPlace {
     bool operator==(const ObjectPlace& other) const { return index == other.index && subindex == other.subindex; }
 };
 
-/// Returns the place as `1017h:00`.
+/// Returns index and sub-index as text: `1017h:00`.
 std::string words_of(const ObjectPlace& place);
 /// Returns index and sub-index in the three bytes of an SDO frame.
 Bytes multiplexer(const ObjectPlace& place);

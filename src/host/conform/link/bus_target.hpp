@@ -15,7 +15,7 @@ namespace canproof::host::conform {
 
 class BusTarget final : public Target {
   public:
-    /// `name` is the name of the bus, for example `socketcan:can0`.
+    /// Makes the target. `name` is the name of the bus, for example `socketcan:can0`.
     BusTarget(std::unique_ptr<Bus> bus, std::string name);
 
     Instant now() const override;

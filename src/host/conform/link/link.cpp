@@ -11,7 +11,7 @@ namespace {
 
 constexpr double traffic_frame_bits = 125.0;  // bits of a frame with eight bytes, of which about a tenth are stuff bits
 constexpr std::uint32_t rate_when_unknown = 125000U;
-constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no traffic is queued
+constexpr std::size_t most_waiting = 64;  // number of frames; while more wait, no background traffic is queued
 
 // CiA 301 (7.3.5) reserves these identifiers, so no slave uses them.
 constexpr std::uint32_t first_high = 0x101U;

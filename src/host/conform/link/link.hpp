@@ -26,7 +26,7 @@ struct FrameKey {
     }
 };
 
-/// Frames of some kinds, collected from a point in time on.
+/// Collects frames of some kinds from a point in time on.
 struct Watched {
     std::vector<FrameKey> keys;  ///< kinds of frames to collect; empty: all frames except the tester's own
     std::function<bool(const FrameRecord&)> counts;  ///< selects frames among those kinds; empty: all of them
@@ -74,8 +74,8 @@ class Link {
     void produce(const Frame& frame, Duration period);
     void stop_producing();
     void stop_producing(std::uint32_t id);
-    /// Sends foreign frames that use `percent` of the bus capacity; 0 sends none. With `high`, they have priority over
-    /// the slave's PDOs, SDOs and heartbeat.
+    /// Sends background frames that use `percent` of the bus capacity; 0 sends none. With `high`, they have priority
+    /// over the slave's PDOs, SDOs and heartbeat.
     void set_traffic(double percent, bool high);
     /// Excludes these identifiers from the background traffic, because the slave may use them.
     void reserve(std::set<std::uint32_t> ids) { reserved_ = std::move(ids); }

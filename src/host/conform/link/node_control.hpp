@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NMT commands, and the boot-up message after a restart.
+// Sends NMT commands, and waits for the boot-up message after a reset.
 #pragma once
 
 #include <cstdint>

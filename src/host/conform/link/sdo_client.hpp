@@ -26,9 +26,9 @@ struct BlockRead {
     std::vector<std::uint8_t> block_sizes{127};
     bool crc{false};
     std::uint8_t switch_size{0};  ///< protocol switch threshold (pst) of the request, in bytes
-    /// number of segments of the first block that are acknowledged; none: all
+    /// number of segments of the first block that are acknowledged; without a value: all
     std::optional<std::uint8_t> short_ack{};
-    /// number of segments after which the client stops; none: it completes the transfer
+    /// number of segments after which the client stops; without a value, it completes the transfer
     std::optional<std::size_t> break_after{};
 };
 
@@ -37,9 +37,9 @@ struct BlockWrite {
     bool wrong_crc{false};
     bool without_size{false};
     std::optional<std::uint32_t> size{};  ///< announced size, if it differs from the size of the data
-    std::optional<unsigned> lose{};       ///< number of the segment of the first block that is lost; none: no segment
-    bool lose_last{false};                ///< whether the last segment of the first block is lost
-    std::optional<unsigned> repeat{};     ///< number of the segment of the first block that is sent twice
+    std::optional<unsigned> lose{};    ///< number of the segment of the first block that is lost; without a value: none
+    bool lose_last{false};             ///< whether the last segment of the first block is lost
+    std::optional<unsigned> repeat{};  ///< number of the segment of the first block that is sent twice
     std::uint8_t padding{0};
     std::optional<std::size_t> break_after{};
 };
@@ -49,7 +49,7 @@ class SdoClient {
     /// The abort code of an outcome without an abort frame: the client stopped on purpose, or the slave did not answer.
     static constexpr std::uint32_t timed_out = 0x05040000U;
 
-    /// `timeout` is the time-out for each answer.
+    /// Makes a client. `timeout` is the longest wait for each answer.
     SdoClient(Link& link, Journal& journal, std::uint8_t node_id, Duration timeout)
         : link_{link}, journal_{journal}, node_id_{node_id}, timeout_{timeout} {}
 

@@ -17,8 +17,8 @@ class VirtualTarget final : public Target {
   public:
     static constexpr std::uint32_t usual_bit_rate = 125000U;
 
-    /// `device` is the slave, which is switched on at time 0. `bit_rate`, in bit/s, applies while the slave reports no
-    /// bit rate. `name` appears in the report.
+    /// Makes the target. `device` is the slave, which is switched on at time 0. `bit_rate`, in bit/s, applies while the
+    /// slave reports no bit rate. `name` appears in the report.
     VirtualTarget(std::unique_ptr<SimulatedDevice> device, std::uint8_t node_id,
                   std::uint32_t bit_rate = usual_bit_rate, std::string name = "virtual time");
 
@@ -54,7 +54,7 @@ class VirtualTarget final : public Target {
         void receive(const Frame& frame, Instant now) override;
         void set_can_state(CanState state, Instant now) override;
         void set_overrun(bool lost, Instant now) override;
-        /// The slave gets every frame of the bus, as on a wire. The cases check which frames it accepts.
+        /// Accepts every frame, as a real bus delivers it. The cases check which frames the slave accepts.
         const std::vector<AcceptanceFilter>& filters() const override { return accept_everything(); }
         std::uint32_t bit_rate() const override { return node_.bit_rate(); }
 

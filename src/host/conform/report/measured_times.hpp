@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measurements of a run as text and drawings: the load of the bus, and times with the limits that the cases accept.
+// The measurements of a conformance test as text and drawings: the load of the bus, and times with the limits that the
+// cases accept.
 #pragma once
 
 #include <map>

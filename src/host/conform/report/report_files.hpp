@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a run as files: HTML, JUnit, JSON, text.
+// Writes the results of a conformance test as files: HTML, JUnit, JSON, text.
 #pragma once
 
 #include <map>

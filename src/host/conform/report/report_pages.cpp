@@ -58,7 +58,7 @@ std::string summary_page(const ConformReport& report) {
         {"Bus", escaped(report.target)},
         {"Node-ID", fmt::format("{}", report.node)},
         {"Bit rate", report.bit_rate == 0 ? "not known" : fmt::format("{} bit/s", report.bit_rate)},
-        {"Requested foreign traffic", fmt::format("{:.0f} %", report.traffic)},
+        {"Requested background traffic", fmt::format("{:.0f} %", report.traffic)},
         {"Bus load measured", load_words(report)},
         {"Program", escaped(report.program)}};
     for (const auto& [what, text] : report.identity) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a run as HTML pages in the style of the evidence pack.
+// Writes the results of a conformance test as HTML pages in the style of the evidence pack.
 #pragma once
 
 #include <map>

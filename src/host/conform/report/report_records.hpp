@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a run for other programs: JSON and JUnit.
+// Writes the results of a conformance test for other programs, as JSON and JUnit.
 #pragma once
 
 #include <string>

@@ -13,15 +13,15 @@ namespace canproof::host::conform {
 namespace {
 
 constexpr Duration settling = milliseconds(50);
-// time in which an additional frame of the slave would come after the last step
+// wait after the last step, in which an unexpected frame of the slave would come
 constexpr Duration afterthought = milliseconds(20);
-constexpr Duration tolerated_delay =
-    milliseconds(20);  // own delay of the tester; a failure after a greater delay mentions it
+// delay of the tester itself; if it was greater, the message of a failure says so
+constexpr Duration tolerated_delay = milliseconds(20);
 constexpr Duration power_off_time = milliseconds(200);
-// longest wait for a slave that sent no boot-up message after an earlier reset
+// longest wait for the boot-up message of a slave that sent none after an earlier reset
 constexpr Duration silent_boot_limit = milliseconds(500);
 constexpr std::uint8_t highest_node = 127;
-const char* const return_outside = "a `return` stands outside of a procedure";
+const char* const return_outside = "a `return` stands outside of a procedure; remove it";
 
 std::set<std::uint32_t> listened_to(const ConformSheet& sheet) {
     std::set<std::uint32_t> ids;
@@ -124,7 +124,7 @@ void CaseRunner::prepare(Preparation how) {
     sent_other_ = false;
     journal_ = {};
     if (boots_silently_) {
-        journal_.notes.emplace_back("the slave sends no boot-up message, or not each time");
+        journal_.notes.emplace_back("the slave sends no boot-up message after a reset, or not after every reset");
     }
     if (options_.traffic > 0.0) {
         link_.set_traffic(options_.traffic, false);
@@ -288,7 +288,7 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
         context.at = nullptr;
         check_unasked(one);
         if (journal_.judged == 0) {
-            throw BrokenCase{"the case ran no step that checks the slave"};
+            throw BrokenCase{"the case ran no step that checks the slave; add a step such as `expect` or `answer`"};
         }
     } catch (const CaseSkipped& skipped) {
         end(Verdict::skipped, skipped.what());
@@ -307,8 +307,8 @@ void CaseRunner::judge(const Case& one, CaseResult& result) {
     }
 }
 
-/// Fails the case if an emergency, a boot-up message or an SDO frame of the slave is left that no step took and the
-/// case does not allow.
+/// Fails the case if the slave has sent an emergency, a boot-up message or an SDO frame that no step has taken and that
+/// the case does not allow.
 void CaseRunner::check_unasked(const Case& one) {
     link_.wait(afterthought);
     const std::uint32_t node = sheet_.node_id;
@@ -364,7 +364,7 @@ void CaseRunner::clean_up(const Case& one, CaseResult& result) {
     }
     if (!reset(application ? NmtCommand::reset_node : NmtCommand::reset_communication)) {
         alive_ = false;
-        throw NoAnswer{"no boot-up message came after the case"};
+        throw NoAnswer{"no boot-up message came after the reset that follows the case"};
     }
     const Fresh fresh = fresh_;
     const std::vector<std::string> left = snapshot_.put_back(sdo_, written);

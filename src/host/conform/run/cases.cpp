@@ -134,7 +134,7 @@ void check_calls(const Calls& calls, const CaseBook& book, Faults& faults) {
                                 "write a [[procedure]] of that name");
         } else if (found->second.takes.size() != call.arguments) {
             faults.emplace_back(call.place, fmt::format("`{}` gets {} argument(s)", call.name, call.arguments),
-                                fmt::format("give the procedure {}", found->second.takes.size()));
+                                fmt::format("give the procedure {} argument(s)", found->second.takes.size()));
         }
     }
 }
@@ -161,7 +161,7 @@ CaseBook parse_cases(const std::map<std::string, std::string>& files, Faults& fa
     Calls calls;
     for (const auto& [path, text] : files) {
         if (const auto line = too_deep_in(text)) {
-            faults.emplace_back(Place{path, *line}, "keys or values go too deep", "write shorter keys");
+            faults.emplace_back(Place{path, *line}, "keys or values are nested too deeply", "nest them less deeply");
             continue;
         }
         try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a run.
+// The results of a conformance test.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,7 @@ struct ConformReport {
     std::string target;
     unsigned node{0};
     std::uint32_t bit_rate{0};
-    double traffic{0.0};  ///< foreign frames during the run, in per cent of the bus capacity
+    double traffic{0.0};  ///< background frames during the run, in per cent of the bus capacity
     /// vendor, product, revision, serial number, name and versions of the slave
     std::map<std::string, std::string> identity;
     Duration time{};

@@ -82,7 +82,7 @@ ConformReport run_cases(const CaseBook& book, const ConformSheet& sheet, Target&
                 options.progress(result);
             }
             if (ended.empty() && !runner.is_alive()) {
-                ended = fmt::format("the slave stopped answering in {}", result.id);
+                ended = fmt::format("the slave stopped answering in the case {}", result.id);
             }
             const bool failed = result.verdict == Verdict::failed || result.verdict == Verdict::no_answer;
             if (options.first_failure_ends && failed) {

@@ -15,16 +15,16 @@
 namespace canproof::host::conform {
 
 struct ConformOptions {
-    std::vector<std::string> only;   ///< groups to run; empty: all
+    std::vector<std::string> only;   ///< groups of cases to run; empty: all
     std::vector<std::string> cases;  ///< ids or numbers of the cases to run; empty: all
     std::vector<std::string> skip;   ///< ids, numbers or groups of the cases to leave out
     bool allow_outputs{true};
     bool allow_store{true};
     bool allow_lss{true};
-    double traffic{0.0};  ///< foreign frames during the whole run, in per cent of the bus capacity
+    double traffic{0.0};  ///< background frames during the whole run, in per cent of the bus capacity
     bool first_failure_ends{false};
     Duration sdo_timeout{milliseconds(1000)};
-    /// Receives each result; may be empty.
+    /// Is called with the result of each case; may be empty.
     std::function<void(const CaseResult&)> progress;
 };
 

@@ -151,7 +151,7 @@ void Snapshot::put_back_sync(SdoClient& sdo, Places& open) {
 void Snapshot::put_back_others(SdoClient& sdo, const Places& open) {
     for (const ObjectPlace& one : open) {
         if (one.index == cia301::consumer_heartbeat_time) {
-            write(sdo, one, 0);  // two entries must not contain the same node-ID
+            write(sdo, one, 0);  // two entries of 1016h (consumer heartbeat time) must not contain the same node-ID
         } else if (is_cob_id(one)) {
             write(sdo, one, from_little_endian(*find(one), 0, 4) | cob_id_off);
         }

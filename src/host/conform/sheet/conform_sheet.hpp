@@ -23,7 +23,7 @@ struct ConformSheet {
     std::string text;      ///< the contents of the file
     std::string checksum;  ///< SHA-256 of the text
     Part part;             ///< result of read_eds()
-    IniFile ini;           ///< the same content as sections and keys; empty for an XDD
+    IniFile ini;           ///< contents of the file as sections and keys; empty for an XDD
     std::string notes;     ///< values that read_eds() assumed, one on each line
     std::uint8_t node_id{1};
 
@@ -54,7 +54,7 @@ bool is_writable(const Entry& entry);
 /// an integer type. Returns nothing for any other type without such a limit.
 std::optional<std::int64_t> highest_of(const Entry& entry);
 std::optional<std::int64_t> lowest_of(const Entry& entry);
-/// Returns `1017h sub 00h (Producer heartbeat time)`.
+/// Returns the entry in words: `1017h sub 00h (Producer heartbeat time)`.
 std::string entry_words(const SheetEntry& one);
 
 }  // namespace canproof::host::conform

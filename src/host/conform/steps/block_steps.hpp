@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs `block read` and `block write`.
+// The steps of a conformance case that begin with `block read` and `block write`.
 #pragma once
 
 #include "host/conform/steps/parse_steps.hpp"

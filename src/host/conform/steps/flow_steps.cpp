@@ -135,7 +135,7 @@ class Turns {
     /// a loop begins more than most_turns iterations.
     void run(const Steps& steps, const std::string& words) {
         if (++begun_ > most_turns) {
-            throw BrokenCase{fmt::format("the loop has more than {} iterations", most_turns)};
+            throw BrokenCase{fmt::format("the loop has more than {} iterations; let it end earlier", most_turns)};
         }
         if (!words.empty()) {
             context_.turns.push_back(words);
@@ -177,7 +177,7 @@ Action parse_repeat(Scanner& line, StepSource& source) {
             }
             turns.run(steps, name.empty() ? "" : fmt::format("{} = {}", name, i));
         }
-        turns.finish("the step has nothing to repeat");
+        turns.finish("the number of repetitions is 0 or negative");
     };
 }
 
@@ -309,7 +309,8 @@ Action parse_each(Scanner& line, StepSource& source) {
 
 Value call(const Procedure& procedure, const std::vector<Value>& given, Context& context) {
     if (++context.depth > deepest_call) {
-        throw BrokenCase{fmt::format("calls of procedures are nested more than {} deep", deepest_call)};
+        throw BrokenCase{
+            fmt::format("calls of procedures are nested more than {} deep; reduce the nesting", deepest_call)};
     }
     Scope* const outer = context.scope;
     const std::size_t turns = context.turns.size();

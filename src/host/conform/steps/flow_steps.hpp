@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs choose, each, for, repeat, while, if, check, skip, note, fail, do, return, next, let, eds.
+// The steps of a conformance case that begin with choose, each, for, repeat, while, if, check, skip, note, fail, do,
+// return, next, let or eds.
 #pragma once
 
 #include <vector>

@@ -35,7 +35,7 @@ Frame FrameSpec::frame(const Scope& scope) const {
         return frame;
     }
     if (any_data) {
-        throw BrokenCase{"the frame has no data; write a colon and the bytes behind the identifier"};
+        throw BrokenCase{"the frame has no data; write a colon and the bytes after the identifier"};
     }
     const Bytes bytes = data.to_send(scope);
     frame.length = static_cast<std::uint8_t>(bytes.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs send, expect, await, sdo, answer, abort, clear, produce, traffic, wait.
+// The steps of a conformance case that begin with send, expect, await, sdo, answer, abort, clear, produce, traffic or
+// wait.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs lss waiting, configuration, select, fastscan, inquire.
+// The steps of a conformance case that begin with lss: lss waiting, configuration, select, fastscan and inquire.
 #pragma once
 
 #include <vector>

@@ -56,11 +56,13 @@ std::string ask_block(Context& context, bool upload) {
 std::string ask_capability(Context& context, unsigned index) {
     const ObjectPlace place{static_cast<std::uint16_t>(index), 1};
     if (!has(context, index, 1)) {
-        return fmt::format("the EDS has no {}", words_of(place));
+        return fmt::format("the EDS has no entry {}", words_of(place));
     }
     const SdoOutcome outcome = context.sdo.read(place);
     const bool can = outcome.abort == 0 && (from_little_endian(outcome.data, 0, 4) & 1) != 0;
-    return can ? "" : fmt::format("bit 0 of {} is not set, so the slave does not have the command", words_of(place));
+    return can ? ""
+               : fmt::format("a read of {} does not return bit 0 = 1, so the slave does not have the command",
+                             words_of(place));
 }
 
 std::string unless(bool met, const char* reason) {
@@ -76,16 +78,18 @@ Unmet parse_word_need(Scanner& line) {
         {"guarding",
          [](Context& c) {
              return unless(has(c, cia301::guard_time) && has(c, cia301::life_time_factor),
-                           "the EDS has no guarding (100Ch and 100Dh)");
+                           "the EDS has no node guarding (100Ch guard time and 100Dh life time factor)");
          }},
-        {"lss", [](Context& c) { return unless(c.sheet.part.info.lss, "the EDS says that there is no LSS"); }},
+        {"lss", [](Context& c) { return unless(c.sheet.part.info.lss, "by the EDS, the slave has no LSS"); }},
         {"block upload", [](Context& c) { return ask_block(c, true); }},
         {"block download", [](Context& c) { return ask_block(c, false); }},
         {"sync producer",
          [](Context& c) {
              const SheetEntry id = c.sheet.find(cia301::sync_cob_id, 0);
              const bool met = id.entry != nullptr && is_writable(*id.entry) && has(c, cia301::sync_period);
-             return unless(met, "the EDS has no SYNC producer (1005h writable, and 1006h)");
+             return unless(
+                 met,
+                 "the EDS has no SYNC producer (writable 1005h COB-ID SYNC, and 1006h communication cycle period)");
          }},
         {"power",
          [](Context& c) {
@@ -185,7 +189,7 @@ Unmet parse_object_need(Scanner& line) {
     return [place, filter](Context& context) -> std::string {
         const SheetEntry one = context.sheet.find(place.index, place.subindex);
         if (one.entry == nullptr) {
-            return fmt::format("the EDS has no {}", words_of(place));
+            return fmt::format("the EDS has no entry {}", words_of(place));
         }
         return filter.passes(one) ? "" : fmt::format("{} is not {} in the EDS", words_of(place), filter.words);
     };

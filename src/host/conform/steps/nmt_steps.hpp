@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs nmt, reset, power.
+// The steps of a conformance case that begin with nmt, reset or power.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the steps of a case.
+// Parses the steps of a conformance case.
 #pragma once
 
 #include <set>
@@ -14,7 +14,7 @@ namespace canproof::host::conform {
 /// The lines of a case that are not parsed yet.
 class StepSource {
   public:
-    /// `first` is the place of the first line of `text`.
+    /// Splits `text` into lines. `first` is the place of its first line.
     StepSource(const std::string& text, const Place& first);
 
     /// Parses the steps of a block. An inner block ends with `}`, which is skipped; the outermost block ends with the
@@ -47,7 +47,7 @@ class StepSource {
     unsigned depth_{0};
 };
 
-/// Parses the rest of a verb's line, and its block if it has one.
+/// Parses the line of a step after its first word (the verb), and its block if it has one.
 using VerbParser = Action (*)(Scanner& line, StepSource& source);
 
 struct Verb {

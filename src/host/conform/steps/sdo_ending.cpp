@@ -69,9 +69,9 @@ Bytes bytes_to_write(const Value& value, std::size_t width, const ObjectPlace& p
     const SheetEntry known = context.sheet.find(place.index, place.subindex);
     const std::size_t size = known.entry == nullptr ? 0 : type_size(known.entry->type);
     if (size == 0) {
-        throw BrokenCase{
-            fmt::format("the data sheet gives no fixed width for {}; add `as u8`, `as u16` or `as u32` to the step",
-                        words_of(place))};
+        throw BrokenCase{fmt::format(
+            "the data sheet gives no fixed width for {}; write the value with its width in bytes, for example le(5, 2)",
+            words_of(place))};
     }
     return little_endian(value.number, size);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The expected end of a transfer in a step, and the value that it writes.
+// How a step of a conformance case expects an SDO transfer to end, and the value that it writes.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 
 namespace canproof::host::conform {
 
-/// The end that a step expects of a transfer.
+/// How a step expects an SDO transfer to end.
 struct Ending {
     bool any{false};                 ///< whether the step begins with `try`, so that any end is accepted
     std::optional<AbortList> fails;  ///< accepted abort codes; absent: the transfer must succeed
-    std::string name;                ///< name after `->`, or empty
+    std::string name;                ///< name of the variable after `->`; empty: none
     Expression value;                ///< value after the `=` of a read; empty: any value
 
     /// Parses `fails …` or `-> name`. Returns false when neither of them follows.

@@ -28,7 +28,8 @@ Action parse_read_as(Scanner& line, bool any) {
     };
 }
 
-/// Parses the word after `as`, the width of a number to write. Returns the width in bytes. Fails for any other word.
+/// Parses the word after `as`, the width of a number to write. Returns the width in bytes. Throws LanguageError for any
+/// other word.
 std::size_t parse_width(Scanner& line) {
     constexpr std::array<std::pair<const char*, std::size_t>, 5> widths{
         {{"u8", 1}, {"u16", 2}, {"u24", 3}, {"u32", 4}, {"u64", 8}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs read, write, try, block.
+// The steps of a conformance case that begin with read, write, try or block.
 #pragma once
 
 #include <vector>

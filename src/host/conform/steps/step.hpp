@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parsed step of a case, and the context in which it runs.
+// A parsed step of a conformance case, and the context in which it runs.
 #pragma once
 
 #include <functional>
@@ -53,7 +53,7 @@ struct Context {
     const Step* at{nullptr};  ///< the step that runs now
     std::map<std::string, std::shared_ptr<const Watched>> watches;
     std::vector<std::string> turns;  ///< names of the current iterations of all loops around the step: `P = TPDO 2`
-    unsigned depth{0};               ///< nesting depth of procedures
+    unsigned depth{0};               ///< number of nested calls of procedures
     std::optional<bool> block_upload{};
     std::optional<bool> block_download{};
 

@@ -110,7 +110,7 @@ Action parse_count(Scanner& line, StepSource&) {
     const bool at_least = line.take(">=");
     const bool at_most = !at_least && line.take("<=");
     if (!at_least && !at_most) {
-        line.want("=", "write = 100 +- 1, >= 5 or <= 5 behind the time");
+        line.want("=", "write = 100 +- 1, >= 5 or <= 5 after the time");
     }
     const Expression number = parse_expression(line, Radix::decimal);
     const Tolerance tolerance = line.take("+-") ? parse_tolerance(line) : Tolerance{};
@@ -150,7 +150,7 @@ std::string ms(double us) {
     return fmt::format("{:.3f} ms", us / 1000.0);
 }
 
-/// Returns the gaps between the frames, with the limits that the step sets for them.
+/// Returns the times between the frames, with the limits that the step sets for them.
 Measured measured_gaps(const PeriodSpec& spec, const std::vector<std::uint64_t>& gaps, const Scope& scope) {
     Measured measured{gaps, {}, {}};
     TimeLimits each{0.0, std::numeric_limits<double>::infinity()};
@@ -204,7 +204,7 @@ void run_period(const PeriodSpec& spec, Context& context) {
     const EndingWatch seen{context, watched_of(spec.frame, context)};
     const std::int64_t gaps = number_of(spec.gaps(*context.scope));
     if (gaps < 1) {
-        throw BrokenCase{"a period needs at least one gap"};
+        throw BrokenCase{"a period needs at least one gap between frames; write `over 1` or more"};
     }
     const Expression& longest = spec.mean ? spec.mean : spec.longest ? spec.longest : spec.shortest;
     const std::uint64_t expected = microseconds_of(longest, *context.scope) * static_cast<std::uint64_t>(gaps + 1);
@@ -306,7 +306,7 @@ Action parse_end(Scanner& line, StepSource&) {
     return [name](Context& context) {
         const auto found = context.watches.find(name);
         if (found == context.watches.end()) {
-            throw BrokenCase{fmt::format("nothing is watched as {}", name)};
+            throw BrokenCase{fmt::format("nothing is watched as {0}; write `watch … as {0}` before this step", name)};
         }
         context.link.end_watch(found->second);
     };

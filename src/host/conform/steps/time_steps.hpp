@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs silence, count, period, watch, end.
+// The steps of a conformance case that begin with silence, count, period, watch or end.
 #pragma once
 
 #include <vector>

@@ -51,7 +51,8 @@ void ArbitratedBus::add_port(BusNode& node, bool gateway) {
 void ArbitratedBus::attach(BusNode& node) {
     const auto nodes = std::count_if(ports_.begin(), ports_.end(), [](const auto& one) { return !one.second.gateway; });
     if (static_cast<std::size_t>(nodes) == most_nodes) {
-        throw InputError{fmt::format("{} is one too many: a CANopen bus has up to {} nodes", node.name(), most_nodes)};
+        throw InputError{fmt::format("{} is one too many: a CANopen bus has up to {} nodes; run fewer devices",
+                                     node.name(), most_nodes)};
     }
     add_port(node, false);
 }
@@ -112,8 +113,9 @@ void ArbitratedBus::tell_bit_rates() {
         const std::uint32_t before = port.rate;
         port.rate = port.node->bit_rate();
         if (before != 0 && port.rate != before) {
-            const char* const outcome =
-                port.rate == bit_rate_ ? "the bus has this bit rate" : "the bus has another bit rate; no frame passes";
+            const char* const outcome = port.rate == bit_rate_
+                                            ? "the bus has this bit rate"
+                                            : "the bus has another bit rate; the device is unreachable";
             notice(fmt::format("{}: LSS sets {} bit/s; {}", port.node->name(), port.rate, outcome));
         }
     }

@@ -21,7 +21,7 @@ namespace canproof::host {
 /// A bus with up to 127 nodes and any number of gateways.
 ///
 /// The bus has the bit rate of most of its nodes; on a tie it keeps its present rate. A node with another bit rate
-/// neither sends nor receives. Every frame is acknowledged, because the outside counts as a further station. If two
+/// neither sends nor receives. Every frame is acknowledged, because the world outside counts as a further node. If two
 /// nodes send the same identifier at the same time, the node that was attached first wins. CANopen forbids this case;
 /// on a real bus it would cause bit errors.
 ///
@@ -31,7 +31,7 @@ class ArbitratedBus final : public Bus {
   public:
     static constexpr std::size_t most_nodes = 127;
 
-    /// `bit_rate`, in bit/s, applies until a node has another bit rate.
+    /// Makes a bus without nodes. `bit_rate`, in bit/s, applies until a node has another bit rate.
     ArbitratedBus(std::string interface, std::uint32_t bit_rate, const BusFaultRates& faults);
 
     /// Adds a node. Throws InputError for more than 127 nodes.
@@ -40,8 +40,8 @@ class ArbitratedBus final : public Bus {
     /// error-passive node does. If a gateway is detached during its transmission, an error frame follows.
     void attach_gateway(Gateway& gateway);
     void detach_gateway(const Gateway& gateway);
-    /// Returns whether a frame of that gateway is on the wire or must be repeated. Such a frame is lost if the gateway
-    /// is detached.
+    /// Returns whether the bus transmits a frame of that gateway or must repeat one. Such a frame is lost if the
+    /// gateway is detached.
     bool is_sending(const Gateway& gateway) const;
 
     bool put(const Frame& frame, Instant now) override;
@@ -52,8 +52,8 @@ class ArbitratedBus final : public Bus {
     BusReport report(Instant now) const override;
     const std::string& interface() const override { return interface_; }
 
-    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. If a frame of the node is on the
-    /// wire, the frame is lost and the other nodes see an error.
+    /// Switches the controller of that node bus-off at `now`, for 128 × 11 bit times. If the bus transmits a
+    /// frame of the node, the frame is lost and the other nodes see an error.
     void switch_off(const BusNode& node, Instant now);
 
   private:
@@ -105,14 +105,14 @@ class ArbitratedBus final : public Bus {
     std::string interface_;
     std::uint32_t bit_rate_;
     BusFaults faults_;
-    std::map<std::size_t, Port> ports_;  ///< ports by their number; the first port is that of put()
+    std::map<std::size_t, Port> ports_;  ///< ports by their number; the first port sends the frames of put()
     std::size_t next_number_{0};
     std::vector<Port*> changed_;  ///< ports of nodes that report changes, and must now be inspected
     std::vector<Port*> watched_;  ///< ports of nodes that do not report changes; they are inspected in every step
     std::vector<Port*> off_;      ///< ports of nodes that are bus-off
-    WaitingLine waiting_;         ///< contains the numbers of ports
-    FrameReaders readers_;        ///< contains the numbers of ports
-    bool rates_differ_{false};    ///< whether a node has another bit rate than was last reported
+    WaitingLine waiting_;         ///< ports that have a frame to send, by their numbers
+    FrameReaders readers_;        ///< ports that receive a frame, by their numbers
+    bool rates_differ_{false};    ///< whether a node's bit rate differs from `rate` of its port
     bool troubled_{false};        ///< whether an error counter of a receiver is not 0, or a receiver has lost a frame
     Gateway outside_;
     std::optional<Transmission> running_;

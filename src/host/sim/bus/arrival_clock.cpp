@@ -17,9 +17,9 @@ void ArrivalClock::use(Clock clock) {
     clock_ = std::move(clock);
 }
 
-/// Reads the real time between two readings of the run's clock. If the two are far apart, the process did not run in
-/// between, so the comparison is repeated. The comparison with the shortest distance is used. It replaces an earlier
-/// result if it is more exact, or if the real time was set.
+/// Reads the real time between two readings of the run's clock. If these readings are far apart, the process did not
+/// run in between, so the comparison is repeated. The comparison with the shortest distance is used. It replaces an
+/// earlier result if it is more exact, or if the real time was set.
 void ArrivalClock::compare(Instant now, const std::function<std::uint64_t()>& realtime_ns) {
     std::uint64_t best = UINT64_MAX;
     std::int64_t offset = 0;

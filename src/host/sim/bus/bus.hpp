@@ -13,7 +13,7 @@
 
 namespace canproof::host {
 
-/// The interface of a node for its bus.
+/// The functions of a node that its bus calls.
 class BusNode {
   public:
     virtual ~BusNode() = default;
@@ -35,7 +35,7 @@ class BusNode {
     /// If it does not, a bus inspects the node in every step.
     virtual bool tells_changes() const { return false; }
 
-    /// Adds a listener for such changes. It is called as long as the node exists.
+    /// Adds a listener, which the node calls after a change of its next frame, its filters or its bit rate.
     void on_change(std::function<void()> listener) { listeners_.push_back(std::move(listener)); }
 
   protected:
@@ -85,7 +85,7 @@ class Bus {
   public:
     virtual ~Bus() = default;
 
-    /// Adds a node before the first advance(). `node` must outlive the bus.
+    /// Adds a node. Must be called before the first advance(). `node` must outlive the bus.
     virtual void attach(BusNode& node) = 0;
     /// Sends a frame that belongs to no node, such as a line on standard input. Returns false when the bus cannot take
     /// the frame now.

@@ -15,7 +15,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& word) {
     throw InputError{fmt::format(
-        "bus fault `{}` is not understood; write corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7, rates from 0 to 0.9",
+        "bus fault `{}` is not understood; write for example corrupted=0.01,lost=0.001,bus-off=0.0001,seed=7 with "
+        "rates from 0 to 0.9 and a seed of up to 18 digits",
         word)};
 }
 

@@ -11,7 +11,7 @@ namespace canproof::host {
 /// The probability of each fault for one frame, 0 to 1.
 struct BusFaultRates {
     double corrupted{0.0};  ///< a bit error: an error frame follows, and the frame is sent again
-    double lost{0.0};       ///< a randomly chosen node has no room for the frame
+    double lost{0.0};       ///< a randomly chosen node loses the frame, as if its buffer were full
     double bus_off{0.0};    ///< the sender's controller becomes bus-off after the frame
     std::uint64_t seed{1U};
 

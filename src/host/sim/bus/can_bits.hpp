@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bits of a classic CAN frame on the wire (ISO 11898-1): CRC-15, stuff bits, length, priority in arbitration.
+// The bits of a classic CAN frame as transmitted (ISO 11898-1): CRC-15, stuff bits, length, priority in arbitration.
 #pragma once
 
 #include <cstdint>

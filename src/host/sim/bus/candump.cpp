@@ -19,7 +19,9 @@ constexpr std::size_t longest_usual_line = 64;  // enough for `(1436509052.24971
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
     throw InputError{
-        fmt::format("{}: {}; a line of a candump log reads `(1.000000) can0 603#2B116401B33E0000`", where, what)};
+        fmt::format("{}: {}; a frame reads `603#2B116401B33E0000`; a line of a candump log reads `(1.000000) can0 "
+                    "603#2B116401B33E0000`",
+                    where, what)};
 }
 
 constexpr bool is_blank(char c) {
@@ -47,7 +49,7 @@ LogMark mark_of(std::string_view word) {
 
 TextFault read_time(std::string_view text, Instant& time) {
     if (text.size() < 3 || text.front() != '(' || text.back() != ')') {
-        return fmt::format("time `{}` is not in brackets", text);
+        return fmt::format("the time `{}` is not in round brackets", text);
     }
     const std::string_view seconds = text.substr(1, text.size() - 2);
     const std::optional<Instant> at = seconds_of(seconds);

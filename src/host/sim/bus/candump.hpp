@@ -30,7 +30,7 @@ struct LoggedFrame {
 /// Parses one line of a log. The line may end with the letter T or R of `candump -L -x`. Throws InputError with `where`
 /// ("file:line") for any other line.
 LoggedFrame parse_candump_line(const std::string& line, const std::string& where);
-/// The numbers of unusual lines in a log.
+/// Counts of unusual lines in a log.
 struct LogCounts {
     std::uint64_t error_frames{0};
     std::uint64_t coded_lengths{0};

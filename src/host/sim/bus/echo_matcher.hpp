@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the sender of a frame that a bus returns. Stores the frames that nodes have sent until they come back.
+// Finds the sender of a frame that the bus returns to this program. Stores the frames that nodes have sent until they
+// come back.
 #pragma once
 
 #include <algorithm>

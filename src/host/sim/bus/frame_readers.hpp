@@ -30,7 +30,7 @@ class FrameReaders {
     void remove(std::size_t reader);
 
     std::unordered_map<std::size_t, std::vector<AcceptanceFilter>> filters_;     ///< filters by reader
-    std::unordered_map<std::uint32_t, std::vector<std::size_t>> by_identifier_;  ///< readers by the result of key_of()
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>> by_identifier_;  ///< readers by key_of()
     std::vector<Wide> wide_;                                                     ///< filters for several identifiers
 };
 

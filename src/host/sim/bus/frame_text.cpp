@@ -50,7 +50,7 @@ TextFault read_data(Frame& frame, std::string_view data) {
         sound = high != no_digit && low != no_digit;
         frame.data[i] = static_cast<std::uint8_t>((high << 4U) | low);
     }
-    return sound ? TextFault{} : fmt::format("data `{}` is not up to eight bytes in hexadecimal", data);
+    return sound ? TextFault{} : fmt::format("data `{}` is no sequence of zero to eight bytes in hexadecimal", data);
 }
 
 /// Removes a length code after `_`. candump writes the codes 9 to 15 in this form; in classic CAN, each of these codes
@@ -102,7 +102,7 @@ TextFault read_frame_text(std::string_view text, FrameText& read) {
     read.frame.extended = id.size() == extended_digits;
     read.frame.id = *number;
     if (*number > (read.frame.extended ? highest_extended : highest_base)) {
-        return fmt::format("identifier {} is too large", id);
+        return fmt::format("identifier {} is too large; the largest are 7FF and 1FFFFFFF", id);
     }
     std::string_view data = text.substr(hash + 1);
     if (TextFault fault = cut_length_code(data, read.coded)) {

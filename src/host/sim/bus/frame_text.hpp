@@ -21,9 +21,9 @@ struct FrameText {
     bool coded{false};
 };
 
-/// Parses a frame that a node can receive. Returns nothing for a valid text, otherwise its fault.
+/// Parses a data frame or a remote frame. Returns nothing for a valid text, otherwise its fault.
 TextFault read_frame_text(std::string_view text, FrameText& read);
-/// Parses a frame that a node can receive, or an error frame (`20000004#0000000000000000`). Returns nothing for a valid
+/// Parses a data frame, a remote frame or an error frame (`20000004#0000000000000000`). Returns nothing for a valid
 /// text, otherwise its fault.
 TextFault read_logged_frame(std::string_view text, FrameText& read);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gateway between a bus and the outside. It sends the frames of the outside in order of arrival, and stores a limited
-// number of them.
+// A gateway between a simulated bus and the world outside, such as a client of socketcand. It sends the frames from
+// outside in the order of arrival, and stores a limited number of them.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ class Gateway final : public BusNode {
   public:
     using Outlet = std::function<void(const Frame&, Instant)>;
 
-    /// `outlet` is called with each frame that another node has sent; it may be empty.
+    /// Makes a gateway. `outlet` is called with each frame that another node has sent; it may be empty.
     Gateway(std::string name, std::size_t capacity, Outlet outlet)
         : name_{std::move(name)}, capacity_{capacity}, outlet_{std::move(outlet)} {}
 

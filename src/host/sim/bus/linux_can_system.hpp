@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The raw CAN sockets of the kernel.
+// Makes the system calls for raw CAN sockets of Linux.
 #pragma once
 
 #include "host/sim/bus/can_system.hpp"
 
 namespace canproof::host {
 
-/// Returns the only object of this kind in the program.
+/// Returns the program's only object that makes these system calls.
 CanSystem& linux_can_system();
 
 }  // namespace canproof::host

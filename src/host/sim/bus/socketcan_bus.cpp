@@ -76,15 +76,15 @@ std::vector<Watch> SocketCanBus::watches() const {
 Instant SocketCanBus::poll(Instant now) {
     arrival_clock().compare(now, [this] { return system_.realtime_ns(); });
     if (arrived_.size() >= most_arrived && arrived_.front().time <= known_) {
-        return known_;  // the run is late: further frames stay in the kernel, which counts the frames that it drops
+        return known_;  // the run is behind real time: further frames stay in the kernel, which counts its losses
     }
     known_ = now;
     const auto held = static_cast<std::ptrdiff_t>(arrived_.size());
     for (std::size_t i = 0; i < ports_.size() && !down_; ++i) {
         known_ = earliest(known_, read_socket(i, now));
     }
-    // Frames of earlier calls are already sorted. They can be many when the run is late, so only the new frames are
-    // sorted in.
+    // Frames of earlier calls are already sorted. They can be many when the run is behind real time, so only the new
+    // frames are sorted in.
     const auto earlier = [](const Arrival& a, const Arrival& b) {
         return std::tie(a.time.us, a.order) < std::tie(b.time.us, b.order);
     };

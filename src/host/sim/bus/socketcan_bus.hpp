@@ -32,7 +32,8 @@ class SocketCanBus final : public Bus {
     static constexpr Duration search_period = milliseconds(100);
     /// Time after which the run restarts a controller that is still bus-off.
     static constexpr Duration restart_after = milliseconds(500);
-    /// Approximate number of frames that the bus keeps when the run is late. Further frames stay in the kernel.
+    /// Approximate number of frames that the bus keeps when the run is behind real time. Further frames stay in the
+    /// kernel.
     static constexpr std::size_t most_arrived = 65536;
 
     /// Opens the bus at the time `now`. Throws InputError when the interface cannot be opened.
@@ -70,7 +71,7 @@ class SocketCanBus final : public Bus {
         std::size_t port{0};
         can_frame frame{};
         bool lost_before{false};
-        std::uint64_t order{0};  ///< order of reading, used for equal times
+        std::uint64_t order{0};  ///< number in the order of reading; decides between equal times
     };
 
     void open_sockets(Instant now);

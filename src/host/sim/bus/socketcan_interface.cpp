@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of SocketCanBus: its sockets, its bit rate, and its loss and return.
+// The functions of SocketCanBus for its CAN interface: sockets, bit rate, and loss and return of the interface.
 
 #include <fmt/format.h>
 
@@ -51,8 +51,8 @@ void SocketCanBus::close_sockets() {
     }
 }
 
-/// Applies a change of the node to the filters of its socket, and its bit rate to the interface. Another node-ID or
-/// configuration changes the node's filters and can change its bit rate.
+/// Follows a change of the node: sets the filters of its socket, and calls change_bit_rate() for a new bit rate. A new
+/// node-ID or configuration changes the node's filters and can change its bit rate.
 void SocketCanBus::follow_node(Port& port) {
     if (port.descriptor >= 0) {
         const std::vector<AcceptanceFilter>& wanted = port.node->filters();
@@ -72,9 +72,9 @@ void SocketCanBus::follow_node(Port& port) {
 
 void SocketCanBus::change_bit_rate(const Port& port) {
     const std::string wish = fmt::format("{}: LSS sets {} bit/s", port.node->name(), port.bit_rate);
-    const std::string commands =
-        fmt::format("would have done: ip link set {0} down; ip link set {0} type can bitrate {1}; ip link set {0} up",
-                    interface_, port.bit_rate);
+    const std::string commands = fmt::format(
+        "the commands for this are: ip link set {0} down; ip link set {0} type can bitrate {1}; ip link set {0} up",
+        interface_, port.bit_rate);
     if (control_ == InterfaceControl::none) {
         notice(fmt::format("{}; {} is unchanged without --control-interface; {}", wish, interface_, commands));
         return;
@@ -144,7 +144,7 @@ void SocketCanBus::restart_controller(Instant now) {
     restart_at_ = never;
     if (control_ == InterfaceControl::none) {
         notice(fmt::format(
-            "{0} is bus-off and stays so without --control-interface; would have done: ip link set {0} type can "
+            "{0} is bus-off and stays so without --control-interface; to restart it, run: ip link set {0} type can "
             "restart",
             interface_));
     } else if (!system_.restart(interface_)) {

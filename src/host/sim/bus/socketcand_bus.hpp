@@ -58,7 +58,7 @@ class SocketcandBus final : public Bus {
 
     /// Returns the port of the server.
     std::uint16_t port() const { return port_; }
-    /// Returns the number of clients, without those that are dismissed.
+    /// Returns the number of clients, without those that have been dismissed.
     std::size_t clients() const;
 
   private:

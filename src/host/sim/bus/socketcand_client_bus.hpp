@@ -33,8 +33,8 @@ class SocketcandClientBus final : public Bus {
     /// Time in which a server must accept the client.
     static constexpr Duration join_limit = milliseconds(5000);
     static constexpr Duration search_period = milliseconds(1000);
-    /// Approximate number of frames that the bus keeps when the run is late. With more frames, it does not read from
-    /// the server.
+    /// Approximate number of frames that the bus keeps when the run is behind real time. With more frames, it does not
+    /// read from the server.
     static constexpr std::size_t most_arrived = 65536;
 
     /// Starts to connect and does not wait. Throws InputError when the host does not exist. If the first attempt to
@@ -102,7 +102,7 @@ class SocketcandClientBus final : public Bus {
     std::deque<Busy> busy_;  ///< busy periods within the last second
     std::uint64_t frames_{0};
     bool remote_frame_told_{false};
-    std::string complaint_told_;  ///< last error of this connection that was reported
+    std::string complaint_told_;  ///< last error message of the server that was reported to the user
 };
 
 }  // namespace canproof::host

@@ -53,7 +53,7 @@ SocketcandSession::SocketcandSession(std::string name, std::uint64_t epoch_us)
 
 void SocketcandSession::say(const std::string& text) {
     if (output_.size() + text.size() > output_limit) {
-        dropped_ = "the client did not read the text that it was sent";
+        dropped_ = "the client did not read the text that was sent to it";
         return;
     }
     output_ += text;

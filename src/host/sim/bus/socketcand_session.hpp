@@ -25,7 +25,7 @@ class SocketcandSession {
     static constexpr std::size_t gateway_room = 32;
     static constexpr std::size_t most_subscriptions = 256;
 
-    /// Sends the greeting. `epoch_us` is added to the times that the client gets.
+    /// Sends the greeting. `epoch_us` is the real time at time 0 of the run, in µs. The client gets real times.
     SocketcandSession(std::string name, std::uint64_t epoch_us);
     SocketcandSession(const SocketcandSession&) = delete;
     SocketcandSession& operator=(const SocketcandSession&) = delete;
@@ -49,7 +49,7 @@ class SocketcandSession {
 
     /// Returns whether the client has opened the bus.
     bool has_joined() const { return mode_ != Mode::no_bus; }
-    /// Sends the client the reason of its dismissal. From then on ignores its text.
+    /// Sends the client the reason why it is dismissed. From then on, ignores text from the client.
     void send_away(const std::string& why);
 
   private:

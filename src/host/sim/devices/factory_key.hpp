@@ -10,7 +10,7 @@ namespace canproof::host {
 
 struct FactoryKey {
     std::string name;  ///< name of the key, such as serial_number
-    std::string type;  ///< CiA type of the value; VISIBLE_STRING also for a choice of `words`
+    std::string type;  ///< data type of CiA 301; VISIBLE_STRING also for a choice of `words`
     std::string unit;
     double minimum{0.0};
     double maximum{0.0};

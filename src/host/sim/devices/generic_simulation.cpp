@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-constexpr std::size_t bank_overhead = 64;  // header and CRC of one bank of stored parameters, and a reserve
+constexpr std::size_t bank_overhead = 64;  // bytes for header and CRC of one bank of parameters, with a reserve
 
 /// Returns the size of the memory in bytes: two banks of parameters, each no longer than the value image, and the LSS
 /// record.
@@ -28,7 +28,7 @@ Signal input(const char* name, const char* type, double highest, const char* tex
 
 Part with_signals(Part part) {
     part.signals = {input("can_state", "UNSIGNED8", 3.0, "error active, warning, error passive, bus-off"),
-                    input("can_overrun", "BOOLEAN", 1.0, "a frame was lost because there was no room")};
+                    input("can_overrun", "BOOLEAN", 1.0, "a frame was lost because the receive buffer was full")};
     return part;
 }
 

@@ -33,7 +33,7 @@ void check_served_pdos(const Part& part) {
         }
     }
     if (!all.empty()) {
-        throw InputError{all + "remove these objects from a copy of the sheet to run the rest"};
+        throw InputError{all + "remove these objects from a copy of the data sheet, and use the copy"};
     }
 }
 

@@ -9,8 +9,8 @@
 
 namespace canproof::host {
 
-/// `Inputs` and `Outputs` are the generated signal groups of the device. Their visitors are found in the namespace of
-/// the groups.
+/// `Inputs` and `Outputs` are the generated structures of the device's signals. for_each_input() and for_each_output()
+/// are found in the namespace of these structures.
 template <typename Device, typename Inputs, typename Outputs, typename FactoryData>
 class Simulation : public SimulatedDevice {
   public:
@@ -73,7 +73,7 @@ class Simulation : public SimulatedDevice {
     Simulation(std::size_t memory_size, const FactoryData& factory)
         : SimulatedDevice{memory_size}, device_{memory_, queue_, factory} {}
 
-    /// Stores the node-ID as LSS does. The bit rate stays the stored one, or that of `shipped`.
+    /// Stores the node-ID as LSS does. Keeps the stored bit rate; without a stored one, stores that of `shipped`.
     void store_node_id(NodeId node_id, const LssConfiguration& shipped) {
         LssStore store{memory_};
         LssConfiguration configuration = store.load(shipped);

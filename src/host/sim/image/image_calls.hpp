@@ -26,8 +26,8 @@ struct DeviceState {
 
 class ImageCalls {
   public:
-    /// Prepares the calls. `link` must have read the greeting. `queue` receives the frames that the image sends; a
-    /// frame that is removed from it counts as sent.
+    /// Prepares the calls. `link` must have read the greeting of the image. `queue` receives the frames that the image
+    /// sends; a frame that is removed from it counts as sent.
     ImageCalls(std::unique_ptr<ImageLink> link, std::size_t outputs, TransmitQueue& queue, Memory& memory);
 
     // The following calls throw ImageFailed when the link fails. `inputs` must be in the order of the requirements

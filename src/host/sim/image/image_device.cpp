@@ -93,8 +93,7 @@ bool ImageDevice::set_input(const std::string& name, double value, Instant now) 
     return found;
 }
 
-/// Calls the image again when frames have been sent, because a block of segments continues when there is room in the
-/// queue.
+/// Calls the image again when frames have been sent, because an SDO block upload continues when the queue has room.
 Instant ImageDevice::next_deadline() const {
     if (calls_->sent() != 0) {
         follow_queue();

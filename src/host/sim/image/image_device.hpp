@@ -16,14 +16,14 @@ namespace canproof::host {
 
 class ImageDevice final : public SimulatedDevice {
   public:
-    /// Makes the device. `link` must have read the greeting. Throws ImageFailed when the signals of the image differ
-    /// from those of the twin.
+    /// Makes the device. `link` must have read the greeting of the image. Throws ImageFailed when the signals of the
+    /// image differ from those of the simulated twin.
     ImageDevice(std::unique_ptr<ImageLink> link, const ImageGreeting& greeting, std::unique_ptr<SimulatedDevice> twin);
 
     void set_node_id(NodeId node_id) override;
     bool set_coding_switches(std::uint8_t value) override { return twin_->set_coding_switches(value); }
-    // The following five functions throw ImageFailed when the link fails. The first four also throw it when image and
-    // twin differ.
+    // The following five functions throw ImageFailed when the link fails. The first four also throw it when the image
+    // and its simulated twin differ.
     void power_on(Instant now) override;
     void receive(const Frame& frame, Instant now) override;
     void advance(Instant now) override;
@@ -39,15 +39,17 @@ class ImageDevice final : public SimulatedDevice {
     std::uint32_t bit_rate() const override { return calls_->state().bit_rate; }
 
   private:
-    /// Removes as many frames from the twin's queue as have left the image's queue; all of them when the image has its
-    /// own clock.
+    /// Removes as many frames from the queue of the simulated twin as have left the image's queue. Removes all frames
+    /// when the image has its own clock.
     void follow_queue() const;
-    /// Sends the twin's inputs to the image if a call has changed them; `before` are the inputs before the call.
+    /// Sends the inputs of the simulated twin to the image if a call has changed them. `before` are the inputs before
+    /// the call.
     void follow_inputs(const std::vector<double>& before, Instant now);
-    /// Throws ImageFailed when the states of image and twin differ. An image with its own clock is not compared,
-    /// because it does everything a little later than the twin.
+    /// Throws ImageFailed when the states of the image and its simulated twin differ. An image with its own clock is
+    /// not compared, because it does everything a little later than the twin.
     void compare(Instant now) const;
-    /// Returns a description of the first difference between image and twin; empty when there is none.
+    /// Returns a description of the first difference between the image and its simulated twin; empty when there is
+    /// none.
     std::string difference() const;
 
     std::unique_ptr<SimulatedDevice> twin_;

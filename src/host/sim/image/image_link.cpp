@@ -64,7 +64,7 @@ void ImageLink::read(std::uint8_t* to, std::size_t count) {
         const int ready = poll(&waited, 1, patience_ms);
         if (ready == 0) {
             throw ImageFailed{fmt::format(
-                "{} has not answered for {} s; check that it is build/target/bridged_NAME.elf of the device NAME",
+                "{} has not answered for {} s; check that it is bridged_NAME.elf or zynqmp_NAME.elf of the device NAME",
                 name_, patience_ms / 1000)};
         }
         const ssize_t got = ready < 0 ? -1 : ::read(from_.number(), to + done, count - done);

@@ -24,7 +24,7 @@ struct ImageGreeting {
     std::string device;     ///< name of the device in the catalogue
     std::size_t inputs{0};  ///< number of input signals
     std::size_t outputs{0};
-    bool has_own_clock{false};  ///< whether it acts at its own times, which are not before the calls
+    bool has_own_clock{false};  ///< whether the image acts at its own times, some time after a call
 };
 
 class ImageLink {
@@ -33,7 +33,7 @@ class ImageLink {
     /// start.
     static constexpr int patience_ms = 300000;
 
-    /// `to` and `from` are ends of pipes. `name` appears in messages.
+    /// Makes a link. `to` and `from` are ends of pipes to and from the image. `name` appears in messages.
     ImageLink(Descriptor to, Descriptor from, std::string name, Emulator emulator = {});
 
     const std::string& name() const { return name_; }

@@ -34,8 +34,8 @@ enum class Kind : std::uint8_t {
     read,   ///< stored parameters: address (u32), count (u16)
     write,  ///< address (u32), count (u16), the bytes
     commit,
-    // Messages from the host. The commands power_on to look begin with the number (u8) of frames that were sent since
-    // the last state.
+    // Messages from the host. The commands from power_on to look begin with the number (u8) of frames that were sent
+    // since the last state.
     begin,       ///< answers the greeting: size of the parameter memory (u32)
     power_on,    ///< time (u64), inputs (f64 each)
     receive,     ///< time, frame

@@ -14,7 +14,8 @@ constexpr const char* output_heading = "seconds,signal,value\n";
 
 class OutputChanges {
   public:
-    /// `prefix` is before each name, such as `ax188001@5.` when several devices write to one file.
+    /// Makes a writer that puts `prefix` before each name, such as `ax188001@5.` when several devices write to one
+    /// file.
     explicit OutputChanges(std::string prefix = "") : prefix_{std::move(prefix)} {}
 
     void write(std::ostream& out, Instant at, const SimulatedDevice& device);

@@ -39,8 +39,8 @@ bool OwnFrames::match(const Frame& frame, Instant now) {
     return true;
 }
 
-/// Removes frames that are older than `longest_wait`. Of equal frames, the oldest is always matched first. So the
-/// oldest one in `order_` is a matched frame, unless none of them is matched.
+/// Removes frames that are older than `longest_wait` from `order_` and from the counts. match() always matches the
+/// oldest of equal frames. So the oldest frame counts as seen if at least one frame equal to it was seen.
 void OwnFrames::forget(Instant now) {
     while (!order_.empty() && order_.front().time + longest_wait < now) {
         const auto found = counts_.find(order_.front().content);

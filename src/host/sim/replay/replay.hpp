@@ -20,8 +20,8 @@ using FrameSource = std::function<bool(LoggedFrame&)>;
 struct ReplayInput {
     std::vector<LoggedFrame> frames;
     std::vector<Stimulus> stimuli;
-    std::optional<Instant> until{};  ///< time at which the replay ends; without it, the time of the last line
-    std::optional<Instant> start{};  ///< time of power-on; without it, see latest_zero
+    std::optional<Instant> until{};  ///< end of the replay; without it, the time of the last frame or stimulus
+    std::optional<Instant> start{};  ///< time of power-on; without it, 0 or the first frame (see latest_zero)
     FrameSource source{};            ///< source of the frames in place of `frames`, for a log of any length
     std::function<void(const std::string&)> notice{};  ///< receives messages for the user
     /// called before each call of the device: for a frame, a stimulus or a deadline

@@ -28,8 +28,10 @@ void Pace::tell(Instant now) {
     if (lag_.us >= worth_telling.us && tell_from_ <= now) {
         told_ = true;
         tell_from_ = now + telling_period;
-        notice_(fmt::format("the simulation is {:.1f} s behind the bus: this machine is too slow; run fewer devices",
-                            seconds_of(lag_)));
+        notice_(
+            fmt::format("the simulation is {:.1f} s behind the bus: this machine is too slow or too busy; run fewer "
+                        "devices, or end other programs",
+                        seconds_of(lag_)));
     } else if (lag_.us == 0 && told_) {
         told_ = false;
         notice_("the simulation has caught up with the bus");

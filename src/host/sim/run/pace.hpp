@@ -19,7 +19,8 @@ class Pace {
     static constexpr Duration worth_telling = milliseconds(500);
     static constexpr Duration telling_period = milliseconds(10000);
 
-    /// `clock` returns the real time since the start of the session. `notice` receives messages for the user.
+    /// Prepares the pace. `clock` returns the real time since the start of the session. `notice` receives messages for
+    /// the user.
     Pace(Clock clock, NoticeListener notice) : clock_{std::move(clock)}, notice_{std::move(notice)} {}
 
     /// Advances the session to `until`, or as far as one turn allows.

@@ -39,7 +39,8 @@ struct SessionOutputs {
     std::ostream* frames{nullptr};  ///< every frame as a line of candump
     std::ostream* log{nullptr};     ///< every frame in the format `log_format`
     LogFormat log_format{LogFormat::candump};
-    std::ostream* outputs{nullptr};  ///< `seconds,signal,value`, with `device.signal` if there are several devices
+    std::ostream* outputs{nullptr};  ///< changes of outputs: `seconds,signal,value`, or with several devices
+                                     ///< `seconds,device.signal,value`
     SessionObserver* observer{nullptr};
 };
 
@@ -61,8 +62,8 @@ class RunSession {
     /// Handles all events up to `now`, each at its own time. Stops earlier when more data have arrived at the bus than
     /// one turn reads. Throws StuckDevice for a device whose deadline does not advance.
     void advance_to(Instant now);
-    /// Handles events in the same way, but stops when may_go_on() returns false after a step. now() is then earlier
-    /// than the argument `now`.
+    /// Handles events as advance_to(now) does, but stops when may_go_on() returns false after a step. now() is then
+    /// earlier than the argument `now`.
     void advance_to(Instant now, const std::function<bool()>& may_go_on);
     Instant next_deadline() const;
     /// Sends a frame of the user. Returns false when the bus cannot take the frame now.

@@ -338,8 +338,9 @@ TEST_F(ArbitratedBusTest, NodeAtAnotherBitRateIsDisconnectedUntilMostNodesHaveCh
     EXPECT_THAT(log, ElementsAre("b 702#05", "a 701#05"));
     EXPECT_EQ(b.heard.back(), fmt::format("{} 701#05", 10000 + time_of("701#05", 4)));
     EXPECT_THAT(c.heard, SizeIs(1));  // the bus still has 125 kbit/s
-    EXPECT_THAT(notices, ElementsAre("a: LSS sets 250000 bit/s; the bus has another bit rate; no frame passes",
-                                     "b: LSS sets 250000 bit/s; the bus has this bit rate"));
+    EXPECT_THAT(notices,
+                ElementsAre("a: LSS sets 250000 bit/s; the bus has another bit rate; the device is unreachable",
+                            "b: LSS sets 250000 bit/s; the bus has this bit rate"));
 }
 
 TEST_F(ArbitratedBusTest, BusTakes127NodesAndNoMore) {

@@ -111,11 +111,11 @@ TEST(CandumpLine, RefusalStatesWhichFieldIsWrong) {
     EXPECT_NE(refusal("(1.0) can0 703#05 X").find("does not consist of a time, an interface and a frame"),
               std::string::npos);
     for (const char* text : {"1.0) can0 703#05", "(1.0 can0 703#05", "() can0 703#05", "( can0 703#05"}) {
-        EXPECT_NE(refusal(text).find("is not in brackets"), std::string::npos) << text;
+        EXPECT_NE(refusal(text).find("is not in round brackets"), std::string::npos) << text;
     }
     EXPECT_NE(refusal("(1,0) can0 703#05").find("`1,0` is no time"), std::string::npos);
     EXPECT_EQ(line("(1) can0 703#05").time, Instant{1000000});  // the shortest form of a time
-    EXPECT_NE(refusal("(1.0) can0 703#GG").find("data `GG` is not up to eight bytes"), std::string::npos);
+    EXPECT_NE(refusal("(1.0) can0 703#GG").find("data `GG` is no sequence of zero to eight bytes"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 900#").find("identifier 900 is too large"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#R9").find("`9` is no length from 0 to 8 after R"), std::string::npos);
     EXPECT_NE(refusal("(1.0) can0 703#01_9").find("`_9` is no length code"), std::string::npos);

@@ -97,8 +97,8 @@ TEST_F(SocketcandServer, ClientThatNeverReadsIsDroppedAndOthersLoseNothing) {
         return bus.clients() == 1;
     }));
     ASSERT_THAT(notices, SizeIs(1));
-    EXPECT_THAT(notices[0],
-                testing::MatchesRegex("client [0-9]+ was dropped: the client did not read the text that it was sent"));
+    EXPECT_THAT(notices[0], testing::MatchesRegex(
+                                "client [0-9]+ was dropped: the client did not read the text that was sent to it"));
     ASSERT_TRUE(until([&] { return node.waiting.empty() && log.size() == sent; }));
     std::size_t frames = 0;
     ASSERT_TRUE(until([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One device: its data, its values, and its controls.
+// The card of one device on the page: its data, its values, and its controls.
 import { el, tell } from './dom.js';
 import { Dial, makeControl } from './controls.js';
 import { attitude, connector, relay } from './drawings.js';
@@ -111,7 +111,7 @@ export class Card {
 
   listen(name, listener) { this.listeners[this.channels.get(name).at].push(listener); }
 
-  /** Shows a change at its own time; `at` is the number of the channel in this device. */
+  /** Shows a change at the time when it happened; `at` is the number of the channel in this device. */
   change(at, time, value) { for (const listener of this.listeners[at]) listener(time, value); }
 
   show(state) {

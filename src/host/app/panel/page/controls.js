@@ -110,7 +110,7 @@ class Slider extends Control {
     this.say(value);
   }
 
-  /** Marks the present limits of the device. */
+  /** Marks the device's present limits on the slider. */
   showMarks(valueOf) {
     const told = [];
     for (const mark of this.marks) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value on its scale, and its history over half a minute.
+// Draws a value on its scale, and its history over half a minute.
 import { el, tell } from './dom.js';
 import { shownTime } from './clock.js';
 import { digitsFor, numberText, unitSign, valueText } from './units.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LEDs, lit and dark as the outputs of the device. With reduced motion, a flashing LED is drawn half lit, and the words
+// Draws LEDs lit or dark, as the device's outputs are. With reduced motion, a flashing LED is drawn half lit, and the words
 // below it name the pattern.
 import { calm, el, tell } from './dom.js';
 import { shownTime } from './clock.js';
