@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The impact of a change: items, their decisions, code and tests, and changed verdicts.
+// The impact of a change: the changed items with their decisions, code and tests, and the changed results of tests.
 #pragma once
 
 #include <string>

@@ -49,13 +49,13 @@ Region region_of(const nlohmann::json& values) {
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
                                   const SourceAge age) {
     if (!std::filesystem::exists(file)) {
-        throw InputError{
-            fmt::format("{} was measured but does not exist any more; tests/coverage measures again", file.string())};
+        throw InputError{fmt::format("{} was measured but does not exist any more; run tests/coverage to measure again",
+                                     file.string())};
     }
     if (age == SourceAge::by_time &&
         std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
         throw InputError{
-            fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
+            fmt::format("{} has changed since it was measured; run tests/coverage to measure again", file.string())};
     }
     return read_lines(file);
 }
@@ -322,10 +322,11 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                 known == functions.end() ? Functions::mapped_type{} : known->second));
         }
     } catch (const nlohmann::json::exception& error) {
-        throw InputError{fmt::format("{} is no export of llvm-cov ({}); measure again", file.string(), error.what())};
+        throw InputError{
+            fmt::format("{} is no export of llvm-cov ({}); run tests/coverage again", file.string(), error.what())};
     }
     if (std::all_of(files.begin(), files.end(), [](const FileCoverage& one) { return one.is_host(); })) {
-        throw InputError{fmt::format("{} measures no file of the firmware; measure again", file.string())};
+        throw InputError{fmt::format("{} measures no file of the firmware; run tests/coverage again", file.string())};
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
     return files;

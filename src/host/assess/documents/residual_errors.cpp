@@ -60,7 +60,7 @@ Chapter rates_chapter(const Register& content) {
         }
     }
     return {"Figures",
-            {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
+            {fmt::format("A full bus carries bit rate / {} x 3600 frames of this length an hour.", longest_frame_bits),
              "IEC 61784-3 requires p = 1e-2 unless a better value is shown. One per cent of the dangerous failures "
              "that SIL 3 allows is 1e-9 an hour. Where a rate of the table exceeds this, CAN alone must not carry a "
              "safety function. A safety protocol above CANopen (EN 50325-5, for example) is missing here.",

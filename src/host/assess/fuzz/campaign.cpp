@@ -186,7 +186,7 @@ int run_shard(const CampaignContext& context) {
             return was_interrupted;
         }
     }
-    context.display.say(fmt::format("shard {} has fuzzed {} target(s); give the folder above {} to --merge",
+    context.display.say(fmt::format("shard {} has fuzzed {} target(s); give --merge the folder that contains {}",
                                     context.state.shard, context.targets.size(), context.options.corpus));
     return is_broken(context.state) ? was_broken : 0;
 }

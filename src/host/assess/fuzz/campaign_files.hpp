@@ -15,7 +15,7 @@ namespace canproof::host {
 
 class CampaignDisplay;
 
-/// The paths below the corpus folder.
+/// The paths of a campaign's files below the corpus folder.
 class CampaignFiles {
   public:
     explicit CampaignFiles(const std::filesystem::path& corpus) : corpus_{std::filesystem::absolute(corpus)} {}

@@ -194,7 +194,8 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
     }
     for (const auto& target : state.targets) {
         if (target.broken_slices != 0) {
-            open.push_back(fmt::format("{}: {} slice(s) ended before their time", target.name, target.broken_slices));
+            open.push_back(
+                fmt::format("{}: {} slice(s) of the fuzzing time ended too early", target.name, target.broken_slices));
         }
     }
     if (!finished) {

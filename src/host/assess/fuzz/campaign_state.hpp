@@ -43,7 +43,8 @@ struct Finding {
     std::string title;
     std::string signature;
     std::string first_seen;  ///< UTC time
-    std::string folder;      ///< folder with input, output.txt and, for a target with frames, frames.log and replay
+    std::string folder;      ///< folder with input and output.txt; also frames.log and replay, if the target sends CAN
+                             ///< frames
     std::string regression;  ///< path of the input in the committed corpus; empty: it is not there
     std::string pass;        ///< the pass that found the bug: libFuzzer with sanitizers, or valgrind
     std::size_t bytes{0};
@@ -86,7 +87,7 @@ struct CampaignState {
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
-    std::vector<std::string> remarks;  ///< interruptions, and steps that failed with the reason
+    std::vector<std::string> remarks;  ///< interruptions, and failed steps with the reason
 
     std::uint64_t executions() const;
     double seconds() const;

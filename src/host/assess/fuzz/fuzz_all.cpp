@@ -32,7 +32,7 @@ double slice_seconds(const CampaignContext& context, const TargetRecord& record)
     return std::max(1.0, (share - record.seconds) / left);
 }
 
-/// Records the progress of one slice.
+/// Records the progress of one slice, a part of a target's fuzzing time.
 class Slice {
   public:
     Slice(const CampaignContext& context, TargetRecord& record) : context_{context}, record_{record} {}

@@ -88,8 +88,9 @@ bool run_all(const CampaignContext& context, const std::vector<Run>& runs) {
         task.limit_seconds = run_limit;
         task.ended = [&context, &run, log = task.log](const TaskEnd& end) {
             if (end.status != 0 && !end.interrupted) {
-                context.state.remarks.push_back(fmt::format(
-                    "{}: a replay failed, so its lines may not be counted; see {}", run.target->name, log.string()));
+                context.state.remarks.push_back(
+                    fmt::format("{}: a replay failed, so lines that it reached may be missing; see {}",
+                                run.target->name, log.string()));
             }
         };
         tasks.push_back(std::move(task));

@@ -48,7 +48,7 @@ std::vector<Crash> collect(const CampaignContext& context) {
             return std::filesystem::file_size(a) < std::filesystem::file_size(b);
         });
         if (inputs.size() > most_inputs) {
-            context.state.remarks.push_back(fmt::format("{}: of {} inputs that ended a run the {} smallest were sorted",
+            context.state.remarks.push_back(fmt::format("{}: {} inputs ended a run; only the {} smallest were examined",
                                                         target.name, inputs.size(), most_inputs));
             inputs.resize(most_inputs);
         }

@@ -225,7 +225,8 @@ InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, c
                              const std::function<void(std::size_t)>& progress) {
     InjectionCampaign campaign;
     std::exception_ptr failure;
-    // glibc gives a new thread a heap of its own. What the program has allocated before does not move the device in it.
+    // glibc gives a new thread a heap of its own. Earlier allocations of the program do not change the device's
+    // addresses in this heap.
     std::thread run{[&] {
         try {
             campaign = run_in_this_thread(make, input, options, progress);

@@ -15,7 +15,7 @@ namespace canproof::host {
 
 /// The figures of one source.
 struct FileFigures {
-    std::string code;  ///< mark of its code, without comments, layout and links, when it was judged
+    std::string code;  ///< mark (hash) of its code, without comments, layout and links, when it was judged
     OperatorCount count;
 };
 

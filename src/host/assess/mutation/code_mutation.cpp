@@ -21,12 +21,13 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest processor time of the tests for one mutant, in seconds. The sum uses the times that the tests take without a
-/// mutant.
+/// Limit in seconds for the processor time of all tests with one mutant. The sum uses the times that the tests take
+/// without a mutant.
 constexpr double most_seconds = 1.5;
-/// Longest processor time of the tests for a mutant that survives these tests and that no record explains, in seconds.
+/// Limit in seconds for the processor time of more tests, for a mutant that survives the first tests and that no record
+/// explains.
 constexpr double patient_seconds = 60.0;
-/// Longest processor time of the tests that run first, in seconds. These tests notice most mutants.
+/// Limit in seconds for the processor time of the tests that run first. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
 /// Name of the entry for the computations before the first test.
 const char* const startup = "startup";

@@ -11,8 +11,8 @@ namespace {
 
 /// Number of mutants of one item that a test runs with first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
-/// Longest processor time in seconds for one test with the altered cells (values in generated tables) of one item, and
-/// again with the mutants of its code.
+/// Limit in seconds for the processor time of one test with the altered cells (values in generated tables) of one item.
+/// The same limit applies to the test with the mutants of the item's code.
 constexpr double most_item_seconds = 3.0;
 /// Processor time in seconds that the start of a program counts.
 constexpr double start_seconds = 0.1;

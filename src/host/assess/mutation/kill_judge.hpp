@@ -31,7 +31,7 @@ struct ClaimingTest {
     std::string body;  ///< hash of its body
     bool is_property{false};
     std::set<std::string> claims;
-    std::string code{};  ///< mark of the code of the claimed items
+    std::string code{};  ///< mark (hash) of the code of the claimed items
 };
 
 /// Owns the running test programs. Each thread has its own object.

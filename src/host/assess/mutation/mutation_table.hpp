@@ -28,7 +28,7 @@ bool is_host(const std::string& file);
 /// `otherwise` for an empty path.
 std::string harness_of(const std::string& test_file);
 
-/// One line of the table.
+/// The counts of mutants in one line of the table.
 struct OperatorCount {
     std::size_t mutants{0};
     std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by test suite (harness_of())

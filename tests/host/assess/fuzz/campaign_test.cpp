@@ -218,7 +218,7 @@ TEST_F(Campaign, TargetThatEndsEarlyIsAFailure) {
     EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
     const auto exhibit = read_json(folder / "out" / "exhibit.json");
     EXPECT_EQ(exhibit["state"], "open");
-    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
+    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) of the fuzzing time ended too early");
 }
 
 TEST_F(Campaign, MissingBuildOrTargetIsReportedWithItsRemedy) {
