@@ -79,7 +79,7 @@ class LimitCheck {
         const auto least = number_of(entry.range.minimum.number);
         const bool above_zero = entry.range.minimum.kind == Limit::Kind::number && least && *least > 0.0;
         if (entry.range.zero && (!above_zero || is_real_type(entry.type))) {
-            fault(entry.range.place, "allows 0 besides its range, which has no whole number above 0 as minimum",
+            fault(entry.range.place, "allows 0 in addition to its range, but the minimum is no whole number above 0",
                   "remove `zero`, or write a `min` above 0");
         }
     }
@@ -146,8 +146,8 @@ class LimitCheck {
             return {};
         }
         if (is_real_type(entry.type)) {
-            fault(limit.place, fmt::format("is a REAL32 limited by {}", name),
-                  "give a number: only integers can be compared with other objects");
+            fault(limit.place, fmt::format("is a REAL32, but its limit is the object {}", name),
+                  "write a number as limit: only the limit of an integer can be another object");
             return {};
         }
         End result;

@@ -77,7 +77,8 @@ struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
-    std::string by;  ///< id of the shared requirement whose code implements this one; empty: the device's own code does
+    std::string by;  ///< id of the shared requirement whose code implements this one; empty: the device has its own
+                     ///< code
     Place by_place;
     Answer answer;
 };
@@ -234,7 +235,7 @@ struct Hazard : Item {
     Place at_place;
     std::string safe_state;
     std::vector<Failure> failures;
-    std::vector<std::string> decisions;  ///< ids of the decisions that chose the safer failure
+    std::vector<std::string> decisions;  ///< ids of the decisions made for the reason "safer failure"
     Place decisions_place;
 };
 
@@ -282,7 +283,7 @@ struct DeviceInfo {
     Place place;
 };
 
-/// An object of the standard with its name in shared code. Only the shared part has such objects.
+/// A standard object of CiA with its name in shared code. Only the shared part has such objects.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plots a file of `--outputs`. Each signal keeps its value until its next line.
+// Plots the file that `canproof COMMAND --outputs` writes. Each signal keeps its value until its next line.
 #pragma once
 
 #include <istream>
