@@ -94,7 +94,7 @@ class Solver {
     std::vector<Term> facts_;
     std::vector<KnownByte> bytes_;
     std::vector<Term> needed_;         ///< the facts that z3 gets
-    std::set<std::size_t> is_needed_;  ///< numbers of those among `facts_`
+    std::set<std::size_t> is_needed_;  ///< positions of the needed facts in `facts_`
     std::deque<Model> models_;         ///< the model that was used last comes first
     std::size_t questions_{0};
     z3::solver kept_;          ///< keeps what it has learnt from one question to the next

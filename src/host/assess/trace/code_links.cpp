@@ -41,7 +41,7 @@ std::string unit_of(std::string file) {
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
     static const std::string written =
-        "#include \\\"";  // an include line in a string literal of the compiler of the requirements register
+        "#include \\\"";  // an include line in a string literal of src/host/codegen, which writes generated code
     std::vector<std::string> all;
     for (const auto& line : read_lines(file)) {
         if (line.rfind(word, 0) == 0) {

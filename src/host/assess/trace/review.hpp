@@ -83,7 +83,7 @@ std::string independent_words(const IndependentReview& independent, const Review
 /// of the sections of its manual.
 std::set<std::string> reviewable(const Register& content, const Part& part);
 /// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
-/// disposition.
+/// disposition (normative or not).
 std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work);
 
 }  // namespace canproof::host

@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// Kinds of what a reader reviews.
+/// The kinds of things that a reader reviews; a disposition says whether a section of a manual is normative.
 enum class ReviewedKind { item, decision, hazard, disposition };
 
 /// Numbers of items (or decisions, hazards, dispositions) in force by their reviews. Each is in one of the four numbers
