@@ -68,7 +68,7 @@ class Places {
     std::size_t last_;
 };
 
-/// Makes a choice between the words at all places. The bits of the offset select the word.
+/// Makes a choice between the words at all offsets. The bits of the offset select the word.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes, const Reach& reach)

@@ -50,7 +50,7 @@ struct Proof {
 
     Limits limits;
     Case& at;
-    std::size_t each_calls{0};  ///< calls of each() so far
+    std::size_t each_calls{0};  ///< number of calls of each() so far
     z3::context context{};
     Solver solver{context};
     Floats floats{context, [this](unsigned width) { return fresh(width); }};

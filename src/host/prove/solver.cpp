@@ -13,7 +13,8 @@ constexpr std::size_t most_models = 24;
 /// solver begins.
 constexpr unsigned kept_milliseconds = 1000;
 
-/// Bounds the next question. z3 counts its own steps, so the answer does not depend on how busy the machine is.
+/// Limits the effort of z3 for the next question. z3 counts its own steps, so the answer does not depend on how busy
+/// the machine is.
 void limit(z3::solver& solver, unsigned milliseconds) {
     constexpr std::uint64_t steps_in_a_millisecond = 2000;
     const std::uint64_t steps = std::min<std::uint64_t>(std::uint64_t{milliseconds} * steps_in_a_millisecond,

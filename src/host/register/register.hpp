@@ -144,7 +144,7 @@ struct Column {
     std::string unit;
     std::optional<std::int64_t> minimum;
     std::optional<std::int64_t> maximum;
-    std::vector<std::string> words;  ///< allowed words of a column of words
+    std::vector<std::string> words;  ///< allowed words, if the cells of the column are words
     Place place;
     enum class Kind { words, integers, booleans, reals } kind{Kind::words};
 };

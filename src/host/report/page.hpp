@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common frame of all pages of the pack. One style sheet serves phones, dark mode and paper. The pages load no
-// external files.
+// The common frame of all pages of the evidence pack. One style sheet serves phones, dark mode and paper. The pages
+// load no external files.
 #pragma once
 
 #include <string>

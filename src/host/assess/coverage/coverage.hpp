@@ -27,7 +27,7 @@ struct CoverageGap {
     std::string file;  ///< relative to the project's folder
     unsigned line{0};
     std::string code;
-    std::string missing;  ///< in words: `never true`, `not shown to decide alone` …
+    std::string missing;  ///< the outcome that is missing: `never true`, `not shown to decide alone` …
 };
 
 struct FileCoverage {

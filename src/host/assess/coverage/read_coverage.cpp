@@ -23,7 +23,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Start and end of a region. Lines and columns count from 1; the end is one column after the last character.
+/// Start and end of a region of a source. Lines and columns count from 1; the end is one column after the last
+/// character.
 struct Region {
     unsigned line{0};
     unsigned column{0};
@@ -76,7 +77,7 @@ std::string text_of(const Region& region, const std::vector<std::string>& lines)
     return text;
 }
 
-/// Executions of the two outcomes of a branch, summed over all instantiations.
+/// Numbers of executions of the two outcomes of a branch, summed over all instantiations of a template.
 struct Ways {
     unsigned long long taken{0};
     unsigned long long passed{0};
@@ -193,7 +194,7 @@ class FileReader {
     }
 
     /// Reads the MC/DC conditions. llvm-cov lists the conditions of a decision in the order of the source. Returns the
-    /// places of the gaps.
+    /// regions of the conditions that are gaps.
     std::set<Region> read_conditions(const std::map<Region, Ways>& branches) {
         std::map<Region, std::vector<bool>> decisions;
         for (const auto& record : source_.at("mcdc_records")) {
@@ -244,7 +245,7 @@ class FileReader {
     FileCoverage made_;
 };
 
-/// Returns a name without template arguments, because all instantiations count together.
+/// Returns a name without template arguments, because all instantiations of a template count together.
 std::string without_arguments(const std::string& name) {
     std::string plain;
     int depth = 0;

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns the counts of all parts together.
+/// Returns the counts of reviews, summed over all devices and the shared rules.
 std::map<ReviewedKind, ReviewCounts> count_all_reviews(const PackInput& input);
 
 /// Returns one sentence for items, decisions, hazards and dispositions of sections (normative or not) each: how many of

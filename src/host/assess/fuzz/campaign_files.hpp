@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files and the context that all parts of a campaign use.
+// The files and the context that all phases of a fuzzing campaign use.
 #pragma once
 
 #include <filesystem>

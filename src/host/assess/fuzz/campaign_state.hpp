@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a campaign. The corpus folder keeps it, so that the same command without --restart continues an
+// The state of a fuzzing campaign. The corpus folder keeps it, so that the same command without --restart continues an
 // interrupted campaign.
 #pragma once
 
@@ -21,14 +21,14 @@ struct Sample {
 
 struct TargetRecord {
     std::string name;
-    unsigned slices{0};  ///< number of finished slices
+    unsigned slices{0};  ///< number of finished slices (parts of the fuzzing time)
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
     std::size_t inputs_before{0};  ///< number of inputs in the corpus folder before the campaign, without the seeds
     std::size_t inputs_found{0};
     std::size_t inputs_kept{0};         ///< number of inputs after minimisation
-    unsigned broken_slices{0};          ///< number of slices that ended before their time without a finding
+    unsigned broken_slices{0};          ///< number of slices that ended too early without a finding
     std::size_t inputs_second_pass{0};  ///< number of inputs that the second pass ran
 
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }

@@ -28,7 +28,8 @@ struct Crash {
     bool reproduces{false};
 };
 
-/// Returns whether the artifact is a failure; `slow-unit-…` is only a remark of libFuzzer.
+/// Returns whether the artifact (an input that libFuzzer saved) shows a failure; `slow-unit-…` is only a remark of
+/// libFuzzer.
 bool is_failure(const std::filesystem::path& artifact) {
     return artifact.filename().string().rfind("slow-unit-", 0) != 0;
 }

@@ -14,7 +14,7 @@ namespace canproof::host {
 struct UncoveredLine {
     std::size_t line{0};  ///< line number from 1
     std::string section;
-    std::string words;  ///< the first words that are not covered
+    std::string words;  ///< the first words of the line that no statement covers
 };
 
 /// Numbers of letters and digits: in total, and inside the passages of statements.

@@ -14,7 +14,7 @@ constexpr std::size_t first_tries = 24;
 /// Limit in seconds for the processor time of one test with the altered cells (values in generated tables) of one item.
 /// The same limit applies to the test with the mutants of the item's code.
 constexpr double most_item_seconds = 3.0;
-/// Processor time in seconds that the start of a program counts.
+/// Processor time in seconds that is counted for each start of a program.
 constexpr double start_seconds = 0.1;
 
 const char* const tests_name = "canproof_tests";
@@ -122,7 +122,7 @@ bool KillJudge::notices_code(const ClaimingTest& test, const MutantNumbers& code
 }
 
 /// Starts the program with each of the mutants. A value that the program computes when it starts, such as a table made
-/// from constants, changes in no other way.
+/// from constants, changes only in this way.
 bool KillJudge::notices_at_startup(const std::filesystem::path& program, const ClaimingTest& test,
                                    const MutantNumbers& numbers) const {
     double left = most_item_seconds;

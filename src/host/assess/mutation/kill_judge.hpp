@@ -18,7 +18,7 @@ namespace canproof::host {
 
 using MutantNumbers = std::vector<std::size_t>;
 
-/// Numbers of the mutants of each item, by kind.
+/// The numbers that identify the mutants of each item, by kind.
 struct ItemMutants {
     std::map<std::string, MutantNumbers> cells;  ///< altered generated cells
     std::map<std::string, MutantNumbers> code;   ///< mutants of code; the numbers of each item are in ascending order

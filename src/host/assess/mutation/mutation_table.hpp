@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the mutants of code by layer and operator, and by the test suite that noticed them.
+// Counts the mutants of code by layer and by operator (kind of change), and by the test suite that noticed them.
 #pragma once
 
 #include <array>

@@ -16,7 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the kinds of passed tests that claim to show an id, and whether a test that claims to show it has failed.
+/// Returns the kinds of passed tests that claim to show the item `id`, and whether a test that claims to show it has
+/// failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;

@@ -16,7 +16,7 @@ void add_independent(ReviewCounts& counts, const IndependentReview& review) {
                                         : counts.expired);
 }
 
-/// Adds the review of `id` by its author, or by someone without a role, when it is current.
+/// Counts the review of `id` if it is current and its reader is the author or has no recorded role.
 void add_author(ReviewCounts& counts, const ReviewState& state, const std::string& id, const Review& review) {
     if (review.role == "independent" || !state.is_current(id, review)) {
         return;
