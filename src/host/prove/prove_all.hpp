@@ -16,7 +16,8 @@ struct ProveOptions {
     std::filesystem::path proofs{"properties/proofs"};
     std::filesystem::path generated;  ///< folder with the headers that the build wrote
     std::filesystem::path scratch;    ///< folder for compiled files
-    std::filesystem::path overlay{};  ///< folder with changed sources by their path; empty: no changes
+    std::filesystem::path overlay{};  ///< folder with changed sources, each at its path in the project; empty: no
+                                      ///< changes
     std::string area{};               ///< folder of the proofs to decide; empty: all folders
     std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
     std::optional<Shard> shard{};     ///< decides only this part of the selected theorems

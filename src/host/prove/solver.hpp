@@ -55,7 +55,8 @@ class Solver {
         std::size_t met{0};
         std::size_t placed{0};
         bool keeps_facts{true};
-        std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< first byte that is known at an offset
+        std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< number of the first known byte at each offset
+                                                                      ///< of a memory
         std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first at their offset
     };
 

@@ -49,7 +49,7 @@ class LimitCheck {
     void check(const Entry& entry) {
         if (type_size(entry.type) == 0 || type_size(entry.type) > 4) {
             fault(entry.range.place,
-                  fmt::format("of type {} cannot have a range, because only types of 1 to 4 bytes can", entry.type),
+                  fmt::format("has the type {} and cannot have a range; only types of 1 to 4 bytes can", entry.type),
                   "remove range");
             return;
         }
@@ -141,8 +141,9 @@ class LimitCheck {
         }
         const Entry& other = *found->second;
         if (other.type != entry.type) {
-            fault(limit.place, fmt::format("of type {} is limited by {} of type {}", entry.type, name, other.type),
-                  "name an object of the same type");
+            fault(limit.place,
+                  fmt::format("has the type {}, but its limit {} has the type {}", entry.type, name, other.type),
+                  "name an object of the same type as the entry");
             return {};
         }
         if (is_real_type(entry.type)) {

@@ -96,8 +96,8 @@ class NameCheck {
                 fault(object.place, fmt::format("standard object {:04X}h is in the files of a device", object.index),
                       "move the object to spec/canopen, or write [[object]]");
             } else if (!is_cpp_name(snake_case(object.name))) {
-                fault(object.place, fmt::format("standard object name \"{}\" makes no C++ name", object.name),
-                      "begin the name with a letter");
+                fault(object.place, fmt::format("the name \"{}\" of a standard object gives no C++ name", object.name),
+                      "begin the name with a letter, and use no C++ keyword");
             } else if (!indices.insert(object.index).second || !names.insert(snake_case(object.name)).second) {
                 fault(object.place, fmt::format("standard object {:04X}h or its name is listed twice", object.index),
                       "keep one of the two");

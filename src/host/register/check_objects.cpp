@@ -83,7 +83,7 @@ void check_use(const Object& object, const Entry& entry, Faults& faults) {
         fault(fmt::format("has a length, but the length of the type {} is fixed", entry.type), "remove length");
     }
     if (entry.mapping != "none" && !sized) {
-        fault(fmt::format("of type {} cannot be mapped", entry.type), "set mapping = \"none\"");
+        fault(fmt::format("has the type {} and cannot be mapped", entry.type), "set mapping = \"none\"");
     }
     if ((entry.mapping == "rpdo" || entry.mapping == "both") && !can_write(entry)) {
         fault(fmt::format("is {} and cannot be mapped into an RPDO", entry.access),

@@ -121,7 +121,7 @@ struct Entry {
     bool factory{false};
     bool live{false};
     Place place;
-    /// place of `default`, or of the element's default in a list; without a default equal to `place`
+    /// place of `default`, or of the element's default in a list; if there is no default, equal to `place`
     Place default_place;
 };
 

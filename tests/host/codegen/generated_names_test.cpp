@@ -65,7 +65,7 @@ TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
     EXPECT_THAT(all_faults(load_register(with(shared_file, listed + listed))),
                 HasSubstr("shared.toml:4: standard object 1003h or its name is listed twice"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, "[[standard_object]]\nindex = 0x1003\nname = \"1\"\n"))),
-                HasSubstr("standard object name \"1\" makes no C++ name"));
+                HasSubstr("the name \"1\" of a standard object gives no C++ name"));
 }
 
 TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {

@@ -88,7 +88,8 @@ const std::vector<Broken> cases{
     {"LimitObjectOfOtherType", items_file,
      rw16 + "default = 5\nrange = { max = \"4020\" }\n[[object]]\nindex = 0x4020\nname = \"b\"\nsource = [\"M1:1\"]\n"
             "type = \"UNSIGNED16\"\naccess = \"rw\"\ndefault = 9\n",
-     8, "2000h:0 of type INTEGER16 is limited by 4020h:0 of type UNSIGNED16", "name an object of the same type"},
+     8, "2000h:0 has the type INTEGER16, but its limit 4020h:0 has the type UNSIGNED16",
+     "name an object of the same type"},
     {"DefaultAboveLimitObject", items_file,
      rw16 + "default = 2600\nrange = { max = { object = \"4020\", add = -100 } }\n[[object]]\nindex = 0x4020\nname = "
             "\"b\"\n"
@@ -100,7 +101,7 @@ const std::vector<Broken> cases{
      8, "2000h:0 is a REAL32, but its limit is the object 2001h:0", "write a number as limit"},
     {"RangeOfString", items_file,
      var + "type = \"VISIBLE_STRING\"\naccess = \"rw\"\ndefault = \"a\"\nrange = { max = 5 }\n", 8,
-     "2000h:0 of type VISIBLE_STRING cannot have a range", "remove range"},
+     "2000h:0 has the type VISIBLE_STRING and cannot have a range", "remove range"},
     {"RangeTableMissing", items_file, rw16 + "default = 5\nrange = { table = \"AO4-T9\" }\n", 8,
      "2000h:0 takes its range from table AO4-T9, which does not exist", "name a [[table]]"},
     {"RangeTableOfWords", items_file,
@@ -129,7 +130,7 @@ const std::vector<Broken> cases{
      "2000h:0 is a DOMAIN with a default", "remove default"},
     {"StringMapped", items_file,
      var + "type = \"VISIBLE_STRING\"\naccess = \"rw\"\ndefault = \"a\"\nmapping = \"tpdo\"\n", 1,
-     "2000h:0 of type VISIBLE_STRING cannot be mapped", "set mapping = \"none\""},
+     "2000h:0 has the type VISIBLE_STRING and cannot be mapped", "set mapping = \"none\""},
     {"ReadOnlyReceived", items_file, var + "type = \"UNSIGNED8\"\naccess = \"ro\"\ndefault = 0\nmapping = \"rpdo\"\n",
      1, "2000h:0 is ro and cannot be mapped into an RPDO", "set mapping = \"tpdo\""},
     {"WriteOnlyTransmitted", items_file,

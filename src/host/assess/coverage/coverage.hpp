@@ -55,9 +55,9 @@ struct CoverageTotals {
     void add(const FileCoverage& file);
 };
 
-/// Returns the counts over the files of the firmware.
+/// Returns the sums of the counts over the files of the firmware.
 CoverageTotals totals_of(const std::vector<FileCoverage>& files);
-/// Returns the counts over the files of the host.
+/// Returns the sums of the counts over the files of the host.
 CoverageTotals host_totals_of(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

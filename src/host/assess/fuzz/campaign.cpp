@@ -124,12 +124,12 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         const bool same =
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
-            throw InputError{
-                fmt::format("{} contains an unfinished campaign with another time, shard or targets ({} minutes, "
-                            "{}started {}); give "
-                            "the command that started it to continue it, or add --restart to start a new campaign",
-                            files.work().string(), state.minutes,
-                            state.shard.empty() ? "" : "shard " + state.shard + ", ", state.started)};
+            throw InputError{fmt::format(
+                "{} contains an unfinished campaign with another duration, shard or set of targets ({} minutes, "
+                "{}started {}); give the command that started it to continue it, or add --restart to start a new "
+                "campaign",
+                files.work().string(), state.minutes, state.shard.empty() ? "" : "shard " + state.shard + ", ",
+                state.started)};
         }
         state.jobs = options.jobs;
         state.remarks.push_back(

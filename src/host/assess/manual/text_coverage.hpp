@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// A line of text in a normative section that the statements do not cover completely.
+/// A line of a normative section whose text the statements do not cover completely.
 struct UncoveredLine {
     std::size_t line{0};  ///< line number from 1
     std::string section;
@@ -31,7 +31,8 @@ struct TextCoverage {
     std::vector<std::string> missing;
     std::vector<std::string> not_located;  ///< normative numbered sections whose heading the text does not contain
     std::vector<UncoveredLine> uncovered;
-    CoveredCharacters normative;  ///< counts for the located normative sections, without headings and captions
+    CoveredCharacters normative;  ///< counts for the normative sections whose heading was found, without headings and
+                                  ///< captions
     CoveredCharacters whole;
 };
 

@@ -120,7 +120,7 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims this item has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a test that claims to show this item has failed", id));
         } else if (!audited.missing.empty()) {
             audit_.gaps.push_back(
                 fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));

@@ -43,7 +43,7 @@ struct AuditedSection {
 /// A statement of the manual with its evidence.
 struct AuditedStatement {
     const Statement* statement{nullptr};
-    std::string id;  ///< key, section and number: AX130751:1.3/2
+    std::string id;  ///< key of the manual, section and number: AX130751:1.3/2
     /// worst status of its items: failed, open, suspect or shown; without items: explained if it has a reason,
     /// otherwise open
     std::string status;

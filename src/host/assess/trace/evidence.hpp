@@ -59,15 +59,15 @@ struct Evidence {
     std::size_t failed{0};
 };
 
-/// Returns the folder with the verdicts of the last test run: the newest among build/release/verdicts,
-/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no verdicts.
+/// Returns the folder with the results of the last test run: the newest among build/release/verdicts,
+/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no results.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
-/// Reads the verdicts in one folder. Throws InputError for a file that is not XML.
+/// Reads the results of tests in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
 /// Reads the XML of the test programs and scans src/ for implements<>. A test case has an XML property for each
-/// requirement that it claims to show, with the requirement's name. Throws InputError when there are no verdicts.
+/// requirement that it claims to show, with the requirement's name. Throws InputError when there are no results.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

@@ -142,8 +142,8 @@ std::string kill_summary(const KillAudit& audit) {
         "mutants: {} item(s) have a mutant that a test notices, {} have only mutants that no test notices, {} have no "
         "mutants, {} wait for `canproof mutate --kills`\n",
         audit.shown, audit.unnoticed.size(), audit.immutable.size(), audit.unjudged.size());
-    text += named("no test notices a mutant of", audit.unnoticed);
-    text += named("without mutants", audit.immutable);
+    text += named("items of which no test notices a mutant", audit.unnoticed);
+    text += named("items without mutants", audit.immutable);
     text += named("items that wait for a mutation run", audit.unjudged);
     text += named("tests that notice no mutant of the items that they claim to show", audit.idle, most_names);
     text += named("tests that changed since the last mutation run", audit.changed);

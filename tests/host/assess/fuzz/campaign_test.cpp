@@ -174,7 +174,7 @@ TEST_F(Campaign, CampaignComparesWithThePreviousCampaign) {
     add_target("a", R"(echo '#400: cov: 15 ft: 30 corp: 5 ')");
     run();
     EXPECT_EQ(report()["last_night"]["edges"]["a"], 12);
-    EXPECT_NE(text_of(folder / "out" / "index.html").find("Against the last campaign\">+3"), std::string::npos);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("Change since the last campaign\">+3"), std::string::npos);
     EXPECT_EQ(report()["targets"][0]["inputs_before"], 1);
 }
 
