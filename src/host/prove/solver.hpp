@@ -99,7 +99,7 @@ class Solver {
     std::deque<Model> models_;         ///< the model that was used last comes first
     std::size_t questions_{0};
     z3::solver kept_;          ///< keeps what it has learnt from one question to the next
-    std::size_t kept_has_{0};  ///< number of the needed facts that it has
+    std::size_t kept_has_{0};  ///< number of the needed facts that `kept_` has
     std::unordered_map<unsigned, Term> literals_;
 };
 

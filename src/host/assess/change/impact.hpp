@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct VerdictChange {
     std::string id;
-    std::string before;  ///< `passed`, `failed` or `none`
+    std::string before;  ///< result of the item: `passed`, `failed` or `none`
     std::string after;
 };
 

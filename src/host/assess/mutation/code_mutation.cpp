@@ -31,7 +31,7 @@ constexpr double patient_seconds = 60.0;
 constexpr double quick_seconds = 0.1;
 /// Name of the entry, in the list of tests, for the computations before the first test.
 const char* const startup = "startup";
-/// Time in seconds that each test counts at least, because its start takes time.
+/// Least time in seconds that is counted for each test, because the start of a test takes time.
 constexpr double least_seconds = 0.001;
 
 /// Tests to run, and the processor time in seconds after which the mutant counts as noticed.

@@ -21,7 +21,8 @@ const char* const tests_name = "canproof_tests";
 const char* const properties_name = "canproof_properties";
 const char* const code_name = "code_mutants";
 
-/// Returns all numbers in another order: first about `first_tries` numbers that are evenly spread, then the others.
+/// Returns the numbers of all mutants in another order: first about `first_tries` numbers that are evenly spread, then
+/// the others.
 MutantNumbers spread(const MutantNumbers& all) {
     MutantNumbers ordered;
     const std::size_t step = 1 + all.size() / first_tries;

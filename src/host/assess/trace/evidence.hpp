@@ -47,7 +47,7 @@ struct Evidence {
     std::vector<TestCase> cases;
     std::map<std::string, std::vector<Verdict>> verdicts;         ///< results of tests by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
-    /// by id: places where code names what is generated from the item
+    /// places where code names what is generated from an item, by the id of the item
     std::map<std::string, std::vector<std::string>> used;
     /// review marks: hashes of the code and tests that a review of each item covers
     WorkByItem work;

@@ -18,7 +18,8 @@ struct KillAudit {
     /// items that no test is known to show, but that have a test which no mutation run has judged in its present form
     std::vector<std::string> unjudged;
     std::vector<std::string> changed;     ///< tests whose body has changed since a mutation run judged them
-    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim
+    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim to
+                                          ///< show
     std::vector<std::string> never;       ///< tests that claim to show items and that no mutation run has judged
     std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they claim to show
     /// one sentence for each item of which a recorded test, but no present test, notices a mutant, and for each

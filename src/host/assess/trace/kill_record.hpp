@@ -26,9 +26,9 @@ struct KillLine {
 /// The results by the test's name, Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
-/// Returns the mark (hash) of the code of all items that a test claims, by the test's name. It changes when the test
-/// claims other items, when the code below a link of such an item changes, or when another shared item implements it
-/// (`by`).
+/// Returns the mark (hash) of the code of all items that a test claims to show, by the test's name. The mark changes
+/// when the test claims to show other items, when the code below a link (implements<> assertion) of such an item
+/// changes, or when another shared item implements it (`by`).
 std::map<std::string, std::string> code_by_test(const Evidence& evidence);
 
 /// Reads the record; returns an empty record when the file does not exist. A line of four fields, as older versions
