@@ -26,7 +26,8 @@ struct Alterations {
     const Alteration* end() const { return first + count; }
 };
 
-/// Returns all alterations in the order of the register. The register's compiler generates this function.
+/// Returns all alterations in the order of the register. The program speccompiler generates this function from the
+/// register.
 Alterations generated_alterations();
 
 }  // namespace canproof::host

@@ -9,7 +9,8 @@
 
 namespace canproof::host {
 
-/// Whether a running program can alter the generated cells. Only the test programs for `canproof mutate` can.
+/// Whether a running program can alter the cells (values in generated tables). Only the test programs for `canproof
+/// mutate` can.
 enum class Cells { constant, changeable };
 /// Returns the words before a generated table: `inline constexpr` for constant cells, `inline` for changeable cells.
 const char* storage_words(Cells cells);

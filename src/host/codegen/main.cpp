@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register's compiler. `speccompiler --spec DIR --out DIR` checks the requirements register and writes the C++
-// tables. The build runs it.
+// The compiler of the requirements register. `speccompiler --spec DIR --out DIR` checks the requirements register and
+// writes the C++ tables. The build runs it.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// One member of a generated row.
+/// One member of a row in a generated table.
 struct RowField {
     std::string name;
     const Column* column{nullptr};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes all output of the register's compiler.
+// Writes all files that are generated from the requirements register.
 #pragma once
 
 #include <filesystem>

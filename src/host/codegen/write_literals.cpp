@@ -85,7 +85,7 @@ std::string write_constants(const Part& part, Cells cells) {
     std::string text = opening(part, "#include <cstdint>\n");
     for (const Constant& constant : part.constants) {
         // Initialisation in braces to a narrower type accepts a constant whose value fits, but no variable of a wider
-        // type. So a changeable cell has exactly the type of the register.
+        // type. So a changeable cell has exactly the type that the register states.
         const bool fixed = cells == Cells::constant || constant.compiled_in;
         const std::string type = fixed ? constant_type(constant.type) : cpp_type(constant.type);
         text += item_comment(constant, constant.unit);

@@ -17,9 +17,10 @@ namespace canproof::host {
 
 namespace {
 
-/// A range of indices that families of objects fill together: `count` blocks of `step` indices each, from index `first`
-/// on. Block k contains member `first_member` + k of each family. The first member of all is in the block at `origin`:
-/// a family whose indices contain the decimal digits of a number has several stretches.
+/// A range of object indices that families of numbered objects fill together: `count` blocks of `step` indices each,
+/// from index `first` on. Block k contains the object with the number `first_member` + k of each family. `origin` is
+/// the index of the block with the first object of the family. A family has several stretches if its indices use only
+/// decimal digits for the numbers.
 struct Stretch {
     unsigned first;
     unsigned step;
@@ -54,7 +55,8 @@ Families families_of(const Part& part) {
     return families;
 }
 
-/// Returns the stretches of a family of two or more members. Their step is the distance of the first two.
+/// Returns the stretches of a family of two or more members. Their step is the distance between the indices of the
+/// first two.
 std::vector<Stretch> stretches_of(const std::vector<const Object*>& members) {
     const unsigned step = members[1]->index - members[0]->index;
     const unsigned origin = members[0]->index / step * step;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates C++ that identifies the object of a write.
+// Generates C++ code that identifies the object to which a write goes.
 #pragma once
 
 #include <string>

@@ -76,8 +76,8 @@ std::uint64_t least(std::uint64_t most, const Holds& holds) {
     return low;
 }
 
-/// Returns the bytes of an object that an access to a place may reach on this path. Elsewhere the object stays as it
-/// is, so that an address that it keeps there remains an address.
+/// Returns the bytes of an object that an access to a place may reach on this path. The other bytes of the object stay
+/// unchanged, so that an address stored there remains known as an address.
 Reach reach_of(Proof& proof, const State& state, const Place& place, const Term& count) {
     const auto size = number(proof.objects[*place.object].size);
     if (!size || *size <= small_object || (number(place.offset) && number(count))) {

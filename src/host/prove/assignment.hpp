@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of the unknowns in one answer of z3, and of every term with them.
+// The values of the unknowns in one answer of z3, and the values of all terms that depend on them.
 #pragma once
 
 #include "host/prove/term_graph.hpp"
@@ -24,7 +24,7 @@ class Assignment {
     bool is_known(NodeId id) const { return id < known_.size() && known_[id]; }
     void put(NodeId id, Bits value);
     void take(NodeId unknown, const z3::model& model, const z3::func_decl& declared);
-    /// Lets z3 evaluate a term, the node `wanted`.
+    /// Lets z3 evaluate a term. `wanted` is the term's node.
     std::optional<Bits> by_z3(NodeId wanted, const Term& term);
     /// Returns the value of a node whose arguments have values.
     Bits computed(const Node& node) const;

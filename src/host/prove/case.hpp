@@ -12,7 +12,7 @@ namespace canproof::host::prove {
 /// case all numbers are zero. next() selects the following case.
 class Case {
   public:
-    /// Returns the number that call `place` of each() returns. It is below `count`.
+    /// Returns the number that call number `place` of each() returns: 0 to `count` - 1.
     unsigned number(std::size_t place, unsigned count);
     /// Selects the next case. Returns false when this was the last one.
     bool next();

@@ -38,13 +38,14 @@ unsigned whole_word(const std::vector<Cell>& cells, std::size_t at) {
     return bytes;
 }
 
-/// Returns the last place of `bytes` bytes that lie in `size` bytes and in reach. `size` is at least `bytes`.
+/// Returns the last offset at which `bytes` bytes lie inside an object of `size` bytes and inside `reach`. `size` is at
+/// least `bytes`.
 std::size_t last_place(std::size_t size, unsigned bytes, const Reach& reach) {
     const std::uint64_t end = std::max<std::uint64_t>(std::min<std::uint64_t>(size, reach.end), bytes);
     return static_cast<std::size_t>(end - bytes);
 }
 
-/// The places up to `last` that an offset may be. For an element of an array, they have equal distances.
+/// The values up to `last` that an offset may have. For an element of an array, they have equal distances.
 class Places {
   public:
     Places(const Term& offset, std::size_t last, const Reach& reach) : last_{last} {
@@ -67,7 +68,7 @@ class Places {
     std::size_t last_;
 };
 
-/// Makes a choice between the words at all places. The bits of the offset select the word.
+/// Makes a choice between the words at all offsets. The bits of the offset select the word.
 class Choice {
   public:
     Choice(const std::vector<Cell>& cells, const Term& offset, unsigned bytes, const Reach& reach)

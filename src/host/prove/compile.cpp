@@ -30,7 +30,7 @@ const std::vector<std::string> bitcode_flags = {
     "-gline-tables-only",
     "-fno-exceptions",
     "-fno-rtti",
-    "-ffp-contract=off",  // as the shipped program: -std=c++17 of g++ switches it off
+    "-ffp-contract=off",  // as in the shipped program: g++ -std=c++17 switches contraction off
     "-fsanitize=undefined,float-divide-by-zero",
     "-fstrict-flex-arrays=3",  // an array at the end of a struct has its bound, too
     "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr,function,bool,enum,float-divide-by-zero",

@@ -18,8 +18,8 @@ struct Reach {
 };
 using ContentsPointer = std::shared_ptr<const Contents>;
 
-/// The interface of all contents. Offsets have 64 bits and are in bounds, because the caller adds that as an
-/// obligation.
+/// The interface of all kinds of contents of an object. Offsets have 64 bits and are in bounds, because the caller adds
+/// that as an obligation.
 class Contents {
   public:
     Contents() = default;

@@ -50,7 +50,8 @@ Term sign_of(const Term& number) {
     return as_truth(number.extract(width - 1, width - 1));
 }
 
-/// Returns an unsigned integer with the order of the numbers, as long as none is NaN: -0 and +0 are equal.
+/// Returns an unsigned integer for a number that is not NaN. These integers have the same order as their numbers; -0
+/// and +0 give the same integer.
 Term order_of(const Term& number) {
     const unsigned width = width_of(number);
     const Term zero = constant(number.ctx(), 0, width);
@@ -68,12 +69,12 @@ Term is_below(const Term& a, const Term& b) {
     return (!is_nan(a) && !is_nan(b) && z3::ult(order_of(a), order_of(b))).simplify();
 }
 
-/// Returns whether z3 leaves this value open: the result of an operation that has none.
+/// Returns whether z3 leaves this value open: it is the result of an operation that has no defined result.
 bool is_unspecified(const Term& value) {
     return value.is_app() && value.num_args() > 0 && value.decl().decl_kind() == Z3_OP_UNINTERPRETED;
 }
 
-/// Returns the value without the choices that z3 leaves open.
+/// Returns the value without the alternatives that z3 leaves open.
 Term specified(const Term& value) {
     if (!value.is_ite()) {
         return value;
@@ -125,7 +126,8 @@ Floats::Applied Floats::applied(const std::string& name, const std::vector<Term>
         z3::goal goal{context_};
         goal.add(result == operation);
         const z3::apply_result done = z3::tactic{context_, "fpa2bv"}(goal);
-        // the first formula defines the result; others say that the bits of a NaN, which z3 leaves open, are a NaN
+        // the first formula defines the result; further formulas say that the bits of a NaN result, which z3 leaves
+        // open, are a NaN
         const Term definition = done.size() == 1 && done[0].size() > 0 ? done[0][0] : context_.bool_val(false);
         if (!definition.is_eq() || !same(definition.arg(0), result)) {
             throw Unknown{"z3 writes no circuit for the floating-point operation `" + name + "`"};
@@ -221,7 +223,7 @@ std::optional<Term> Floats::compared(const llvm::FCmpInst& comparison, const Ter
     const Term below = is_below(a, b);
     const Term above = is_below(b, a);
     const Term equal = !unordered && order_of(a) == order_of(b);
-    // a predicate has a bit each for equal, above, below and unordered
+    // a predicate has one bit each for equal, above, below and unordered
     const unsigned predicate = comparison.getPredicate();
     std::vector<Term> holds;
     if ((predicate & CmpInst::FCMP_OEQ) != 0) {
@@ -250,13 +252,14 @@ Term Floats::resized_number(const Term& from, unsigned width) {
 std::optional<Term> Floats::of_integer(const Term& integer, unsigned width) {
     const unsigned bits = width_of(integer);
     const Layout layout = layout_of(width);
-    if (bits <= layout.fraction + 1) {  // every such number is exact, without rounding
+    if (bits <= layout.fraction + 1) {  // every integer of this width is exact as a floating-point number
         const z3::sort sort = context_.fpa_sort(layout.exponent, layout.fraction + 1);
         return number_of("of_integer", {integer}, width, [&](const auto& inputs) {
             return Term{context_, Z3_mk_fpa_to_fp_signed(context_, Z3_mk_fpa_rne(context_), inputs[0].bits, sort)};
         });
     }
-    // z3 4.8.12 writes no circuit for an integer that has to be rounded; two steps round once here, too
+    // z3 4.8.12 writes no circuit for an integer that must be rounded. So two halves are converted exactly, and only
+    // their sum is rounded.
     constexpr unsigned half = 32;
     if (width == double_width && bits <= 2 * half + 1) {
         const auto upper = of_integer(integer.extract(bits - 1, half).simplify(), width);
@@ -278,7 +281,8 @@ Computed Floats::to_integer(const Term& from, unsigned bits, bool is_signed) {
     const Term end = constant(context_, power_of_two(is_signed ? bits - 1 : bits, width), width);
     const Term least = is_signed ? negated(end) : constant(context_, 0, width);
     const Term fits = (is_below(whole, end) && !is_below(whole, least)).simplify();
-    // one bit more than the result has, so that each value that fits is one of a signed integer
+    // Converts to a signed integer with one bit more than the result, because such an integer contains each value that
+    // fits.
     const std::string name = "to_integer" + std::to_string(bits) + "of" + std::to_string(width);
     const Applied integer = applied(name, {from}, [this, bits](const auto& inputs) {
         return Term{context_, Z3_mk_fpa_to_sbv(context_, Z3_mk_fpa_rtz(context_), inputs[0].value, bits + 1)};
@@ -294,7 +298,7 @@ std::optional<Computed> Floats::converted(const llvm::CastInst& cast, const Term
     switch (cast.getOpcode()) {
         case llvm::Instruction::SIToFP:
         case llvm::Instruction::UIToFP: {
-            // a sign bit more makes each integer a signed one
+            // an additional sign bit makes each integer a signed one
             const Term plain = as_bits(from);
             const Term wide = cast.getOpcode() == llvm::Instruction::SIToFP ? z3::sext(plain, 1) : z3::zext(plain, 1);
             value = is_number ? of_integer(wide.simplify(), bits) : std::nullopt;
@@ -342,7 +346,7 @@ std::optional<Term> Floats::computed(llvm::Intrinsic::ID function, const llvm::T
     const Term& a = arguments[0];
     const Term& b = arguments[1];
     const Term first = function == llvm::Intrinsic::minnum ? is_below(a, b) : is_below(b, a);
-    // when the operands are -0 and +0, either of them
+    // when the operands are -0 and +0, the result may be either of them
     const Term either = order_of(a) == order_of(b) && as_truth(fresh_(1));
     return choose(is_nan(a), b, choose(is_nan(b), a, choose((first || either).simplify(), a, b)));
 }

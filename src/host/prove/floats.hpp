@@ -21,13 +21,13 @@ class Floats {
     /// `fresh` returns a new unknown. The sign and the payload of a result that is NaN are unknowns.
     Floats(z3::context& context, MakeFresh fresh) : context_{context}, fresh_{std::move(fresh)} {}
 
-    /// These functions return nothing for what is not modelled: another type, or another operation. A Computed is not
-    /// defined when the conversion to an integer has no result.
+    /// The functions below return nothing for a type or an operation that is not modelled. A Computed is not defined
+    /// when the conversion to an integer has no result.
     std::optional<Term> computed(const llvm::BinaryOperator& operation, const Term& a, const Term& b);
     Term negated(const Term& number) const;
     std::optional<Term> compared(const llvm::FCmpInst& comparison, const Term& a, const Term& b);
     std::optional<Computed> converted(const llvm::CastInst& cast, const Term& from);
-    /// `type` is that of the first argument.
+    /// Computes an intrinsic of LLVM. `type` is the type of its first argument.
     std::optional<Term> computed(llvm::Intrinsic::ID function, const llvm::Type& type,
                                  const std::vector<Term>& arguments);
 
@@ -42,12 +42,12 @@ class Floats {
     Number input(unsigned at, unsigned width) const;
     struct Applied {
         Term value;
-        Term fails;  ///< the result is NaN
+        Term fails;  ///< true when the result is NaN
     };
     /// Returns the result of an operation on these operands. `make` writes the operation with z3's theory; its result
     /// is an integer or the bits of a number.
     Applied applied(const std::string& name, const std::vector<Term>& operands, const MakeTerm& make);
-    /// Does the same for an operation whose result is a number.
+    /// Works as applied(), for an operation whose result is a number.
     Term number_of(const std::string& name, const std::vector<Term>& operands, unsigned width, const MakeTerm& make);
     using Join = Z3_ast (*)(Z3_context, Z3_ast rounding, Z3_ast a, Z3_ast b);
     /// Returns the sum, difference, product or quotient of two numbers.
@@ -56,7 +56,7 @@ class Floats {
     Term resized_number(const Term& from, unsigned width);
     std::optional<Term> of_integer(const Term& integer, unsigned width);
     Computed to_integer(const Term& from, unsigned bits, bool is_signed);
-    /// Returns whether a number is of one of the classes of llvm.is.fpclass, a bit each.
+    /// Returns whether a number belongs to one of these classes of llvm.is.fpclass; each bit of `classes` is one class.
     Term is_of_class(const Term& number, std::uint64_t classes);
 
     z3::context& context_;

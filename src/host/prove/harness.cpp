@@ -25,16 +25,16 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
     const std::vector<Place> places = places_of(call.arguments[0], proof.objects.size());
     const auto offset = number(places.front().offset);
     if (places.size() != 1 || !places.front().object || !offset || bytes > most_input_bytes) {
-        throw Unknown{
-            call.where +
-            ": the memory to leave open must be inside one object, at a constant offset, and have at most 65536 bytes"};
+        throw Unknown{call.where +
+                      ": the memory that gets any values must be inside one object, at a constant offset, and have at "
+                      "most 65536 bytes"};
     }
     const ContentsPointer contents = state.memory.contents(proof.objects, *places.front().object);
     const auto* cells = dynamic_cast<const CellContents*>(contents.get());
     if (cells == nullptr || *offset + bytes > cells->cells().size()) {
-        throw Unknown{
-            call.where +
-            ": the memory to leave open must be inside one object, at a constant offset, and have at most 65536 bytes"};
+        throw Unknown{call.where +
+                      ": the memory that gets any values must be inside one object, at a constant offset, and have at "
+                      "most 65536 bytes"};
     }
     return {*places.front().object, *offset, cells->cells()};
 }
@@ -42,7 +42,7 @@ Target target_of(const Proof& proof, const State& state, const HarnessCall& call
 std::uint64_t size_argument(const HarnessCall& call) {
     const auto bytes = number(call.arguments[1]);
     if (!bytes) {
-        throw Unknown{call.where + ": the size of the memory to leave open must be a constant"};
+        throw Unknown{call.where + ": the size of the memory that gets any values must be a constant"};
     }
     return *bytes;
 }

@@ -154,7 +154,7 @@ CallEffect call_intrinsic(Proof& proof, State& state, const llvm::CallBase& call
     if (!done) {
         return CallEffect::none;
     }
-    proof.obligations.add(state.path, done->defined, "an operation has a result", where);
+    proof.obligations.add(state.path, done->defined, "the result of an operation is defined", where);
     result = {done->value};
     return CallEffect::goes_on;
 }

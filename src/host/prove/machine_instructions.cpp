@@ -76,7 +76,7 @@ Value Machine::evaluate(Frame& frame, const llvm::Instruction& instruction, Arri
         const auto done = prove::computed(*operation, scalar(operation->getOperand(0), arrival),
                                           scalar(operation->getOperand(1), arrival));
         if (done) {
-            proof_.obligations.add(arrival.state.path, done->defined, "an operation has a result",
+            proof_.obligations.add(arrival.state.path, done->defined, "the result of an operation is defined",
                                    where_is(instruction));
             return {done->value};
         }
@@ -164,8 +164,8 @@ void collect_inputs(const Proof& proof, const Term& value, const Term& when, std
 
 }  // namespace
 
-/// LLVM adds a range to the read of a bool. If the harness has left the byte open, the byte is assumed to be in the
-/// range (0 or 1). For every other byte, the range becomes an obligation.
+/// LLVM states for the read of a bool that the byte is in the range 0 to 1. If the harness has left the byte open, this
+/// is assumed. For every other byte, it becomes an obligation.
 void Machine::check_range(const llvm::LoadInst& read, const Term& value, const Arrival& arrival) {
     const llvm::MDNode* range = read.getMetadata(llvm::LLVMContext::MD_range);
     if (range == nullptr || width_of(value) != byte_width) {

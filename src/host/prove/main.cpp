@@ -79,7 +79,7 @@ void add_options(CLI::App& app, Arguments& arguments, ProveOptions& options) {
     add("--root", arguments.root)->capture_default_str();
     add("--build", arguments.build);
     if (add.count() != prove_options.size()) {
-        throw std::logic_error{"prove_options.hpp lists other options"};
+        throw std::logic_error{"prove_options.hpp lists other options than this program reads"};
     }
 }
 

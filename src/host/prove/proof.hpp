@@ -24,7 +24,7 @@ struct Limits {
     unsigned seconds{3600};
     /// time for the question whether a branch can be taken; without an answer in time, the branch counts as possible
     unsigned branch_milliseconds{1000};
-    unsigned loop_milliseconds{20000};  ///< the same time from the second pass of a loop on
+    unsigned loop_milliseconds{20000};  ///< the same limit, from the second pass of a loop on
     unsigned visits{2000};              ///< greatest number of executions of one block in one call
     unsigned depth{64};                 ///< greatest number of nested calls
 };
@@ -38,7 +38,8 @@ struct Input {
     std::shared_ptr<const UnknownBytes> memory{};
 };
 
-/// The nodes of the condition of a place, of an offset and of a number of bytes, then those of the path.
+/// Key of a stored answer of reach_of(): the nodes of a place's condition, of its offset and of the number of bytes,
+/// then the nodes of the path's conditions.
 using ReachKey = std::vector<NodeId>;
 
 struct Proof {
@@ -49,7 +50,7 @@ struct Proof {
 
     Limits limits;
     Case& at;
-    std::size_t each_calls{0};  ///< calls of each() so far
+    std::size_t each_calls{0};  ///< number of calls of each() so far
     z3::context context{};
     Solver solver{context};
     Floats floats{context, [this](unsigned width) { return fresh(width); }};
@@ -58,7 +59,7 @@ struct Proof {
     std::size_t unknowns{0};
     std::map<ReachKey, Reach> reaches{};  ///< the answers of reach_of() so far
     std::vector<Input> inputs{};
-    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes that leave_open() left open
+    std::set<unsigned> state_bytes{};         ///< ids of the terms for bytes that leave_state_open() left open
     std::string statement{};                  ///< statement of the theorem, as the harness gives it
     std::vector<std::string> requirements{};  ///< requirements that the harness names
     std::function<void()> noted{};            ///< called after each change of `statement` or `requirements`

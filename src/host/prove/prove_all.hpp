@@ -16,19 +16,21 @@ struct ProveOptions {
     std::filesystem::path proofs{"properties/proofs"};
     std::filesystem::path generated;  ///< folder with the headers that the build wrote
     std::filesystem::path scratch;    ///< folder for compiled files
-    std::filesystem::path overlay{};  ///< folder with changed sources by their path; empty: no changes
+    std::filesystem::path overlay{};  ///< folder with changed sources, each at its path in the project; empty: no
+                                      ///< changes
     std::string area{};               ///< folder of the proofs to decide; empty: all folders
     std::string theorem{};            ///< name of the theorem to decide; empty: all theorems
     std::optional<Shard> shard{};     ///< decides only this part of the selected theorems
-    unsigned seconds{50};             ///< processor time in seconds for one theorem; a longer theorem is unknown
+    unsigned seconds{50};             ///< processor time in seconds for one theorem; a theorem that needs more is
+                                      ///< unknown
     unsigned jobs{2};                 ///< number of processes at the same time
     bool replays{true};               ///< whether each counterexample also runs as a native program
     SeedPlace seeds{};                ///< where that program writes the counterexample as an input of a fuzz target
 };
 
-/// Decides the selected theorems. Returns their results in the order of the files, and within a file in its order.
-/// Paths are relative to the project's folder, which must be the current folder. Throws InputError when a source does
-/// not compile or no theorem matches the options.
+/// Decides the selected theorems. Returns their results in the order of the files; the theorems of one file stay in
+/// their order. Paths are relative to the project's folder, which must be the current folder. Throws InputError when a
+/// source does not compile or no theorem matches the options.
 std::vector<TheoremResult> prove_all(const ProveOptions& options);
 
 }  // namespace canproof::host::prove

@@ -18,7 +18,7 @@ struct SeedPlace {
 /// `result.replay`.
 void replay(Compiler& compiler, const std::filesystem::path& scratch, const SeedPlace& seeds, TheoremResult& result);
 
-/// Returns whether the native program has failed as well.
+/// Returns whether the native program failed too, with the values of the counterexample.
 bool is_reproduced(const TheoremResult& result);
 
 }  // namespace canproof::host::prove

@@ -9,10 +9,12 @@ namespace canproof::host::prove {
 namespace {
 
 constexpr std::size_t most_models = 24;
-/// Share of a question's time that the kept solver gets, in milliseconds. After that, a new one begins.
+/// Time in milliseconds for a question to the kept solver, which remembers earlier questions. After this time, a new
+/// solver begins.
 constexpr unsigned kept_milliseconds = 1000;
 
-/// Bounds the next question. z3 counts its own steps, so the answer does not depend on how busy the machine is.
+/// Limits the effort of z3 for the next question. z3 counts its own steps, so the answer does not depend on how busy
+/// the machine is.
 void limit(z3::solver& solver, unsigned milliseconds) {
     constexpr std::uint64_t steps_in_a_millisecond = 2000;
     const std::uint64_t steps = std::min<std::uint64_t>(std::uint64_t{milliseconds} * steps_in_a_millisecond,
@@ -134,7 +136,7 @@ Term Solver::literal_of(const Term& truth) {
     if (found != literals_.end()) {
         return found->second;
     }
-    static_cast<void>(graph_.node_of(truth));  // keeps z3 from giving the number of this term to another
+    static_cast<void>(graph_.node_of(truth));  // keeps z3 from giving the number of this term to another term
     const Term literal = context_.bool_const(("t" + std::to_string(literals_.size())).c_str());
     kept_.add(z3::implies(literal, truth));
     literals_.emplace(truth.id(), literal);

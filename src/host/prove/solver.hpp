@@ -55,7 +55,8 @@ class Solver {
         std::size_t met{0};
         std::size_t placed{0};
         bool keeps_facts{true};
-        std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< first byte that is known at an offset
+        std::map<std::pair<const void*, Bits>, std::size_t> bytes{};  ///< number of the first known byte at each offset
+                                                                      ///< of a memory
         std::vector<Clash> clashes{};  ///< bytes that z3 gave another value than the first at their offset
     };
 
@@ -94,11 +95,11 @@ class Solver {
     std::vector<Term> facts_;
     std::vector<KnownByte> bytes_;
     std::vector<Term> needed_;         ///< the facts that z3 gets
-    std::set<std::size_t> is_needed_;  ///< numbers of those among `facts_`
+    std::set<std::size_t> is_needed_;  ///< positions of the needed facts in `facts_`
     std::deque<Model> models_;         ///< the model that was used last comes first
     std::size_t questions_{0};
     z3::solver kept_;          ///< keeps what it has learnt from one question to the next
-    std::size_t kept_has_{0};  ///< number of the needed facts that it has
+    std::size_t kept_has_{0};  ///< number of the needed facts that `kept_` has
     std::unordered_map<unsigned, Term> literals_;
 };
 

@@ -18,7 +18,7 @@ struct State {
 struct Meeting {
     Term first_holds;
     std::vector<Term> path;
-    std::optional<Term> either;  ///< that one of the two paths is taken, where `path` does not say so
+    std::optional<Term> either;  ///< condition that one of the two paths is taken; empty if `path` already says so
 };
 Meeting meet(z3::context& context, const std::vector<Term>& first, const std::vector<Term>& second);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terms of z3 as nodes of our own. Equal terms are one node, and each node comes after its arguments. So a term is
-// evaluated without calls of z3, and a part that several terms share is evaluated once.
+// The terms of z3 as nodes of the prover's own graph. Equal terms are one node, and each node comes after its
+// arguments. So a term is evaluated without calls of z3, and a part that several terms share is evaluated once.
 #pragma once
 
 #include <unordered_map>
@@ -37,14 +37,15 @@ class TermGraph {
     std::size_t size() const { return nodes_.size(); }
     /// Returns the unknowns on which a term depends.
     const std::vector<NodeId>& unknowns_of(const Term& term);
-    /// Returns the unknown of a node.
+    /// Returns z3's term of an unknown, by its node.
     Z3_app term_of(NodeId unknown) const { return terms_.at(unknown); }
 
   private:
     NodeId add(Z3_app app);
 
     z3::context& context_;
-    z3::expr_vector kept_;                        ///< keeps z3 from giving the number of a term to another
+    z3::expr_vector kept_;                        ///< keeps the terms alive, so that z3 does not give their numbers to
+                                                  ///< others
     std::unordered_map<unsigned, NodeId> known_;  ///< node by z3's number of the term
     std::vector<Node> nodes_;
     std::vector<NodeId> arguments_;

@@ -49,7 +49,7 @@ class LimitCheck {
     void check(const Entry& entry) {
         if (type_size(entry.type) == 0 || type_size(entry.type) > 4) {
             fault(entry.range.place,
-                  fmt::format("of type {} cannot have a range, because only types of 1 to 4 bytes can", entry.type),
+                  fmt::format("has the type {} and cannot have a range; only types of 1 to 4 bytes can", entry.type),
                   "remove range");
             return;
         }
@@ -79,7 +79,7 @@ class LimitCheck {
         const auto least = number_of(entry.range.minimum.number);
         const bool above_zero = entry.range.minimum.kind == Limit::Kind::number && least && *least > 0.0;
         if (entry.range.zero && (!above_zero || is_real_type(entry.type))) {
-            fault(entry.range.place, "allows 0 besides its range, which has no whole number above 0 as minimum",
+            fault(entry.range.place, "allows 0 in addition to its range, but the minimum is no whole number above 0",
                   "remove `zero`, or write a `min` above 0");
         }
     }
@@ -141,13 +141,14 @@ class LimitCheck {
         }
         const Entry& other = *found->second;
         if (other.type != entry.type) {
-            fault(limit.place, fmt::format("of type {} is limited by {} of type {}", entry.type, name, other.type),
-                  "name an object of the same type");
+            fault(limit.place,
+                  fmt::format("has the type {}, but its limit {} has the type {}", entry.type, name, other.type),
+                  "name an object of the same type as the entry");
             return {};
         }
         if (is_real_type(entry.type)) {
-            fault(limit.place, fmt::format("is a REAL32 limited by {}", name),
-                  "give a number: only integers can be compared with other objects");
+            fault(limit.place, fmt::format("is a REAL32, but its limit is the object {}", name),
+                  "write a number as limit: only the limit of an integer can be another object");
             return {};
         }
         End result;

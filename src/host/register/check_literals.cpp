@@ -53,7 +53,7 @@ class LiteralCheck {
                   "use letters, digits and underscores, begin with a letter, and use no C++ keyword");
         }
         if (const auto [at, fresh] = taken.emplace(name, item.place.line); !fresh) {
-            fault(item.place, fmt::format("{} name {} is taken in line {}", item.id, name, at->second),
+            fault(item.place, fmt::format("{} name {} is already used in line {}", item.id, name, at->second),
                   "give each item its own name");
         }
     }

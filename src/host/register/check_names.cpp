@@ -43,7 +43,7 @@ class NameCheck {
                 fault(table.place, fmt::format("{} name {} is no C++ name", table.id, table.name),
                       "add `name = …` of letters, digits and underscores that is no keyword");
             } else if (const auto [at, fresh] = taken.emplace(table.name, table.id); !fresh) {
-                fault(table.place, fmt::format("{} name {} is taken by {}", table.id, table.name, at->second),
+                fault(table.place, fmt::format("{} name {} is already used by {}", table.id, table.name, at->second),
                       "add `name = …` that no table or constant of this folder has");
             }
             check_error_column(table);
@@ -55,7 +55,8 @@ class NameCheck {
         const auto found = std::find_if(table.inputs.begin(), table.inputs.end(), is_it);
         if (!table.errors.empty() &&
             (found == table.inputs.end() || found->kind != Column::Kind::words || !found->enumeration.empty())) {
-            fault(table.place, fmt::format("{} errors {} is no input column of words", table.id, table.errors),
+            fault(table.place,
+                  fmt::format("{}: `errors` names {}, which is no input column of words", table.id, table.errors),
                   "name an input column that has its own words");
         }
         if (!table.errors.empty()) {
@@ -63,7 +64,7 @@ class NameCheck {
         }
     }
 
-    /// Checks the columns from which the compiler makes the ErrorTable of the node.
+    /// Checks the columns from which the node's ErrorTable is generated.
     void check_error_outputs(const Table& table) {
         static const std::set<std::string> known{"code",   "register_bits", "sent",   "listed",
                                                  "detail", "description",   "channel"};
@@ -80,9 +81,10 @@ class NameCheck {
         }
         if (names.count("description") != names.count("channel") ||
             names.count("detail") + names.count("description") > 1) {
-            fault(table.place,
-                  fmt::format("{} must say exactly once what the upper half of an entry in 1003h is", table.id),
-                  "add both description and channel, or detail alone");
+            fault(
+                table.place,
+                fmt::format("{} must define the upper half of an entry in 1003h (error field) exactly once", table.id),
+                "use the columns description and channel, or the column detail alone");
         }
     }
 
@@ -94,8 +96,8 @@ class NameCheck {
                 fault(object.place, fmt::format("standard object {:04X}h is in the files of a device", object.index),
                       "move the object to spec/canopen, or write [[object]]");
             } else if (!is_cpp_name(snake_case(object.name))) {
-                fault(object.place, fmt::format("standard object name \"{}\" makes no C++ name", object.name),
-                      "begin the name with a letter");
+                fault(object.place, fmt::format("the name \"{}\" of a standard object gives no C++ name", object.name),
+                      "begin the name with a letter, and use no C++ keyword");
             } else if (!indices.insert(object.index).second || !names.insert(snake_case(object.name)).second) {
                 fault(object.place, fmt::format("standard object {:04X}h or its name is listed twice", object.index),
                       "keep one of the two");

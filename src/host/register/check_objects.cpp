@@ -80,22 +80,23 @@ void check_use(const Object& object, const Entry& entry, Faults& faults) {
         fault("is a REAL64, which no service of the firmware supports", "use REAL32");
     }
     if (entry.length > 0 && !is_string_type(entry.type)) {
-        fault(fmt::format("has a length, but the type {} fixes it", entry.type), "remove length");
+        fault(fmt::format("has a length, but the length of the type {} is fixed", entry.type), "remove length");
     }
     if (entry.mapping != "none" && !sized) {
-        fault(fmt::format("of type {} cannot be mapped", entry.type), "set mapping = \"none\"");
+        fault(fmt::format("has the type {} and cannot be mapped", entry.type), "set mapping = \"none\"");
     }
     if ((entry.mapping == "rpdo" || entry.mapping == "both") && !can_write(entry)) {
-        fault(fmt::format("is {} and cannot be received", entry.access), "set mapping = \"tpdo\" or access = \"rw\"");
+        fault(fmt::format("is {} and cannot be mapped into an RPDO", entry.access),
+              "set mapping = \"tpdo\" or access = \"rw\"");
     }
     if ((entry.mapping == "tpdo" || entry.mapping == "both") && entry.access == "wo") {
-        fault("is wo and cannot be transmitted", "set mapping = \"rpdo\" or access = \"rw\"");
+        fault("is wo and cannot be mapped into a TPDO", "set mapping = \"rpdo\" or access = \"rw\"");
     }
     if (entry.stored && !can_write(entry)) {
         fault(fmt::format("is {} and cannot be stored", entry.access), "remove stored");
     }
     if (entry.live && entry.access == "const") {
-        fault("is const and live", "set access = \"ro\", or remove live");
+        fault("is const, so it cannot be live (changed by the device)", "set access = \"ro\", or remove live");
     }
 }
 
@@ -140,7 +141,7 @@ void check_image_size(const Part& part, Faults& faults) {
         if (bytes > image_limit) {
             faults.push_back(
                 {object.place,
-                 fmt::format("with {:04X}h the dictionary of {} has {} bytes", object.index, part.name, bytes),
+                 fmt::format("up to {:04X}h, the dictionary of {} has {} bytes", object.index, part.name, bytes),
                  "shorten arrays or strings: a dictionary has at most 65535 bytes"});
             return;
         }

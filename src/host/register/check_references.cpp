@@ -66,7 +66,7 @@ class ReferenceCheck {
         std::map<std::string, Place> keys;
         for (const auto& manual : content_.manuals) {
             if (const auto [at, fresh] = keys.emplace(manual.key, manual.place); !fresh) {
-                fault(manual.place, fmt::format("manual key {} is taken by {}", manual.key, at->second.file),
+                fault(manual.place, fmt::format("manual key {} is already used by {}", manual.key, at->second.file),
                       "use another key");
             }
             std::map<std::string, unsigned> seen;
@@ -107,7 +107,7 @@ class ReferenceCheck {
                   "use capitals, digits and dashes, such as AO4-AOUT-002");
         } else if (!part.prefix.empty() && id.rfind(part.prefix + "-", 0) != 0) {
             fault(place, fmt::format("id {} does not begin with {}-", id, part.prefix),
-                  "use the prefix of the file's folder");
+                  "begin the id with the prefix of its folder");
         }
         const auto [at, fresh] = ids_.emplace(id, place);
         if (!fresh) {
@@ -157,7 +157,7 @@ class ReferenceCheck {
         for (const auto& ref : split_refs(source.substr(colon + 1))) {
             if (manual->second.count(ref) == 0) {
                 fault(place, fmt::format("{} has no section {}", key, ref),
-                      fmt::format("correct the source, or add {} to the manual's register", ref));
+                      fmt::format("correct the source, or add {} to the manual's file in spec/manuals", ref));
             }
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks ids, sources, references and decisions.
+// Checks the ids, sources, references and decisions of the requirements register.
 #pragma once
 
 #include "host/register/register.hpp"

@@ -57,9 +57,10 @@ class StatementCheck {
         for (const Mark& mark : statement.marks) {
             const auto [at, fresh] = marked.emplace(mark, statement.id(manual.key));
             if (!fresh) {
-                faults_.emplace_back(statement.mark_place,
-                                     fmt::format("mark {} is already at {}", mark.text(), at->second),
-                                     "mark another passage, or make one statement of the two");
+                faults_.emplace_back(
+                    statement.mark_place,
+                    fmt::format("mark {} (hash of a passage) also belongs to {}", mark.text(), at->second),
+                    "write the mark of another passage, or merge the two statements");
             }
         }
     }

@@ -12,8 +12,8 @@ namespace canproof::host {
 
 /// Returns eight hexadecimal digits that depend on the content of a requirement. Kind, verification, `retired`, `by`,
 /// sources, places and the spacing of the text have no influence. The functions below do the same for other items.
-/// Sources and places have no influence there either. Nor have title, name and `errors` of a table, the text of an
-/// enumeration or a constant, or severity and `ref` of a decision.
+/// Sources and places have no influence there either. Title, name and `errors` of a table, the text of an enumeration
+/// or a constant, and severity and `ref` of a decision have no influence either.
 std::string fingerprint(const Requirement& requirement);
 std::string fingerprint(const Object& object);
 std::string fingerprint(const Table& table);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and checks a register.
+// Reads and checks a requirements register.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct LoadResult {
 
 /// Reads and checks the files. Reports all faults at once. A register with faults must not be used.
 LoadResult load_register(const SpecFiles& files);
-/// Reads and checks the files of a folder. Throws InputError when the folder has no such files.
+/// Reads and checks the files of a folder. Throws InputError when the folder contains no files of a register.
 LoadResult load_register(const std::filesystem::path& spec);
 /// Reads all or some files of a register that was checked before, and does not check them again. Returns nothing when
 /// the files alone have faults, for example because an item needs a file that is left out.

@@ -8,12 +8,12 @@
 
 namespace canproof::host {
 
-/// The numbers of a family, and the distance of each member's index from that of the first one.
+/// The numbers of a family of objects, and the distance of each member's index from that of the first one.
 struct ObjectFamily {
     std::int64_t first{1};
     std::int64_t last{1};
     std::int64_t step{0};
-    bool decimal{false};  ///< the decimal digits of a number are hexadecimal digits of the index
+    bool decimal{false};  ///< whether the index has the decimal digits of the member's number: 10 gives 10h, not 0Ah
 
     std::int64_t offset(std::int64_t n) const;
 };

@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// First part of the paths of manuals and statements.
+/// First part of the paths of the files with manuals and statements.
 inline const std::string manuals_folder = "spec/manuals/";
 
 /// Reads a manual from spec/manuals/NAME.toml, or statements of that manual from a file in spec/manuals/NAME/. The file

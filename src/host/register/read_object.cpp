@@ -89,7 +89,7 @@ Range read_range(TomlItem& item, TomlItem& table_item, const Place& place) {
             }
         }
         if (range.values.empty()) {
-            table->fault(table->place("values"), "values allows nothing", "list the values that may be written");
+            table->fault(table->place("values"), "the list `values` is empty", "list the values that may be written");
         }
     }
     if (table->table().empty()) {

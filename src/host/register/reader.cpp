@@ -290,7 +290,7 @@ void read_part_file(const std::string& path, const toml::table& root, Register& 
     } else if (path == "spec/devices/" + part + "/device.toml") {
         read_device(item, part_named(content, part));
     } else {
-        // Generated code does not depend on reviews, so their files are not listed.
+        // Generated code does not depend on reviews, so their files are not listed as its sources.
         if (path.size() < 13 || path.substr(path.size() - 13) != "/reviews.toml") {
             part_named(content, part).files.push_back(path);
         }

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns the single places: "1.3" and "Table 7" for "1.3 Table 7".
+/// Returns the single places in a source: "1.3" and "Table 7" for "1.3 Table 7".
 std::vector<std::string> split_refs(const std::string& text);
 
 /// Returns all places of a manual: its sections, tables and figures, and the objects that they describe.

@@ -106,12 +106,12 @@ constexpr std::array<TypeFacts, 14> types{{{"UNSIGNED8", 1, 0, UINT8_MAX},
 
 constexpr std::size_t type_slots = 64;
 
-/// Returns the slot of a type, which no two of the known types share.
+/// Returns the slot of a type in `types_by_slot`. No two known types have the same slot.
 constexpr std::size_t type_slot(std::string_view type) {
     return type.empty() ? 0 : (5 * type.size() + static_cast<unsigned char>(type.back())) % type_slots;
 }
 
-/// The facts by slot; an empty slot has an empty word.
+/// The facts about each type by its slot; an empty slot has an empty word.
 constexpr std::array<TypeFacts, type_slots> types_by_slot = [] {
     std::array<TypeFacts, type_slots> slots{};
     for (const TypeFacts& one : types) {

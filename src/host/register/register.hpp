@@ -77,7 +77,8 @@ struct Requirement : Item {
     std::string kind;
     std::vector<std::string> verify;
     std::string retired;
-    std::string by;  ///< id of the shared requirement whose code implements this one; empty: the device's own code does
+    std::string by;  ///< id of the shared requirement whose code implements this one; empty: the device has its own
+                     ///< code
     Place by_place;
     Answer answer;
 };
@@ -120,7 +121,7 @@ struct Entry {
     bool factory{false};
     bool live{false};
     Place place;
-    /// place of `default`, or of the element's default in a list; without a default equal to `place`
+    /// place of `default`, or of the element's default in a list; if there is no default, equal to `place`
     Place default_place;
 };
 
@@ -143,7 +144,7 @@ struct Column {
     std::string unit;
     std::optional<std::int64_t> minimum;
     std::optional<std::int64_t> maximum;
-    std::vector<std::string> words;  ///< allowed words of a column of words
+    std::vector<std::string> words;  ///< allowed words, if the cells of the column are words
     Place place;
     enum class Kind { words, integers, booleans, reals } kind{Kind::words};
 };
@@ -234,7 +235,7 @@ struct Hazard : Item {
     Place at_place;
     std::string safe_state;
     std::vector<Failure> failures;
-    std::vector<std::string> decisions;  ///< ids of the decisions that chose the safer failure
+    std::vector<std::string> decisions;  ///< ids of the decisions made for the reason "safer failure"
     Place decisions_place;
 };
 
@@ -282,7 +283,7 @@ struct DeviceInfo {
     Place place;
 };
 
-/// An object of the standard with its name in shared code. Only the shared part has such objects.
+/// A standard object of CiA with its name in shared code. Only the shared part has such objects.
 struct StandardObject {
     std::uint16_t index{0};
     std::string name;

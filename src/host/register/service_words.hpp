@@ -7,7 +7,7 @@
 
 namespace canproof::host {
 
-/// Returns the register's words for the firmware's Service, in the order of that enumeration.
+/// Returns the words of the register for the enumeration Service of the firmware, in the order of the enumeration.
 const std::vector<std::string>& service_words();
 
 }  // namespace canproof::host

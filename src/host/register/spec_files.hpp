@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a register as texts.
+// The files of a requirements register as texts.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ inline const std::string conformance_cases = "spec/conformance/";
 /// First part of the path of a shared rule's file that comes with canproof. A project without spec/canopen uses such
 /// files.
 inline const std::string from_package = "canproof/";
-/// Text by path, such as "spec/devices/NAME/device.toml".
+/// The text of each file by its path, such as "spec/devices/NAME/device.toml".
 using SpecFiles = std::map<std::string, std::string>;
 
 /// Reads the .toml files below a folder, except the conformance cases. Each path begins with spec/, whatever the name

@@ -45,13 +45,13 @@ class TomlItem {
     std::string word(const std::string& key, const std::vector<std::string>& words, const std::string& otherwise);
     Value value(const std::string& key);
     const toml::node* node(const std::string& key);
-    /// Returns the tables of an array of tables.
+    /// Returns the tables in the array of tables `key`.
     std::vector<TomlItem> items(const std::string& key);
     std::optional<TomlItem> item(const std::string& key);
 
     void fault(const std::string& what, const std::string& fix) { fault(place(), what, fix); }
     void fault(const Place& at, const std::string& what, const std::string& fix) { faults_.push_back({at, what, fix}); }
-    /// Adds a fault for each key that was never requested.
+    /// Adds a fault for each key of the table that was never requested, because such a key is unknown.
     void finish();
 
     Faults& faults() { return faults_; }

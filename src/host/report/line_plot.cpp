@@ -34,7 +34,7 @@ constexpr double wider = 1.6;  ///< further width of a curve after each use of a
 
 /// Greatest value of a curve that is drawn. The difference of two such values is finite.
 constexpr double greatest = 1e300;
-/// Smallest range of an axis: its ticks differ as floating-point numbers.
+/// Smallest range of an axis, so that its ticks differ as floating-point numbers.
 constexpr double least_range = 1e-300;
 /// Smallest range of an axis, as a share of its greatest value.
 constexpr double least_share = 1e-12;

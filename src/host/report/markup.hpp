@@ -13,7 +13,7 @@ std::string escaped(const std::string& text);
 
 /// Returns a text in sentences as markup: escaped, with `code` between a pair of backticks as a `<code>` element.
 std::string prose(const std::string& text);
-/// The same, with the text outside of backticks as `plain` returns it.
+/// Does the same as prose() above, but uses `plain` to convert the text outside of backticks.
 std::string prose(const std::string& text, const std::function<std::string(const std::string&)>& plain);
 
 /// Returns a name as markup that a browser may divide before a capital that follows a small letter, and after `_`, `/`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common frame of all pages of the pack. One style sheet serves phones, dark mode and paper. The pages load no
-// external files.
+// The common frame of all pages of the evidence pack. One style sheet serves phones, dark mode and paper. The pages
+// load no external files.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct PageFrame {
 };
 
 /// Returns a complete HTML document. `body` is markup. The navigation marks `own_page`, which is this page or the page
-/// that links to it. If `frame.origin` is not empty, each printed sheet shows title, origin and number.
+/// that links to it. If `frame.origin` is not empty, each printed sheet shows the title, the origin and its number.
 std::string html_page(const std::string& title, const std::string& own_page, const PageFrame& frame,
                       const std::string& body);
 

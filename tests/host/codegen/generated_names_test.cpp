@@ -65,7 +65,7 @@ TEST(GeneratedNames, SharedPartHasConstantsForStandardObjects) {
     EXPECT_THAT(all_faults(load_register(with(shared_file, listed + listed))),
                 HasSubstr("shared.toml:4: standard object 1003h or its name is listed twice"));
     EXPECT_THAT(all_faults(load_register(with(shared_file, "[[standard_object]]\nindex = 0x1003\nname = \"1\"\n"))),
-                HasSubstr("standard object name \"1\" makes no C++ name"));
+                HasSubstr("the name \"1\" of a standard object gives no C++ name"));
 }
 
 TEST(GeneratedNames, GeneratedProfileMatchesDeviceToml) {
@@ -140,9 +140,9 @@ TEST(GeneratedNames, TableOfErrorsHasOnlyPropertiesOfAnError) {
                 HasSubstr("AO4-T1 column colour is no property of an error"));
     EXPECT_THAT(faults_of("\"listed\"", "true"), HasSubstr("AO4-T1 has errors but no column code"));
     EXPECT_THAT(faults_of("\"code\", \"channel\"", "1, 2"),
-                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must define the upper half of an entry in 1003h"));
     EXPECT_THAT(faults_of("\"code\", \"detail\", \"description\", \"channel\"", "1, 2, 3, 4"),
-                HasSubstr("AO4-T1 must say exactly once what the upper half of an entry in 1003h is"));
+                HasSubstr("AO4-T1 must define the upper half of an entry in 1003h"));
 }
 
 TEST(GeneratedNames, UnknownTableOrRpdoInDeviceTomlIsAFault) {
@@ -162,11 +162,11 @@ TEST(GeneratedNames, NameOfATableComesFromItsKeyNameOrItsTitle) {
     EXPECT_EQ(box_with(one + other).tables.at(0).name, "enable_response");
     EXPECT_EQ(box_with(one + other).tables.at(1).name, "relay");
     EXPECT_THAT(all_faults(load_register(with(items_file, one + one))),
-                HasSubstr("AO4-T1 name enable_response is taken by AO4-T1"));
+                HasSubstr("AO4-T1 name enable_response is already used by AO4-T1"));
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"3 ways\"\n", rows)))),
                 HasSubstr("AO4-T1 name 3_ways is no C++ name"));
     EXPECT_THAT(all_faults(load_register(with(items_file, table("id = \"AO4-T1\"\ntitle = \"Field\"\n", rows)))),
-                HasSubstr("AO4-T1 name field is taken by the generated code"));
+                HasSubstr("AO4-T1 name field is already used by the generated code"));
 }
 
 TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
@@ -186,7 +186,7 @@ TEST(GeneratedNames, SharedErrorsKeepTheirNamesAndPrecedeDeviceErrors) {
     EXPECT_THAT(altered, HasSubstr("static_cast<std::uint64_t>(canproof::ErrorId::can_overrun)"));
     EXPECT_THAT(all_faults(load_register(with(
                     items_file, table("id = \"AO4-T1\"\nerrors = \"fault\"\ntitle = \"Codes\"\n", "[\"hot\", 1]")))),
-                HasSubstr("AO4-T1 errors fault is no input column of words"));
+                HasSubstr("AO4-T1: `errors` names fault, which is no input column of words"));
 }
 
 TEST(GeneratedNames, ReportedParametersAreEnumerated_AndAFamilyOfObjectsHasOneName) {

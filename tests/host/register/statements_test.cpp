@@ -159,7 +159,8 @@ TEST(ManualStatements, MissingMalformedOrRepeatedMarkIsRefused) {
     EXPECT_THAT(statement_faults(edited_statement("20:3f9a0c1b2d4e", "20:3f9a")),
                 HasSubstr("1-objects.toml:4: mark 20:3f9a is malformed; write LENGTH:HASH"));
     EXPECT_THAT(statement_faults(covered + covered),
-                HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e is already at M1:1/1; mark another passage"));
+                HasSubstr("1-objects.toml:9: mark 20:3f9a0c1b2d4e (hash of a passage) also belongs to M1:1/1; write "
+                          "the mark of another passage"));
 }
 
 TEST(ManualStatements, StatementsInAFolderWithoutAManualAreRefused) {

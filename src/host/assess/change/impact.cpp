@@ -67,7 +67,7 @@ std::string links_of(const std::string& id, const Register& content, const Evide
     return text;
 }
 
-/// Returns the next step with its command when evidence is older than a change of code or tests; otherwise an empty
+/// Returns what the user must do next, with the command, when the code or tests of an item changed; otherwise an empty
 /// text.
 std::string next_step(const Impact& impact) {
     return impact.stale.empty()
@@ -146,8 +146,9 @@ std::string write_impact(const Impact& impact, const Register& content, const Ev
                                                         : "tests have");
     }
     text += next_step(impact);
-    return text + fmt::format("{} item(s) changed, {} file(s), {} item(s) touched in all, {} verdict(s) differ\n",
-                              impact.items.size(), impact.files.size(), touched.size(), impact.verdicts.size());
+    return text +
+           fmt::format("{} item(s) and {} file(s) changed, {} item(s) affected in total, {} test result(s) differ\n",
+                       impact.items.size(), impact.files.size(), touched.size(), impact.verdicts.size());
 }
 
 std::string impact_json(const Impact& impact) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The impact of a change: items, their decisions, code and tests, and changed verdicts.
+// The impact of a change: the changed items with their decisions, code and tests, and the changed results of tests.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace canproof::host {
 
 struct VerdictChange {
     std::string id;
-    std::string before;  ///< `passed`, `failed` or `none`
+    std::string before;  ///< result of the item: `passed`, `failed` or `none`
     std::string after;
 };
 
@@ -31,10 +31,10 @@ struct Impact {
 };
 
 /// Returns the changes as text: each changed item with its decisions, code and tests, each changed file with its items,
-/// the changed verdicts, and the items whose evidence is out of date. The last line has the sums.
+/// the changed test results, and the items whose evidence is out of date. The last line has the sums.
 std::string write_impact(const Impact& impact, const Register& content, const Evidence& evidence);
 
-/// Returns the changes as JSON, without the decisions, code and tests of the items.
+/// Returns the changes as JSON. Leaves out the decisions, code and tests of the items.
 std::string impact_json(const Impact& impact);
 
 }  // namespace canproof::host

@@ -28,7 +28,7 @@ struct DescribedItem {
 /// (a hash of the passage).
 std::map<std::string, DescribedItem> describe(const Register& content);
 
-/// Returns the differences in the order of the ids.
+/// Returns the items that differ between two registers, in the order of their ids.
 std::vector<ItemChange> compare(const Register& before, const Register& after);
 
 }  // namespace canproof::host

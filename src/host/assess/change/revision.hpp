@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a git revision, read without a check-out.
+// Reads the files of a git revision without a check-out, and lists the files that have changed since.
 #pragma once
 
 #include <filesystem>

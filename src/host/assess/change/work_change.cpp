@@ -33,8 +33,10 @@ class Checkout {
                                      "sh", root.string(), revision, name});
         if (!done) {
             remove();
-            throw InputError{fmt::format(
-                "cannot extract the revision `{}` with git and tar; name a commit, branch or tag", revision)};
+            throw InputError{
+                fmt::format("cannot extract the revision `{}` with git and tar; name a commit, branch or tag, install "
+                            "both programs, or free space on the disk",
+                            revision)};
         }
     }
     Checkout(const Checkout&) = delete;

@@ -19,7 +19,7 @@ struct WorkChange {
     bool tests{false};  ///< whether the body of a test that claims to show the item differs
 };
 
-/// Returns the items whose review marks differ (hashes of code and tests, see ItemWork), in the order of the ids. A
+/// Returns the items whose review marks (hashes of code and tests, see ItemWork) differ, in the order of the ids. A
 /// change of comments or layout changes no review mark.
 std::vector<WorkChange> work_changes(const WorkByItem& before, const WorkByItem& after);
 

@@ -27,7 +27,7 @@ struct CoverageGap {
     std::string file;  ///< relative to the project's folder
     unsigned line{0};
     std::string code;
-    std::string missing;  ///< in words: `never true`, `not shown to decide alone` …
+    std::string missing;  ///< the outcome that is missing: `never true`, `not shown to decide alone` …
 };
 
 struct FileCoverage {
@@ -55,9 +55,9 @@ struct CoverageTotals {
     void add(const FileCoverage& file);
 };
 
-/// Returns the counts over the files of the firmware.
+/// Returns the sums of the counts over the files of the firmware.
 CoverageTotals totals_of(const std::vector<FileCoverage>& files);
-/// Returns the counts over the files of the host.
+/// Returns the sums of the counts over the files of the host.
 CoverageTotals host_totals_of(const std::vector<FileCoverage>& files);
 
 }  // namespace canproof::host

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads reports/coverage.toml. Each record in it names a gap, code that no test reaches, and gives the reason.
+// Reads reports/coverage.toml. Each record in it names a coverage gap (code that no test reaches) and gives the reason.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Start and end of a region. Lines and columns count from 1; the end is one column after the last character.
+/// Start and end of a region of a source. Lines and columns count from 1; the end is one column after the last
+/// character.
 struct Region {
     unsigned line{0};
     unsigned column{0};
@@ -49,13 +50,13 @@ Region region_of(const nlohmann::json& values) {
 std::vector<std::string> lines_of(const std::filesystem::path& file, const std::filesystem::path& measured,
                                   const SourceAge age) {
     if (!std::filesystem::exists(file)) {
-        throw InputError{
-            fmt::format("{} was measured but does not exist any more; tests/coverage measures again", file.string())};
+        throw InputError{fmt::format("{} was measured but does not exist any more; run tests/coverage to measure again",
+                                     file.string())};
     }
     if (age == SourceAge::by_time &&
         std::filesystem::last_write_time(file) > std::filesystem::last_write_time(measured)) {
         throw InputError{
-            fmt::format("{} has changed since it was measured; tests/coverage measures again", file.string())};
+            fmt::format("{} has changed since it was measured; run tests/coverage to measure again", file.string())};
     }
     return read_lines(file);
 }
@@ -76,7 +77,7 @@ std::string text_of(const Region& region, const std::vector<std::string>& lines)
     return text;
 }
 
-/// Executions of the two outcomes of a branch, summed over all instantiations.
+/// Numbers of executions of the two outcomes of a branch, summed over all instantiations of a template.
 struct Ways {
     unsigned long long taken{0};
     unsigned long long passed{0};
@@ -193,7 +194,7 @@ class FileReader {
     }
 
     /// Reads the MC/DC conditions. llvm-cov lists the conditions of a decision in the order of the source. Returns the
-    /// places of the gaps.
+    /// regions of the conditions that are gaps.
     std::set<Region> read_conditions(const std::map<Region, Ways>& branches) {
         std::map<Region, std::vector<bool>> decisions;
         for (const auto& record : source_.at("mcdc_records")) {
@@ -244,7 +245,7 @@ class FileReader {
     FileCoverage made_;
 };
 
-/// Returns a name without template arguments, because all instantiations count together.
+/// Returns a name without template arguments, because all instantiations of a template count together.
 std::string without_arguments(const std::string& name) {
     std::string plain;
     int depth = 0;
@@ -322,10 +323,11 @@ std::vector<FileCoverage> read_coverage(const std::filesystem::path& file, const
                 known == functions.end() ? Functions::mapped_type{} : known->second));
         }
     } catch (const nlohmann::json::exception& error) {
-        throw InputError{fmt::format("{} is no export of llvm-cov ({}); measure again", file.string(), error.what())};
+        throw InputError{
+            fmt::format("{} is no export of llvm-cov ({}); run tests/coverage again", file.string(), error.what())};
     }
     if (std::all_of(files.begin(), files.end(), [](const FileCoverage& one) { return one.is_host(); })) {
-        throw InputError{fmt::format("{} measures no file of the firmware; measure again", file.string())};
+        throw InputError{fmt::format("{} measures no file of the firmware; run tests/coverage again", file.string())};
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.file < b.file; });
     return files;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the records of coverage with the sources, without a measurement.
+// Compares the records of reports/coverage.toml with the sources, without a measurement.
 #include "host/assess/coverage/stale_records.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the text with one space for every run of spaces and line breaks, as in the text of a gap.
+/// Returns the text with one space for every run of spaces and line breaks, as in the text of a coverage gap.
 std::string on_one_line(std::istream& in) {
     std::string text;
     for (std::string word; in >> word;) {

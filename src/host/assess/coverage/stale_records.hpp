@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds records whose code has changed.
+// Finds the records of reports/coverage.toml whose code has changed.
 #pragma once
 
 #include <filesystem>

@@ -129,8 +129,8 @@ class AnalysisCheck {
         const auto modes = modes_of(*signal);
         if (std::find(modes.begin(), modes.end(), one.mode) == modes.end()) {
             fail(one.place,
-                 fmt::format("the signal `{}` has no failure mode `{}`; its modes are (none for an output): {}", id,
-                             one.mode, fmt::join(modes, ", ")));
+                 fmt::format("the signal `{}` has no failure mode `{}`; name one of its modes (an output has none): {}",
+                             id, one.mode, fmt::join(modes, ", ")));
         }
     }
 

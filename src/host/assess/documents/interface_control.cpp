@@ -136,7 +136,7 @@ DocumentTable service_table(const Part& part) {
              {"Restore defaults, 1011h", has(cia301::restore_parameters)},
              {"TIME, 1012h", has(cia301::time_cob_id)},
              {"Abort code for limits", part.info.limit_abort == "range" ? "06090030h" : "06090031h and 06090032h"},
-             {"1003h lists", part.info.error_list == "active" ? "active errors" : "past errors as well"},
+             {"1003h (error field) lists", part.info.error_list == "active" ? "active errors" : "past errors as well"},
              {"Event of TPDOs of type 254 and 255",
               part.info.tpdo_trigger == "event_timer" ? "the event timer" : "a change of a mapped value"}}};
 }

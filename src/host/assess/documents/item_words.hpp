@@ -10,7 +10,7 @@ namespace canproof::host {
 
 /// Returns type, access, range, default, storage and mapping of one entry.
 std::string entry_words(const Entry& entry);
-/// Returns the words of all entries. Combines consecutive entries that have the same data.
+/// Describes all entries of an object in words. Combines consecutive entries that have the same data.
 std::string object_words(const Object& object);
 std::string constant_words(const Constant& constant);
 std::string enumeration_words(const Enumeration& enumeration);

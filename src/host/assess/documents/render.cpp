@@ -76,7 +76,7 @@ std::string table_html(const DocumentTable& table, const std::string& chapter, c
     return caption == chapter ? text : "<div>" + text + "</div>\n";
 }
 
-/// Returns the text for a cell of a Markdown table, without line breaks and with escaped bars.
+/// Returns the text for a cell of a Markdown table, without line breaks and with each `|` escaped.
 std::string markdown_cell(const std::string& text) {
     std::string out;
     for (const char c : one_line(text)) {

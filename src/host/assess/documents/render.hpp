@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// The place of each item, decision and hazard in the pack, by id: `audit-cbx-ao412.html#AO4-AOUT-002`.
+/// The place of each item, decision and hazard in the evidence pack, by id: `audit-cbx-ao412.html#AO4-AOUT-002`.
 using ItemLinks = std::map<std::string, std::string>;
 
 /// Returns the body of a page. Each id that `links` contains becomes a link.

@@ -26,9 +26,10 @@ std::set<std::int64_t> rates_of(const Register& content) {
 }
 
 Chapter arithmetic_chapter() {
-    DocumentTable table{"One frame of eight bytes",
-                        {"Bit error probability p", "P(at least two bits wrong)", "times 2^-15: undetected in a frame"},
-                        {}};
+    DocumentTable table{
+        "One frame of eight bytes",
+        {"Bit error probability p", "P(at least two bits wrong)", "That times 2^-15: wrong and undetected"},
+        {}};
     for (const double p : bit_errors) {
         table.rows.push_back({fmt::format("{:.0e}", p), fmt::format("{:.2e}", two_or_more_wrong(longest_frame_bits, p)),
                               fmt::format("{:.2e}", undetected_in_frame(p))});
@@ -60,10 +61,10 @@ Chapter rates_chapter(const Register& content) {
         }
     }
     return {"Figures",
-            {fmt::format("A full bus carries bit rate / {} x 3600 such frames an hour.", longest_frame_bits),
+            {fmt::format("A full bus carries bit rate / {} x 3600 frames of this length an hour.", longest_frame_bits),
              "IEC 61784-3 requires p = 1e-2 unless a better value is shown. One per cent of the dangerous failures "
-             "that SIL 3 allows is 1e-9 an hour. Where a rate of the table exceeds this, CAN alone must not carry a "
-             "safety function. A safety protocol above CANopen (EN 50325-5, for example) is missing here.",
+             "that SIL 3 allows is 1e-9 an hour. Where a rate of the table exceeds 1e-9, CAN alone must not carry a "
+             "safety function. A safety protocol above CANopen (EN 50325-5, for example) is not part of this firmware.",
              "No bit error was measured: p is assumed."},
             {table}};
 }

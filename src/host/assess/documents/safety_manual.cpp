@@ -118,8 +118,8 @@ Chapter decisions_chapter(const Register& content, const Part& part) {
         add(*shared);
     }
     return {"Decisions for the integrator",
-            {"Where the manual contradicts itself, another document, or is silent, a recorded decision chooses. These "
-             "decisions change what is on the wire or at an output.",
+            {"Where the manual contradicts itself or another document, or is silent, a recorded decision states the "
+             "behaviour. These decisions change a message on the bus or an output.",
              fmt::format("{} further decisions of medium or low severity are on the page of decisions.", others)},
             {table}};
 }

@@ -18,11 +18,11 @@ struct Claim {
     std::string limits;                 ///< limits of the claim: what the evidence does not show
 };
 
-/// An element of a complete pack, present or absent.
+/// A result (exhibit) that a complete evidence pack contains. It may be absent.
 struct ExpectedEvidence {
     std::string key;
     std::string title;
-    std::string made_by;  ///< the command that creates it, as text for a person
+    std::string made_by;  ///< the command that creates the result, as text for a person
     /// the same command for a shell in the project's folder; empty: `evidence --full` cannot create it
     std::string run{};
     std::int64_t minutes{0};  ///< approximate duration on two cores
@@ -34,7 +34,7 @@ struct Technique {
     std::string number;
     std::string name;
     std::string level;
-    std::string state;  ///< shown, partly, missing or not applicable
+    std::string state;  ///< whether the project applies the technique: shown, partly, missing or not applicable
     std::string how;
 };
 

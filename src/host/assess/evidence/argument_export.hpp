@@ -10,7 +10,8 @@
 
 namespace canproof::host {
 
-/// Returns JSON: goals with parent, state, limits and solutions; each solution with its state and its sentence.
+/// Returns JSON: goals with parent, state, limits and solutions; each solution with its state and the sentence about
+/// its result.
 std::string write_argument_json(const Argument& argument, const Exhibits& exhibits);
 
 /// Returns SVG markup of the top claim, the claims directly below it, and their evidence. The box of a claim links to

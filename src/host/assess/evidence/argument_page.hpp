@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The argument as a page of the pack.
+// The argument (claims and their evidence) as a page of the evidence pack.
 #pragma once
 
 #include <string>

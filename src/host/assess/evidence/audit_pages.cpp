@@ -78,7 +78,7 @@ std::string tests_of(const PackInput& input, const std::string& id) {
     if (found == input.evidence.verdicts.end()) {
         return "";
     }
-    // links to the tests of one line, by the text with which the line begins
+    // links to the tests that one line lists, by the beginning of the line: result, suite and kind
     std::map<std::string, std::vector<std::string>> lines;
     for (const auto& verdict : found->second) {
         const auto dot = verdict.test.find('.');
@@ -122,7 +122,7 @@ std::string review_of(const Part& part, const AuditedItem& audited, const Review
                                          : "reviewed " + review_words(found->second) + notes.beside(part, found->first);
 }
 
-/// The sources of the rows of a page.
+/// The data from which the rows of a page are made.
 struct RowSources {
     const PackInput& input;
     ItemLinks links;
@@ -165,7 +165,8 @@ std::string sentence_list(const char* id, const char* title, const std::vector<s
     return text + "</ul>\n";
 }
 
-/// Returns the markup of one service: a line with counts that opens to its table.
+/// Returns the markup of one service (a file of the register): a line with counts, which opens to the table of its
+/// items.
 std::string service_markup(const PartAudit& audit, const std::string& service,
                            const std::vector<const AuditedItem*>& items, const RowSources& from) {
     std::string counts;

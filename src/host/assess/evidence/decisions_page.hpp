@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of decisions.
+// The page of the evidence pack with the decisions.
 #pragma once
 
 #include <string>

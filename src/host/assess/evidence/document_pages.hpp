@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generated documents as files of the pack.
+// The generated documents as files of the evidence pack.
 #pragma once
 
 #include <map>

@@ -47,7 +47,7 @@ void read_description(const Json& json, Exhibit& exhibit) {
     }
 }
 
-/// Throws InputError when the description names a file that the folder does not contain.
+/// Throws InputError when exhibit.json names a file that its folder does not contain.
 void check_files(const Exhibit& exhibit) {
     auto promised = exhibit.data;
     if (!exhibit.page.empty()) {

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// Returns the body of the page of an exhibit without a page of its own as markup: figures, CSV tables, plots.
+/// Returns, as markup, the body of the page for an exhibit that has no page of its own: figures, CSV tables, plots.
 std::string exhibit_page(const Exhibit& exhibit);
 /// Returns the page that the tool has written, in the frame of the pack: the content of its `<main>` without the
 /// heading, after the state and the open points. Returns a page without `<main>` unchanged.

@@ -57,7 +57,7 @@ std::string mechanisms_of(const json& row) {
     return text.empty() ? "nothing" : text;
 }
 
-/// Returns the share of a kind that stays silent in the run without self-tests.
+/// Returns the share of the faults of this kind that nothing detected in the run without self-tests.
 std::string silent_without(const json& without, const std::string& kind) {
     if (!without.is_object() || !without.at("table").contains(kind)) {
         return "not measured";

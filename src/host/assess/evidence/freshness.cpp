@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns whether a measurement depends on this file. A review of the register changes no result; a review of a MISRA
-/// guideline does. A new input of a corpus is no reason to repeat a campaign.
+/// guideline does. A new input of a corpus is no reason to repeat a fuzzing campaign.
 bool measured_by(const fs::path& file) {
     const bool of_misra = file.parent_path().filename() == "misra";
     const bool in_corpus = std::find(file.begin(), file.end(), "corpus") != file.end();
@@ -59,7 +59,8 @@ std::string first_difference(const FileHashes& before, const FileHashes& now) {
     return "";
 }
 
-/// Returns the path of the record for a measurement. Returns nothing when the measurement is not below build/.
+/// Returns the path of the file that records the sources of a measurement. Returns nothing when the measurement is not
+/// below build/.
 std::optional<fs::path> record_of(const fs::path& root, const fs::path& measured) {
     const auto from = fs::weakly_canonical(measured).lexically_relative(fs::weakly_canonical(root)).generic_string();
     if (from.rfind("build/", 0) != 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of hazards.
+// The page of the evidence pack with the hazards of the devices.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace canproof::host {
 /// prevent it or the reason why none does.
 std::string hazards_page(const PackInput& input);
 
-/// Numbers of hazards, of all their failures, of open failures, and of failures without prevention.
+/// Numbers of hazards, of all their failures, of open failures, and of failures that nothing prevents.
 struct FailureCounts {
     std::size_t hazards{0};
     std::size_t failures{0};

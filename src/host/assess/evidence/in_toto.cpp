@@ -111,7 +111,8 @@ Json step_of(const Signer& signer) {
             {"threshold", 1}};
 }
 
-/// Returns the inspection, which runs in the folder of the pack. Its rules refuse a file that the step did not make.
+/// Returns the inspection, which a verifier of in-toto runs in the folder of the pack. Its rules refuse a file that the
+/// step `evidence` did not make.
 Json inspection() {
     const Json rules =
         Json::array({rule({"REQUIRE", "manifest.json"}), rule({"MATCH", "*", "WITH", "PRODUCTS", "FROM", step_name}),

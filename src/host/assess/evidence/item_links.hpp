@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place of each item, decision and hazard in the pack.
+// The place of each item, decision and hazard in the evidence pack.
 #pragma once
 
 #include <string>

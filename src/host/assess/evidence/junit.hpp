@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verdicts as JUnit XML, for tools that read it.
+// The results of the tests as JUnit XML, for tools that read this format.
 #pragma once
 
 #include <string>

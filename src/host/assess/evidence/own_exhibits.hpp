@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-using Exhibits = std::map<std::string, Exhibit>;  ///< exhibits by their keys
+using Exhibits = std::map<std::string, Exhibit>;  ///< results of tools and tests, by their keys
 
 /// Returns the exhibits of the pack itself and of other tools. Expected exhibits that are missing have the state
 /// `absent`.

@@ -11,7 +11,7 @@
 
 namespace canproof::host {
 
-/// Bytes by path within the pack.
+/// The bytes of each file of an evidence pack, by its path within the pack.
 using PackFiles = std::map<std::string, std::string>;
 
 /// Returns all files of the pack except the manifest. The same input gives the same bytes.

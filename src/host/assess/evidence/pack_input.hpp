@@ -42,7 +42,7 @@ struct PackInput {
     const Register* content{nullptr};
     Evidence evidence;
     std::vector<PartAudit> audits;
-    std::optional<Evidence> socketcan;  ///< result of the runs on CAN interfaces of a real kernel
+    std::optional<Evidence> socketcan;  ///< results of the tests on CAN interfaces of a real kernel
     /// one sentence for each function or test that belongs to no requirement
     std::optional<std::vector<std::string>> orphans;
     std::optional<MeasuredCoverage> coverage;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The provenance of a build.
+// The provenance of a build: commit, date, tools and packages.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages of the pack about the register and the verdicts. Each function returns the body of a page as markup.
+// The pages of the evidence pack about the requirements register and the results of tests. Each function returns the
+// body of a page as markup.
 #pragma once
 
 #include <string>

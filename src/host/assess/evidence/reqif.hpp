@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register for tools that read ReqIF.
+// The requirements register for tools that read ReqIF.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 namespace canproof::host {
 
 /// Returns ReqIF 1.2. Items, decisions and normative sections are SpecObjects; an item has its code, tests and review.
-/// SpecRelations connect a decision with the affected items, and an item with the sections that it covers. Each part
-/// has its own specification.
+/// SpecRelations connect a decision with the affected items, and an item with the sections that it covers. Each part (a
+/// device, or the shared rules) has its own specification.
 std::string write_reqif(const Register& content, const std::vector<PartAudit>& audits, const Evidence& evidence);
 
 }  // namespace canproof::host

@@ -83,7 +83,8 @@ std::string expired_table(const PackInput& input, const ReviewState& state) {
                       rows, Search::yes);
 }
 
-/// Returns the sentence of one kind. `things` are its name in the plural.
+/// Returns the sentence about the reviews of one kind of things. `things` is the plural name of this kind, such as
+/// `decisions`.
 std::string review_sentence(const ReviewCounts& counts, const char* things) {
     const std::string text_alone =
         counts.independent_text == 0 ? "" : fmt::format(", and the text alone of {}", counts.independent_text);

@@ -10,11 +10,11 @@
 
 namespace canproof::host {
 
-/// Returns the counts of all parts together.
+/// Returns the counts of reviews, summed over all devices and the shared rules.
 std::map<ReviewedKind, ReviewCounts> count_all_reviews(const PackInput& input);
 
-/// Returns one sentence for items, decisions, hazards and dispositions each: how many of them independent readers have
-/// read, and for how many such a review has expired or is missing.
+/// Returns one sentence for items, decisions, hazards and dispositions of sections (normative or not) each: how many of
+/// them independent readers have read, and for how many such a review has expired or is missing.
 std::string review_sentences(const std::map<ReviewedKind, ReviewCounts>& counts);
 
 /// Returns the body of the page: the counts of each device and of the shared rules, and each independent review that

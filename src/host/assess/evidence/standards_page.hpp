@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of the standards as a page of the pack.
+// The tables of techniques from IEC 61508 and ISO 26262 as a page of the pack.
 #pragma once
 
 #include <string>

@@ -53,7 +53,7 @@ std::string memory_table(const json& footprint) {
                       rows);
 }
 
-/// Returns a list entry that is marked as met or open.
+/// Returns a list entry for a goal, marked as met or open.
 std::string goal_entry(const json& goal, const std::string& markup) {
     return fmt::format("<li>{}\n", html_judged(goal.at("holds").get<bool>(), markup));
 }

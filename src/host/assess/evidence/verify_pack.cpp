@@ -29,7 +29,7 @@ std::map<std::string, std::string> sums_in(const std::string& manifest, const fs
     }
 }
 
-/// Returns the files that the manifest must list.
+/// Returns the files that the manifest must list: all except the manifest, its signature and the files for in-toto.
 std::set<std::string> files_in(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& one : fs::recursive_directory_iterator{folder}) {

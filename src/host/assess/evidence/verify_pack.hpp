@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verifies a pack against its manifest and its signature.
+// Verifies an evidence pack against its manifest and its signature.
 #pragma once
 
 #include <filesystem>

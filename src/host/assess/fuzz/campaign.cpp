@@ -124,12 +124,12 @@ CampaignState begin_or_go_on(const CampaignOptions& options, const std::vector<F
         const bool same =
             state.minutes == options.minutes && state.shard == shard_of(options) && has_targets(state, targets);
         if (!same) {
-            throw InputError{
-                fmt::format("{} contains an unfinished campaign with another time, shard or targets ({} minutes, "
-                            "{}started {}); give "
-                            "the command that started it to continue it, or add --restart to start a new campaign",
-                            files.work().string(), state.minutes,
-                            state.shard.empty() ? "" : "shard " + state.shard + ", ", state.started)};
+            throw InputError{fmt::format(
+                "{} contains an unfinished campaign with another duration, shard or set of targets ({} minutes, "
+                "{}started {}); give the command that started it to continue it, or add --restart to start a new "
+                "campaign",
+                files.work().string(), state.minutes, state.shard.empty() ? "" : "shard " + state.shard + ", ",
+                state.started)};
         }
         state.jobs = options.jobs;
         state.remarks.push_back(
@@ -162,7 +162,7 @@ bool is_wanted(const Phase& phase, const CampaignOptions& options) {
            (phase.run != look_again_with_valgrind || options.second_pass);
 }
 
-/// Returns whether a slice of a target ended before its time without a finding.
+/// Returns whether a slice of a target's fuzzing time ended too early, without a finding.
 bool is_broken(const CampaignState& state) {
     return std::any_of(state.targets.begin(), state.targets.end(),
                        [](const TargetRecord& one) { return one.broken_slices > 0; });
@@ -186,7 +186,7 @@ int run_shard(const CampaignContext& context) {
             return was_interrupted;
         }
     }
-    context.display.say(fmt::format("shard {} has fuzzed {} target(s); give the folder above {} to --merge",
+    context.display.say(fmt::format("shard {} has fuzzed {} target(s); give --merge the folder that contains {}",
                                     context.state.shard, context.targets.size(), context.options.corpus));
     return is_broken(context.state) ? was_broken : 0;
 }

@@ -35,10 +35,10 @@ struct CampaignOptions {
     std::uint64_t seed{0};  ///< seed of the random numbers; 0: taken from the clock and printed
     bool second_pass{true};
     bool coverage{true};
-    bool plain{false};  ///< lines instead of a table, even on a terminal
+    bool plain{false};  ///< prints progress as lines instead of a table, even on a terminal
     bool restart{false};
     std::optional<Shard> shard{};  ///< fuzzes only this part of the targets and leaves the later phases to `merge`
-    /// folder that contains the corpus folders of all shards; they are merged instead of fuzzing; empty: fuzzes
+    /// folder with the corpus folders of all shards, which are merged; empty: the targets are fuzzed
     std::string merge;
 };
 

@@ -21,7 +21,7 @@ class CampaignDisplay {
     void news(const TargetRecord& target, std::size_t inputs);
     /// Redraws the table, if there is one, at most twice a second.
     void draw(const CampaignState& state);
-    /// Draws the table of this phase for the last time.
+    /// Draws the table for the last time, at the end of a phase.
     void leave(const CampaignState& state);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files and the context that all parts of a campaign use.
+// The files and the context that all phases of a fuzzing campaign use.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace canproof::host {
 
 class CampaignDisplay;
 
-/// The paths below the corpus folder.
+/// The paths of a campaign's files below the corpus folder.
 class CampaignFiles {
   public:
     explicit CampaignFiles(const std::filesystem::path& corpus) : corpus_{std::filesystem::absolute(corpus)} {}

@@ -105,7 +105,7 @@ std::string targets(const CampaignState& state, const std::optional<Night>& last
                                                         {"Executions"},
                                                         {"Executions per second"},
                                                         {"Edges"},
-                                                        {"Against the last campaign"},
+                                                        {"Change since the last campaign"},
                                                         {"Last new edge, s"},
                                                         {"Inputs before"},
                                                         {"Found"},
@@ -139,7 +139,7 @@ std::string coverage(const CampaignState& state, const std::optional<Night>& las
     const auto before =
         last && last->lines_hit > 0 && same_targets(state, *last) ? std::optional{last->lines_hit} : std::nullopt;
     std::string text = fmt::format(
-        "<h2>Lines of the firmware</h2><p>{} of {} ({:.1f} %), {} against the last campaign.</p>", grouped(all.hit()),
+        "<h2>Lines of the firmware</h2><p>{} of {} ({:.1f} %), {} since the last campaign.</p>", grouped(all.hit()),
         grouped(all.lines()), percent(all.hit(), all.lines()), change(all.hit(), before));
     LinePlot plot{"Lines reached over the campaign", "share of its time (%)", "lines", {{"all targets", {}}}, {}};
     for (const auto& point : all.over_time) {
@@ -194,7 +194,8 @@ nlohmann::json write_campaign_exhibit(const CampaignState& state) {
     }
     for (const auto& target : state.targets) {
         if (target.broken_slices != 0) {
-            open.push_back(fmt::format("{}: {} slice(s) ended before their time", target.name, target.broken_slices));
+            open.push_back(
+                fmt::format("{}: {} slice(s) of the fuzzing time ended too early", target.name, target.broken_slices));
         }
     }
     if (!finished) {

@@ -9,10 +9,11 @@
 
 namespace canproof::host {
 
-/// Returns the page; `last` is the campaign to compare with.
+/// Returns the page of a campaign; `last` is the campaign before, for comparison.
 std::string write_campaign_html(const CampaignState& state, const std::optional<Night>& last);
 nlohmann::json write_campaign_json(const CampaignState& state, const std::optional<Night>& last);
-/// Returns the description for the evidence pack (src/host/assess/evidence/exhibit.hpp).
+/// Returns the content of exhibit.json, which describes the campaign in the evidence pack
+/// (src/host/assess/evidence/exhibit.hpp).
 nlohmann::json write_campaign_exhibit(const CampaignState& state);
 /// Returns the figures that the next campaign uses for its comparison.
 Night night_of(const CampaignState& state);

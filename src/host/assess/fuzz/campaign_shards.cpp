@@ -109,8 +109,8 @@ CampaignState merge_shards(const fs::path& folder, const std::vector<FuzzTarget>
         const std::size_t at = place / all.size();
         if (from.state.targets.size() != size_of_share(targets.size(), from.shard) ||
             from.state.targets[at].name != targets[place].name) {
-            throw InputError{fmt::format("{} fuzzed other targets; run shard {} with this build's targets", from.name,
-                                         from.shard.text())};
+            throw InputError{fmt::format("{} fuzzed other targets; run shard {} again with the targets of this build",
+                                         from.name, from.shard.text())};
         }
         merged.targets.push_back(from.state.targets[at]);
     }

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// The phase with which a campaign continues when all targets have had their time.
+/// The phase that follows when the fuzzing time of all targets is over.
 constexpr const char* phase_after_fuzzing = "sorting findings";
 
 /// Copies the inputs of every shard below `folder` to `files`, and its artifacts, the inputs that ended a run. Returns

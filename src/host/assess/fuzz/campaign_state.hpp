@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a campaign. The corpus folder keeps it, so that the same command without --restart continues an
+// The state of a fuzzing campaign. The corpus folder keeps it, so that the same command without --restart continues an
 // interrupted campaign.
 #pragma once
 
@@ -21,14 +21,14 @@ struct Sample {
 
 struct TargetRecord {
     std::string name;
-    unsigned slices{0};  ///< number of finished slices
+    unsigned slices{0};  ///< number of finished slices (parts of the fuzzing time)
     double seconds{0.0};
     std::uint64_t executions{0};
     std::vector<Sample> samples;
     std::size_t inputs_before{0};  ///< number of inputs in the corpus folder before the campaign, without the seeds
     std::size_t inputs_found{0};
     std::size_t inputs_kept{0};         ///< number of inputs after minimisation
-    unsigned broken_slices{0};          ///< number of slices that ended before their time without a finding
+    unsigned broken_slices{0};          ///< number of slices that ended too early without a finding
     std::size_t inputs_second_pass{0};  ///< number of inputs that the second pass ran
 
     std::uint64_t edges() const { return samples.empty() ? 0 : samples.back().edges; }
@@ -43,7 +43,8 @@ struct Finding {
     std::string title;
     std::string signature;
     std::string first_seen;  ///< UTC time
-    std::string folder;      ///< folder with input, output.txt and, for a target with frames, frames.log and replay
+    std::string folder;      ///< folder with input and output.txt; also frames.log and replay, if the target sends CAN
+                             ///< frames
     std::string regression;  ///< path of the input in the committed corpus; empty: it is not there
     std::string pass;        ///< the pass that found the bug: libFuzzer with sanitizers, or valgrind
     std::size_t bytes{0};
@@ -86,7 +87,7 @@ struct CampaignState {
     std::vector<TargetRecord> targets;
     std::vector<Finding> findings;
     LineCoverage coverage;
-    std::vector<std::string> remarks;  ///< interruptions, and steps that failed with the reason
+    std::vector<std::string> remarks;  ///< interruptions, and failed steps with the reason
 
     std::uint64_t executions() const;
     double seconds() const;

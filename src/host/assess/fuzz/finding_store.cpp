@@ -26,8 +26,8 @@ void copy_over(const std::filesystem::path& from, const std::filesystem::path& t
     write_text(to, bytes.str());
 }
 
-/// Starts the target's replay program, which writes frames.log with all frames up to the failure. A target without
-/// frames writes nothing. Does nothing when the replay program is not built.
+/// Starts the target's replay program, which writes frames.log with all frames up to the failure. A target that sends
+/// no CAN frames writes nothing. Does nothing when the replay program is not built.
 void write_frames(const CampaignContext& context, const FoundInput& found, const std::filesystem::path& folder) {
     const auto program = std::filesystem::path{context.options.replay_build} / (found.target->name + "_fuzz");
     if (!std::filesystem::exists(program)) {

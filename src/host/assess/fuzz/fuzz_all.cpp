@@ -24,7 +24,8 @@ unsigned forks(const CampaignContext& context) {
     return std::max(1U, context.options.jobs / static_cast<unsigned>(context.targets.size()));
 }
 
-/// Returns the seconds of the next slice: the target's remaining time divided by the number of its remaining slices.
+/// Returns the duration of the next slice in seconds: the target's remaining time divided by the number of its
+/// remaining slices.
 double slice_seconds(const CampaignContext& context, const TargetRecord& record) {
     const double width = std::min<double>(context.options.jobs, static_cast<double>(context.targets.size()));
     const double share = context.state.minutes * 60.0 * width / static_cast<double>(context.targets.size());
@@ -32,7 +33,7 @@ double slice_seconds(const CampaignContext& context, const TargetRecord& record)
     return std::max(1.0, (share - record.seconds) / left);
 }
 
-/// Records the progress of one slice.
+/// Records the progress of one slice, a part of a target's fuzzing time.
 class Slice {
   public:
     Slice(const CampaignContext& context, TargetRecord& record) : context_{context}, record_{record} {}

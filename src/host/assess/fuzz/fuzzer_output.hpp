@@ -19,7 +19,7 @@ struct FuzzerProgress {
 /// Parses `#4096 pulse cov: 120 ft: 300 …` or `#4096: cov: 120 ft: 300 …`; returns nothing for any other line.
 std::optional<FuzzerProgress> parse_progress(const std::string& line);
 
-/// The reason why a run of a fuzz target ended before its time.
+/// The reason why a run of a fuzz target ended too early.
 struct Failure {
     std::string kind;                 ///< `heap-buffer-overflow`, `requirement violated`, `timeout`, …
     std::string place;                ///< `fuzz/pdo_fuzz.cpp:167`; empty when the output names no place

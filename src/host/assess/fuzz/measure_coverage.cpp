@@ -22,7 +22,7 @@ constexpr double run_limit = 900.0;
 
 using Inputs = std::vector<std::filesystem::path>;
 
-/// One process of the coverage build, and the step of its inputs.
+/// One run of a program of the coverage build, and the step of the campaign in which its inputs were found.
 struct Run {
     const FuzzTarget* target{nullptr};
     std::size_t step{0};
@@ -88,8 +88,9 @@ bool run_all(const CampaignContext& context, const std::vector<Run>& runs) {
         task.limit_seconds = run_limit;
         task.ended = [&context, &run, log = task.log](const TaskEnd& end) {
             if (end.status != 0 && !end.interrupted) {
-                context.state.remarks.push_back(fmt::format(
-                    "{}: a replay failed, so its lines may not be counted; see {}", run.target->name, log.string()));
+                context.state.remarks.push_back(
+                    fmt::format("{}: a replay failed, so lines that it reached may be missing; see {}",
+                                run.target->name, log.string()));
             }
         };
         tasks.push_back(std::move(task));

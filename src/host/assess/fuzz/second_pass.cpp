@@ -112,7 +112,7 @@ bool look_again_with_valgrind(const CampaignContext& context) {
         record.inputs_second_pass = 0;
     }
     std::vector<Chunk> chunks = chunks_of(context);
-    // The first chunk of every target runs without a limit for the pass; the other chunks run until this limit.
+    // The first chunk of every target always runs; the other chunks run until the time of this pass is over.
     const auto sure = static_cast<std::size_t>(
         std::count_if(chunks.begin(), chunks.end(), [](const Chunk& chunk) { return chunk.first; }));
     const auto start = Clock::now();

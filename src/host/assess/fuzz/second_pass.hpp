@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second pass over the inputs that a campaign kept.
+// The second pass of a campaign, which runs the inputs that the campaign kept under valgrind.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"

@@ -28,7 +28,8 @@ struct Crash {
     bool reproduces{false};
 };
 
-/// Returns whether the artifact is a failure; `slow-unit-…` is only a remark of libFuzzer.
+/// Returns whether the artifact (an input that libFuzzer saved) shows a failure; `slow-unit-…` is only a remark of
+/// libFuzzer.
 bool is_failure(const std::filesystem::path& artifact) {
     return artifact.filename().string().rfind("slow-unit-", 0) != 0;
 }
@@ -48,7 +49,7 @@ std::vector<Crash> collect(const CampaignContext& context) {
             return std::filesystem::file_size(a) < std::filesystem::file_size(b);
         });
         if (inputs.size() > most_inputs) {
-            context.state.remarks.push_back(fmt::format("{}: of {} inputs that ended a run the {} smallest were sorted",
+            context.state.remarks.push_back(fmt::format("{}: {} inputs ended a run; only the {} smallest were examined",
                                                         target.name, inputs.size(), most_inputs));
             inputs.resize(most_inputs);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns inputs that ended a run into findings.
+// Turns inputs that ended a run of a fuzz target into findings.
 #pragma once
 
 #include "host/assess/fuzz/campaign_files.hpp"

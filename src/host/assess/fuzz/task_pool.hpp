@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// The end of a program.
+/// The way in which a program ended.
 struct TaskEnd {
     int status{0};          ///< exit status, or 128 plus the number of the signal
     bool timed_out{false};  ///< whether the program was ended at its time limit

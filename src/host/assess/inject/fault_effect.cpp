@@ -113,8 +113,8 @@ Signals first_values(const DeviceRun& run) {
     return first;
 }
 
-/// Applies the changes that happen at `time`, beginning with number `next`. Sets `next` to the number of the following
-/// change.
+/// Applies the changes that happen at or before `time`, beginning with number `next`. Sets `next` to the number of the
+/// following change.
 void apply_changes(const std::vector<OutputChange>& changes, double time, std::size_t& next, Signals& signals) {
     for (; next < changes.size() && std::stod(changes[next].time) <= time; ++next) {
         signals[changes[next].signal] = changes[next].value;

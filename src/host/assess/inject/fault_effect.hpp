@@ -45,7 +45,8 @@ struct DeviceRun {
 /// Parses the two texts that replay() writes. Throws InputError when they do not have the form of these texts.
 DeviceRun read_run(const std::string& frames, const std::string& outputs);
 
-/// Compares a completed run with a fault with the run without a fault. Indicators (LEDs) count as outputs.
+/// Compares the completed run of a device with a fault with its run without a fault. Counts indicators (LEDs) as
+/// outputs.
 FaultEffect effect_of(const DeviceRun& faultless, const DeviceRun& faulty);
 
 /// Returns the effect's name for tables: `wrong output`.

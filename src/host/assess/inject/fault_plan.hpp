@@ -16,7 +16,7 @@ struct RegionSize {
 
 struct InjectedFault {
     std::size_t call{0};    ///< the bit is inverted before this call; calls count from 0
-    std::size_t region{0};  ///< number of the region in the list of regions
+    std::size_t region{0};  ///< number of the memory region in the list of regions
     std::size_t byte{0};    ///< number of the byte in the region
     unsigned bit{0};        ///< number of the bit, 0 to 7
 };

@@ -26,7 +26,7 @@ std::size_t memory_size(const InjectionCampaign& campaign) {
                            [](std::size_t sum, const RegionSize& region) { return sum + region.bytes; });
 }
 
-/// Returns a row of the table: a name, one number for each region, and the number for all regions.
+/// Returns a row of the table: a name, one number for each memory region, and the number for all regions.
 std::string row(const std::string& name, const std::vector<std::size_t>& numbers) {
     std::string text = fmt::format("{:<22}", name);
     for (const std::size_t number : numbers) {

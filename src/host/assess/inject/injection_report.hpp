@@ -12,18 +12,18 @@
 
 namespace canproof::host {
 
-/// Numbers of runs by effect.
+/// Numbers of runs by the effect of their fault.
 struct EffectCounts {
     std::array<std::size_t, fault_effects> of{};
 
     std::size_t all() const;
-    /// Returns the number of runs with any difference.
+    /// Returns the number of runs in which the fault had an effect.
     std::size_t effective() const;
     std::size_t detected() const;
     std::size_t silent() const;
 };
 
-/// Counts the effects of all runs, or of the runs of one region.
+/// Counts the effects of all runs, or of the runs with a fault in one memory region.
 EffectCounts count_effects(const InjectionCampaign& campaign);
 EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region);
 
@@ -31,7 +31,8 @@ EffectCounts count_effects(const InjectionCampaign& campaign, std::size_t region
 /// faults, of the safe state and of silent faults refer to the runs with an effect.
 std::string injection_table(const std::string& device, const InjectionOptions& options,
                             const InjectionCampaign& campaign);
-/// Returns JSON with the counts and with every fault that has a silent effect.
+/// Returns JSON with the counts and with every fault that has a silent effect (a wrong value without any sign of the
+/// fault).
 std::string injection_json(const std::string& device, const InjectionOptions& options,
                            const InjectionCampaign& campaign);
 

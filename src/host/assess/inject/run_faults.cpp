@@ -24,8 +24,8 @@ namespace canproof::host {
 
 namespace {
 
-// Exit status of the process that runs a fault when it could not judge the effect. A smaller status is the number of
-// the effect.
+// Exit status of the process of one fault if it could not judge the effect. A smaller status is the number of the
+// effect.
 constexpr int not_judged = 100;
 
 struct Texts {
@@ -79,9 +79,9 @@ FaultEffect effect_of_status(int status) {
         "a run with a fault could not be judged: the system refused /dev/null or a limit of its processor time"};
 }
 
-/// Plays the workload once. Before the call of each fault of the shard, starts the process that runs this fault. A
-/// damaged index or pointer may read memory outside the device. The heap therefore has the same content in each shard:
-/// this class keeps the faults of all shards, and allocates nothing for a fault.
+/// Plays the workload once. Before the call at which a fault of the shard is due, starts the process that runs with
+/// this fault. A damaged index or pointer may read memory outside the device. The heap therefore has the same content
+/// in each shard: this class keeps the faults of all shards, and allocates nothing for a fault.
 class Injector {
   public:
     Injector(SimulatedDevice& device, const std::vector<InjectedFault>& faults, const DeviceRun& faultless,
@@ -142,7 +142,8 @@ class Injector {
             }
             const pid_t process = fork();
             if (process < 0) {
-                throw InputError{fmt::format("a process cannot be started: {}", std::strerror(errno))};
+                throw InputError{
+                    fmt::format("a process cannot be started: {}; close other programs", std::strerror(errno))};
             }
             if (process == 0) {
                 is_child_ = true;
@@ -225,7 +226,8 @@ InjectionCampaign run_faults(const MakeDevice& make, const ReplayInput& input, c
                              const std::function<void(std::size_t)>& progress) {
     InjectionCampaign campaign;
     std::exception_ptr failure;
-    // glibc gives a new thread a heap of its own. What the program has allocated before does not move the device in it.
+    // glibc gives a new thread a heap of its own. Earlier allocations of the program do not change the device's
+    // addresses in this heap.
     std::thread run{[&] {
         try {
             campaign = run_in_this_thread(make, input, options, progress);

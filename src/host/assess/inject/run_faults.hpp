@@ -32,8 +32,8 @@ struct InjectionOptions {
     std::size_t faults{1000};
     unsigned jobs{1};          ///< number of processes at the same time
     double most_seconds{1.0};  ///< processor time in seconds after which the watchdog would have ended a run
-    Shard shard{};             ///< runs only the faults of this part
-    std::string sources{};     ///< source_hash() of the tree, for `--merge`
+    Shard shard{};             ///< runs only this part of the faults
+    std::string sources{};     ///< source_hash() of the source tree; `--merge` compares it
 };
 
 /// Makes the device in the state before power-on. Each call returns an equal device.

@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::map<Mark, std::vector<std::size_t>>;
 
-/// The passage marks with one passage length, by their hash as a number.
+/// The marks (hashes) of all passages of one length, by the hash as a number.
 using ByHash = std::map<std::uint64_t, Mark>;
 
 std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
@@ -27,8 +27,8 @@ std::map<std::size_t, ByHash> by_length(const std::set<Mark>& marks) {
 
 enum class Ends { at_words, anywhere };
 
-/// Adds to `places` where the passages of the marks begin. Computes the hash of a passage of each length at each start
-/// of a word; each hash is computed in full, because SHA-256 has no rolling form.
+/// Adds to `places` the positions at which the passages of the marks begin. Computes the hash of a passage of each
+/// length at each start of a word; each hash is computed in full, because SHA-256 has no rolling form.
 void search(const ManualText& text, const std::set<Mark>& marks, const Ends ends, Places& places) {
     const auto lengths = by_length(marks);
     const std::string_view whole{text.letters()};

@@ -13,8 +13,8 @@
 namespace canproof::host {
 
 /// Returns, for each mark, the positions in `text.letters()` at which its passage begins. Leaves out marks that are not
-/// found. A passage begins at the start of a word. If some places of a mark end at the end of a word, its other places
-/// are left out.
+/// found. A passage begins at the start of a word. If a passage ends at the end of a word at some of these positions,
+/// the other positions are left out.
 std::map<Mark, std::vector<std::size_t>> find_marks(const ManualText& text, const std::set<Mark>& marks);
 
 }  // namespace canproof::host

@@ -30,7 +30,8 @@ class ManualText {
     std::vector<std::string> lines_;
     std::string letters_;
     std::vector<std::size_t> word_begins_;
-    std::vector<bool> word_end_;  ///< has one element more than there are letters and digits
+    std::vector<bool> word_end_;  ///< whether a word ends before each position; the last element is for the end of the
+                                  ///< text
     std::vector<std::size_t> line_begins_;
 };
 

@@ -12,7 +12,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the numbers of a section: {7, 10, 2} for "7.10.2". Returns an empty list for any other text.
+/// Returns the parts of a section number: {7, 10, 2} for "7.10.2". Returns an empty list for any other text.
 std::vector<unsigned> number_of(const std::string& ref) {
     std::vector<unsigned> number;
     std::istringstream in{ref};

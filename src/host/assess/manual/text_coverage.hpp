@@ -10,11 +10,11 @@
 
 namespace canproof::host {
 
-/// A line of text in a normative section that the statements do not cover completely.
+/// A line of a normative section whose text the statements do not cover completely.
 struct UncoveredLine {
     std::size_t line{0};  ///< line number from 1
     std::string section;
-    std::string words;  ///< the first words that are not covered
+    std::string words;  ///< the first words of the line that no statement covers
 };
 
 /// Numbers of letters and digits: in total, and inside the passages of statements.
@@ -31,7 +31,8 @@ struct TextCoverage {
     std::vector<std::string> missing;
     std::vector<std::string> not_located;  ///< normative numbered sections whose heading the text does not contain
     std::vector<UncoveredLine> uncovered;
-    CoveredCharacters normative;  ///< counts for the located normative sections, without headings and captions
+    CoveredCharacters normative;  ///< counts for the normative sections whose heading was found, without headings and
+                                  ///< captions
     CoveredCharacters whole;
 };
 

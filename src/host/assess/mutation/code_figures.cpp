@@ -22,8 +22,8 @@ constexpr std::array<const char*, 4> harnesses{"conformance", "units", "properti
 constexpr std::size_t field_count = 9;
 constexpr std::size_t mark_digits = 8;
 
-/// Returns the mark of a source without comments, layout and links to items, which have no mutants. Returns an empty
-/// text when the source does not exist.
+/// Returns the mark (hash) of a source without its comments, layout and links to items, which have no mutants. Returns
+/// an empty text when the source does not exist.
 std::string mark_of(const std::filesystem::path& file) {
     static const std::string link = "static_assert(implements<";
     if (!std::filesystem::is_regular_file(file)) {
@@ -45,7 +45,7 @@ std::size_t noticed(const OperatorCount& count) {
     return count.mutants - count.justified - count.open;
 }
 
-/// Reads one line of the record. Returns nothing for a line of another form.
+/// Reads one line of reports/code_figures.csv. Returns whether the line has the right form.
 bool read_line(const std::string& line, CodeFigures& figures) {
     std::istringstream in{line};
     std::vector<std::string> fields;
@@ -104,8 +104,9 @@ CodeFigures read_code_figures(const std::filesystem::path& file) {
     for (std::string line; std::getline(in, line);) {
         ++number;
         if ((number != 1 || line != heading) && !read_line(line, figures)) {
-            throw InputError{fmt::format("{}:{}: the line does not have the form `{}`; run `canproof mutate --code`",
-                                         file.string(), number, heading)};
+            throw InputError{fmt::format(
+                "{}:{}: the line does not have the form `{}`; remove this line, then run `canproof mutate --code`",
+                file.string(), number, heading)};
         }
     }
     return figures;

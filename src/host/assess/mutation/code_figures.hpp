@@ -13,9 +13,9 @@
 
 namespace canproof::host {
 
-/// The figures of one source.
+/// The figures (counts of mutants) of one source.
 struct FileFigures {
-    std::string code;  ///< mark of its code, without comments, layout and links, when it was judged
+    std::string code;  ///< mark (hash) of its code, without comments, layout and links, when it was judged
     OperatorCount count;
 };
 
@@ -33,11 +33,11 @@ std::string write_code_figures(const CodeFigures& figures);
 void note_figures(CodeFigures& figures, const std::vector<MutationOutcome>& outcomes,
                   const std::filesystem::path& root);
 
-/// The figures of all layers.
+/// The figures of all layers of the code, summed over their sources.
 struct LayerTable {
     std::string text;                   ///< a table in Markdown
     std::vector<std::string> unjudged;  ///< sources without figures of their present code, with their number of mutants
-    std::size_t open{0};                ///< number of survivors without a reason
+    std::size_t open{0};                ///< number of surviving mutants without a reason
 };
 
 /// Adds up the figures by layer. `mutants` are all present mutants: a source whose code or number of mutants differs

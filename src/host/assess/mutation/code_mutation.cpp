@@ -21,16 +21,17 @@ namespace canproof::host {
 
 namespace {
 
-/// Longest processor time of the tests for one mutant, in seconds. The sum uses the times that the tests take without a
-/// mutant.
+/// Limit in seconds for the processor time of all tests with one mutant. The sum uses the times that the tests take
+/// without a mutant.
 constexpr double most_seconds = 1.5;
-/// Longest processor time of the tests for a mutant that survives these tests and that no record explains, in seconds.
+/// Limit in seconds for the processor time of more tests, for a mutant that survives the first tests and that no record
+/// explains.
 constexpr double patient_seconds = 60.0;
-/// Longest processor time of the tests that run first, in seconds. These tests notice most mutants.
+/// Limit in seconds for the processor time of the tests that run first. These tests notice most mutants.
 constexpr double quick_seconds = 0.1;
-/// Name of the entry for the computations before the first test.
+/// Name of the entry, in the list of tests, for the computations before the first test.
 const char* const startup = "startup";
-/// Time in seconds that each test counts at least, because its start takes time.
+/// Least time in seconds that is counted for each test, because the start of a test takes time.
 constexpr double least_seconds = 0.001;
 
 /// Tests to run, and the processor time in seconds after which the mutant counts as noticed.

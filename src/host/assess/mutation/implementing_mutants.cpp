@@ -52,8 +52,9 @@ class Sources {
         }
     }
 
-    /// Adds the mutants of the code below a link and of the condition on which it runs, of the functions that both
-    /// call, and of the functions that these call in their own file.
+    /// Adds the mutants of the code below a link (implements<> assertion) and of the condition on which this code runs.
+    /// Also adds those of the functions that the code and the condition call, and of the functions that these call in
+    /// their own file.
     void add_function(const std::string& file, std::size_t link, std::set<std::size_t>& numbers) {
         Words called;
         for (const auto& [first, last] : {function_below(lines(file), link), condition_around(lines(file), link)}) {

@@ -11,17 +11,18 @@ namespace {
 
 /// Number of mutants of one item that a test runs with first. They are spread evenly over all mutants of the item.
 constexpr std::size_t first_tries = 24;
-/// Longest processor time in seconds for one test with the altered cells (values in generated tables) of one item, and
-/// again with the mutants of its code.
+/// Limit in seconds for the processor time of one test with the altered cells (values in generated tables) of one item.
+/// The same limit applies to the test with the mutants of the item's code.
 constexpr double most_item_seconds = 3.0;
-/// Processor time in seconds that the start of a program counts.
+/// Processor time in seconds that is counted for each start of a program.
 constexpr double start_seconds = 0.1;
 
 const char* const tests_name = "canproof_tests";
 const char* const properties_name = "canproof_properties";
 const char* const code_name = "code_mutants";
 
-/// Returns all numbers in another order: first about `first_tries` numbers that are evenly spread, then the others.
+/// Returns the numbers of all mutants in another order: first about `first_tries` numbers that are evenly spread, then
+/// the others.
 MutantNumbers spread(const MutantNumbers& all) {
     MutantNumbers ordered;
     const std::size_t step = 1 + all.size() / first_tries;
@@ -122,7 +123,7 @@ bool KillJudge::notices_code(const ClaimingTest& test, const MutantNumbers& code
 }
 
 /// Starts the program with each of the mutants. A value that the program computes when it starts, such as a table made
-/// from constants, changes in no other way.
+/// from constants, changes only in this way.
 bool KillJudge::notices_at_startup(const std::filesystem::path& program, const ClaimingTest& test,
                                    const MutantNumbers& numbers) const {
     double left = most_item_seconds;

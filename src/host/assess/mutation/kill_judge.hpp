@@ -18,7 +18,7 @@ namespace canproof::host {
 
 using MutantNumbers = std::vector<std::size_t>;
 
-/// Numbers of the mutants of each item, by kind.
+/// The numbers that identify the mutants of each item, by kind.
 struct ItemMutants {
     std::map<std::string, MutantNumbers> cells;  ///< altered generated cells
     std::map<std::string, MutantNumbers> code;   ///< mutants of code; the numbers of each item are in ascending order
@@ -31,7 +31,7 @@ struct ClaimingTest {
     std::string body;  ///< hash of its body
     bool is_property{false};
     std::set<std::string> claims;
-    std::string code{};  ///< mark of the code of the claimed items
+    std::string code{};  ///< mark (hash) of the code of the claimed items
 };
 
 /// Owns the running test programs. Each thread has its own object.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records which test noticed each mutant. The next run starts with this test and so rarely needs the others. No verdict
+// Records which test noticed each mutant. The next run starts with this test and so rarely needs other tests. No result
 // depends on the record.
 #pragma once
 

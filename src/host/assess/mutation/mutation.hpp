@@ -17,7 +17,8 @@
 
 namespace canproof::host {
 
-/// Returns, for each item that a test of the program claims, a GoogleTest filter with these tests, quickest first.
+/// Returns, for each item that a test of the program claims to show, a GoogleTest filter with these tests, quickest
+/// first.
 std::map<std::string, std::string> filters_by_item(const Evidence& evidence);
 
 /// Returns `count` random cells in their original order, or all cells if there are fewer. The same seed gives the same
@@ -27,7 +28,7 @@ std::vector<AlteredCell> sample_of(const std::vector<AlteredCell>& cells, std::s
 struct MutationSetup {
     std::filesystem::path tests;       ///< path of the program with the tests
     std::filesystem::path properties;  ///< path of the program with the properties; empty: there is none
-    std::filesystem::path verdicts;    ///< folder for the verdicts of both programs, run with unaltered cells
+    std::filesystem::path verdicts;    ///< folder for the test results of both programs, run with unaltered cells
     unsigned jobs{2};
 };
 
@@ -38,8 +39,8 @@ std::vector<MutationOutcome> mutate_cells(const MutationSetup& setup, const std:
 
 using Servers = std::vector<std::unique_ptr<TestServer>>;
 
-/// Calls `judge` for each cell on `jobs` threads. Each thread has its own servers, one for each program. `progress`
-/// receives the number of judged cells. Throws InputError when `judge` throws or a server cannot be started.
+/// Calls `judge` for each cell on `jobs` threads. Each thread has its own test servers, one for each program.
+/// `progress` receives the number of judged cells. Throws InputError when `judge` throws or a server cannot be started.
 std::vector<MutationOutcome> judge_all(const std::vector<AlteredCell>& cells,
                                        const std::vector<std::filesystem::path>& programs, unsigned jobs,
                                        const std::function<MutationOutcome(const AlteredCell&, const Servers&)>& judge,

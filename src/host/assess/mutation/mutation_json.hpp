@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes the results of `canproof mutate` as JSON, for the audit and the pack.
+// Reads and writes the results of `canproof mutate` as JSON, for the audit and the evidence pack.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 namespace canproof::host {
 
 std::string write_mutation_json(const std::vector<MutationOutcome>& outcomes);
-/// Returns the JSON of write_mutation_json() with the faults of the records, one line each, for `canproof mutate
-/// --json`.
+/// Returns the JSON of write_mutation_json() with the faults in reports/mutation.toml, one line each, for `canproof
+/// mutate --json`.
 std::string write_mutation_run_json(const std::vector<MutationOutcome>& outcomes,
                                     const std::vector<std::string>& faults);
 /// Reads the counts. Returns no counts when the file does not exist. Throws InputError for content of another form.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outcome of one alteration.
+// The outcome of one alteration: the test that noticed it, or the record that explains why none did.
 #pragma once
 
 #include <string>

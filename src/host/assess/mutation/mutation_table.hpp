@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the mutants of code by layer and operator, and by the test suite that noticed them.
+// Counts the mutants of code by layer and by operator (kind of change), and by the test suite that noticed them.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ bool is_host(const std::string& file);
 /// `otherwise` for an empty path.
 std::string harness_of(const std::string& test_file);
 
-/// One line of the table.
+/// The counts of mutants in one line of the table.
 struct OperatorCount {
     std::size_t mutants{0};
     std::map<std::string, std::size_t> noticed;  ///< number of noticed mutants by test suite (harness_of())

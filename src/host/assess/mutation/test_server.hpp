@@ -14,7 +14,7 @@ namespace canproof::host {
 
 std::vector<std::string> tab_separated(const std::string& line);
 
-/// One line of the program's `--cells` output.
+/// One alteration of a cell, as a line of the program's `--cells` output.
 struct AlteredCell {
     std::size_t number{0};
     std::string item;
@@ -22,7 +22,7 @@ struct AlteredCell {
     std::string change;
 };
 
-/// Returns the cells of the program. Throws InputError when it cannot be run or its output is invalid.
+/// Returns the alterations that the program can make. Throws InputError when it cannot be run or its output is invalid.
 std::vector<AlteredCell> read_cells(const std::filesystem::path& program);
 
 class TestServer {
@@ -47,7 +47,7 @@ class TestServer {
 /// test failed.
 bool fails_when_started_altered(const std::filesystem::path& program, std::size_t number, const std::string& filter);
 
-/// Runs all tests with unaltered cells and writes their verdicts. Returns whether all passed. Each element of
+/// Runs all tests with unaltered cells and writes their results. Returns whether all passed. Each element of
 /// `more_environment` is `NAME=value`.
 bool run_unaltered(const std::filesystem::path& program, const std::filesystem::path& verdicts,
                    const std::vector<std::string>& more_environment = {});

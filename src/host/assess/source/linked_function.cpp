@@ -14,7 +14,7 @@ int depth_of(const std::string& line) {
            static_cast<int>(std::count(line.begin(), line.end(), '}'));
 }
 
-/// Returns whether the line closes a block around the code that opened `depth` blocks in the lines before.
+/// Returns whether the line closes a block that surrounds the code before it. That code has opened `depth` blocks.
 bool closes_block_around(const std::string& line, int depth) {
     return std::any_of(line.begin(), line.end(), [&depth](char c) {
         depth += c == '{' ? 1 : c == '}' ? -1 : 0;

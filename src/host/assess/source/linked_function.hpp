@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// The first and the last of some lines. Lines count from 1; both are 0 when there is no line.
+/// The first and the last line of a range. Lines count from 1; both are 0 when there is no line.
 using LineRange = std::pair<std::size_t, std::size_t>;
 
 /// Returns the function below line `link` of a source. For a link inside a function, returns the statements below it.

@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Computes the hashes. Each source is read once.
+/// Computes hashes of the bodies of tests. Each source is read once.
 class TestBodies {
   public:
     explicit TestBodies(std::filesystem::path root) : root_{std::move(root)} {}

@@ -240,7 +240,8 @@ Story StoryTeller::statement(const AuditedStatement& audited) const {
         } else if (const auto found = decisions_.find(id); found != decisions_.end()) {
             story.text += fmt::format("  {:<22} {:<8} {:<11} {}\n", id, "", "decision", brief(found->second->chosen));
         } else {
-            story.text += fmt::format("  {:<22} {}\n", id, "shared item; the audit of canproof shows it");
+            story.text +=
+                fmt::format("  {:<22} {}\n", id, "shared item of canproof; canproof's own audit shows its status");
         }
     }
     story.text += line("verdict", audited.status);

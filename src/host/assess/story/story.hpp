@@ -14,7 +14,7 @@ namespace canproof::host {
 
 struct Story {
     std::string text;
-    bool open{false};  ///< whether passed tests do not show an item, section, statement or test of the story
+    bool open{false};  ///< whether the story has an item, section, statement or test that passed tests do not show
 };
 
 class StoryTeller {
@@ -50,9 +50,9 @@ class StoryTeller {
     std::map<std::string, const PartAudit*> audits_;  ///< audits by the key of their manual
 };
 
-/// Returns the line of an item in a list.
+/// Returns one line about an item, for a list of items.
 std::string item_line(const AuditedItem& audited);
-/// Returns the line of a statement in a list.
+/// Returns one line about a statement of a manual, for a list of statements.
 std::string statement_line(const AuditedStatement& audited);
 
 }  // namespace canproof::host

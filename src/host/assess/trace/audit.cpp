@@ -16,7 +16,8 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the kinds of passed tests that claim to show an id, and whether a test that claims to show it has failed.
+/// Returns the kinds of passed tests that claim to show the item `id`, and whether a test that claims to show it has
+/// failed.
 std::pair<std::set<std::string>, bool> results_for(const std::string& id, const Evidence& evidence) {
     std::set<std::string> passed;
     bool failed = false;
@@ -119,7 +120,7 @@ class PartAuditor {
     void tell(const AuditedItem& audited) {
         const std::string& id = audited.item->id;
         if (audited.failed) {
-            audit_.gaps.push_back(fmt::format("{}: a test that claims this item has failed", id));
+            audit_.gaps.push_back(fmt::format("{}: a test that claims to show this item has failed", id));
         } else if (!audited.missing.empty()) {
             audit_.gaps.push_back(
                 fmt::format("{}: there is no passed {}", id, fmt::join(audited.missing, ", no passed ")));

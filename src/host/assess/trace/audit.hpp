@@ -43,7 +43,7 @@ struct AuditedSection {
 /// A statement of the manual with its evidence.
 struct AuditedStatement {
     const Statement* statement{nullptr};
-    std::string id;  ///< key, section and number: AX130751:1.3/2
+    std::string id;  ///< key of the manual, section and number: AX130751:1.3/2
     /// worst status of its items: failed, open, suspect or shown; without items: explained if it has a reason,
     /// otherwise open
     std::string status;
@@ -67,8 +67,8 @@ PartAudit audit_part(const Register& content, const Part& part, const Evidence& 
 /// canproof, because canproof's own audit covers them.
 std::vector<PartAudit> audit_all(const Register& content, const Evidence& evidence);
 
-/// Returns one sentence for each source or test of the firmware without a requirement, and for each badly placed link.
-/// Tests of the tools around the firmware need no requirement.
+/// Returns one sentence for each source or test of the firmware without a requirement, and for each badly placed link
+/// (implements<> assertion). Tests of the tools around the firmware need no requirement.
 std::vector<std::string> orphans(const Evidence& evidence);
 
 /// Returns the places where code implements an item or names the code generated from it.

@@ -27,9 +27,9 @@ bool passes(const AuditedItem& item, const AuditFilter& filter);
 /// section that describes the object.
 bool passes(const AuditedStatement& statement, const Manual& manual, const AuditFilter& filter);
 
-/// Returns the filter with the complete name of its section. If the section has no manual's key and only one manual of
-/// these audits has the section, adds that key. Throws InputError for an unknown section, for a section that several
-/// manuals have, and for a kind that no item has.
+/// Returns the filter with the complete name of its section, such as `AX130751:1.3` for `1.3`. Adds the key of the
+/// manual if only one manual of these audits has the section. Throws InputError for an unknown section, for a section
+/// that several manuals have, and for a kind that no item has.
 AuditFilter resolved(AuditFilter filter, const Register& content, const std::vector<PartAudit>& audits);
 
 }  // namespace canproof::host

@@ -32,8 +32,8 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
     return all;
 }
 
-/// Returns the unit of a file: `devices/ax130751/firmware/ramp` for src/devices/ax130751/firmware/ramp.hpp and
-/// ramp.cpp.
+/// Returns the unit of a file (its path without extension): `devices/ax130751/firmware/ramp` for
+/// src/devices/ax130751/firmware/ramp.hpp and ramp.cpp.
 std::string unit_of(std::string file) {
     return file.substr(0, file.rfind('.'));
 }
@@ -41,7 +41,7 @@ std::string unit_of(std::string file) {
 std::vector<std::string> includes_of(const fs::path& file) {
     static const std::string word = "#include \"";
     static const std::string written =
-        "#include \\\"";  // an include line in a string literal of the compiler of the requirements register
+        "#include \\\"";  // an include line in a string literal of src/host/codegen, which writes generated code
     std::vector<std::string> all;
     for (const auto& line : read_lines(file)) {
         if (line.rfind(word, 0) == 0) {
@@ -132,7 +132,7 @@ std::vector<std::string> object_of(const std::string& name, const Part& part) {
 }  // namespace
 
 std::vector<std::string> untraced_files(const fs::path& source, const Evidence& evidence) {
-    std::map<std::string, std::set<std::string>> included;  // units that each unit includes
+    std::map<std::string, std::set<std::string>> included;  // units (paths without extension) that each unit includes
     std::set<std::string> firmware;
     for (const auto& file : sources_below(source)) {
         const std::string name = file.lexically_relative(source).generic_string();

@@ -13,7 +13,7 @@
 namespace canproof::host {
 
 /// Returns the files of the firmware that have no implements<> and that no file with implements<> includes, directly or
-/// indirectly. Inclusion by code that the register's compiler generated counts as well. A header and its source file of
+/// indirectly. Inclusion by code that is generated from the register counts as well. A header and its source file of
 /// the same name form one unit.
 std::vector<std::string> untraced_files(const std::filesystem::path& source, const Evidence& evidence);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evidence that a requirement holds: the verdicts of this build's tests, and the places in code that name the
+// The evidence that a requirement holds: the results of this build's tests, and the places in code that name the
 // requirement.
 #pragma once
 
@@ -45,9 +45,9 @@ struct TestCase {
 
 struct Evidence {
     std::vector<TestCase> cases;
-    std::map<std::string, std::vector<Verdict>> verdicts;         ///< verdicts by requirement id
+    std::map<std::string, std::vector<Verdict>> verdicts;         ///< results of tests by requirement id
     std::map<std::string, std::vector<std::string>> implemented;  ///< places `src/…:line` by requirement id
-    /// by id: places where code names what is generated from the item
+    /// places where code names what is generated from an item, by the id of the item
     std::map<std::string, std::vector<std::string>> used;
     /// review marks: hashes of the code and tests that a review of each item covers
     WorkByItem work;
@@ -59,16 +59,15 @@ struct Evidence {
     std::size_t failed{0};
 };
 
-/// Returns the folder with the verdicts of the last test run: the newest among build/release/verdicts,
-/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no verdicts.
+/// Returns the folder with the results of the last test run: the newest among build/release/verdicts,
+/// build/debug/verdicts and build/coverage/verdicts. Returns build/release/verdicts when there are no results.
 std::filesystem::path newest_verdicts(const std::filesystem::path& root);
 
-/// Reads the verdicts in one folder. Throws InputError for a file that is not XML.
+/// Reads the results of tests in one folder. Throws InputError for a file that is not XML.
 Evidence read_verdict_files(const std::filesystem::path& verdicts);
 
-/// Reads the XML of the test programs and scans src/ for implements<>. For each requirement that a
-/// test case claims to show, it has an XML property with the requirement's name. Throws InputError when there are no
-/// verdicts.
+/// Reads the XML of the test programs and scans src/ for implements<>. A test case has an XML property for each
+/// requirement that it claims to show, with the requirement's name. Throws InputError when there are no results.
 Evidence collect_evidence(const std::filesystem::path& root, const std::filesystem::path& verdicts,
                           const Register& content);
 

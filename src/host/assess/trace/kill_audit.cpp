@@ -56,7 +56,7 @@ class Auditor {
     void audit_item(const std::string& id) {
         bool passed = false;
         bool shown = false;
-        bool shown_before = false;  // by an unchanged test, with other code of the item
+        bool shown_before = false;  // whether an unchanged test showed it with other code of the item
         bool judged = true;
         bool has_mutants = false;
         const auto verdicts = evidence_.verdicts.find(id);
@@ -142,13 +142,13 @@ std::string kill_summary(const KillAudit& audit) {
         "mutants: {} item(s) have a mutant that a test notices, {} have only mutants that no test notices, {} have no "
         "mutants, {} wait for `canproof mutate --kills`\n",
         audit.shown, audit.unnoticed.size(), audit.immutable.size(), audit.unjudged.size());
-    text += named("no test notices a mutant of", audit.unnoticed);
-    text += named("without mutants", audit.immutable);
-    text += named("not judged in their present form", audit.unjudged);
-    text += named("tests that notice no mutant of their claimed items", audit.idle, most_names);
-    text += named("tests that changed since they were judged", audit.changed);
-    text += named("tests whose items have other code than when they were judged", audit.other_code, most_names);
-    text += named("tests never judged", audit.never, most_names);
+    text += named("items of which no test notices a mutant", audit.unnoticed);
+    text += named("items without mutants", audit.immutable);
+    text += named("items that wait for a mutation run", audit.unjudged);
+    text += named("tests that notice no mutant of the items that they claim to show", audit.idle, most_names);
+    text += named("tests that changed since the last mutation run", audit.changed);
+    text += named("tests whose items have other code than in the last mutation run", audit.other_code, most_names);
+    text += named("tests that no mutation run has judged", audit.never, most_names);
     for (const auto& regression : audit.regressions) {
         text += fmt::format("  regression: {}\n", regression);
     }

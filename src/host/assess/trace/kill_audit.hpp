@@ -17,17 +17,18 @@ struct KillAudit {
     std::vector<std::string> immutable;  ///< items without mutants
     /// items that no test is known to show, but that have a test which no mutation run has judged in its present form
     std::vector<std::string> unjudged;
-    std::vector<std::string> changed;     ///< tests whose body has changed since they were judged
-    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim
+    std::vector<std::string> changed;     ///< tests whose body has changed since a mutation run judged them
+    std::vector<std::string> other_code;  ///< tests that were judged with other code of the items that they claim to
+                                          ///< show
     std::vector<std::string> never;       ///< tests that claim to show items and that no mutation run has judged
     std::vector<std::string> idle;        ///< tests that notice no mutant of any item that they claim to show
-    /// one sentence for each item that only the recorded tests show, not the present ones, and for each test that is
-    /// gone. A change of the code alone is no such loss: the test then waits for a mutation run.
+    /// one sentence for each item of which a recorded test, but no present test, notices a mutant, and for each
+    /// recorded test that is gone. A change of the code alone is no such loss: the test then waits for a mutation run.
     std::vector<std::string> regressions;
 };
 
-/// Compares the tests of the last run with the record. `ids` are the items to audit. Ignores items without a passed
-/// test, because the audit reports them. `root` is the project's folder.
+/// Compares the tests of the last run with the record in reports/kills.csv. `ids` are the items to audit. Ignores items
+/// without a passed test, because the audit reports them. `root` is the project's folder.
 KillAudit audit_kills(const std::vector<std::string>& ids, const Evidence& evidence, const KillRecord& record,
                       const std::filesystem::path& root);
 

@@ -60,8 +60,9 @@ KillRecord read_kill_record(const std::filesystem::path& file) {
         }
         const auto fields = parts_of(line + ",.", ',');
         if (fields.size() < 5 || fields.size() > 6 || fields[0].empty() || fields[1].empty()) {
-            throw InputError{fmt::format("{}:{}: the line does not have the form `{}`; run `canproof mutate --kills`",
-                                         file.string(), number, heading)};
+            throw InputError{fmt::format(
+                "{}:{}: the line does not have the form `{}`; remove this line, then run `canproof mutate --kills`",
+                file.string(), number, heading)};
         }
         record[fields[0]] = {fields[1], parts_of(fields[2], ' '), parts_of(fields[3], ' '),
                              fields.size() == 6 ? fields[4] : ""};

@@ -19,19 +19,20 @@ struct KillLine {
     std::vector<std::string> kills;
     /// items that the test claims to show and that have no mutants, sorted by id
     std::vector<std::string> without_mutants;
-    /// mark of the code of the items that the test claims to show, when it was judged (code_by_test())
+    /// mark (hash) of the code of the items that the test claims to show, when it was judged (code_by_test())
     std::string code{};
 };
 
 /// The results by the test's name, Suite.Name.
 using KillRecord = std::map<std::string, KillLine>;
 
-/// Returns the mark of the code of all items that a test claims, by the test's name. It changes when the test claims
-/// other items, when the code below a link of such an item changes, or when another shared item implements it (`by`).
+/// Returns the mark (hash) of the code of all items that a test claims to show, by the test's name. The mark changes
+/// when the test claims to show other items, when the code below a link (implements<> assertion) of such an item
+/// changes, or when another shared item implements it (`by`).
 std::map<std::string, std::string> code_by_test(const Evidence& evidence);
 
 /// Reads the record; returns an empty record when the file does not exist. A line of four fields, as older versions
-/// wrote it, has no mark of code. Throws InputError with the line of invalid content.
+/// wrote it, has no mark (hash) of code. Throws InputError with the line of invalid content.
 KillRecord read_kill_record(const std::filesystem::path& file);
 /// Returns the heading `test,body,kills,without mutants,code` and one line for each test, sorted by name. The third
 /// and the fourth field are lists of item ids, separated by spaces.

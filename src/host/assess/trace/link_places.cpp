@@ -110,9 +110,10 @@ std::vector<std::string> misplaced_in(const std::string& name, const std::vector
                 "{}:{}: no code that can implement the item follows the link; put the link directly above the code",
                 name, first));
         } else if (!inside_function[i] && !begins_function(code_lines, i)) {
-            all.push_back(fmt::format(
-                "{}:{}: the code below the link is no function; put the link directly above the function that does it",
-                name, first));
+            all.push_back(
+                fmt::format("{}:{}: the code below the link is no function; put the link directly above the function "
+                            "that implements the item",
+                            name, first));
         }
     }
     return all;

@@ -10,7 +10,7 @@
 
 namespace canproof::host {
 
-/// The greatest number of items that one place may name.
+/// The greatest number of items that the links at one place in the code may name.
 constexpr std::size_t most_links = 3;
 
 /// Returns one sentence, which contains `name`, for each badly placed link of one source. A place is bad if it has more

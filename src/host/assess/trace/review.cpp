@@ -242,7 +242,7 @@ std::set<std::string> unreviewed(const Register& content, const Part& part, cons
 }
 
 std::string reader_words(const Review& review) {
-    // some names contain these words; the text below adds them itself
+    // some names contain this role already; it is removed, because the text below adds it
     const std::string role = " (author of the change)";
     const auto at = review.role == "author" ? review.by.find(role) : std::string::npos;
     const std::string by = at == std::string::npos ? review.by : std::string{review.by}.erase(at, role.size());
@@ -254,7 +254,7 @@ std::string reader_words(const Review& review) {
 
 std::string review_words(const Review& review) {
     if (!review.marked.empty()) {
-        return fmt::format("{}; read: item; code and tests marked on {} and not read", reader_words(review),
+        return fmt::format("{}; read: item; code and tests recorded on {} without reading", reader_words(review),
                            review.marked);
     }
     std::string read = "item";

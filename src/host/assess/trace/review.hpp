@@ -40,7 +40,8 @@ class ReviewState {
     /// decisions that affect it are unchanged since the review. `decisions` are the ids of these decisions.
     std::string suspicion(const std::string& id, const std::vector<std::string>& decisions) const;
 
-    /// Returns the independent review of an item, decision, hazard or section of `part`. Its pointer is into `part`.
+    /// Returns the independent review of an item, decision, hazard or section of `part`. The pointer in the result
+    /// points into `part`.
     IndependentReview independent(const Part& part, const std::string& id) const;
 
     /// Returns whether this review of `id` was made with the item, its code and its tests in their present form.
@@ -83,7 +84,7 @@ std::string independent_words(const IndependentReview& independent, const Review
 /// of the sections of its manual.
 std::set<std::string> reviewable(const Register& content, const Part& part);
 /// Returns the ids among reviewable() without a review of the present item, code and tests, or of the section's present
-/// disposition.
+/// disposition (normative or not).
 std::set<std::string> unreviewed(const Register& content, const Part& part, const WorkByItem& work);
 
 }  // namespace canproof::host

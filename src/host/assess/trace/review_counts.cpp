@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Adds the independent review of `id`, or its absence.
+/// Counts an independent review, or its absence.
 void add_independent(ReviewCounts& counts, const IndependentReview& review) {
     using Covers = IndependentReview::Covers;
     ++(review.review == nullptr         ? counts.not_independent
@@ -16,7 +16,7 @@ void add_independent(ReviewCounts& counts, const IndependentReview& review) {
                                         : counts.expired);
 }
 
-/// Adds the review of `id` by its author, or by someone without a role, when it is current.
+/// Counts the review of `id` if it is current and its reader is the author or has no recorded role.
 void add_author(ReviewCounts& counts, const ReviewState& state, const std::string& id, const Review& review) {
     if (review.role == "independent" || !state.is_current(id, review)) {
         return;
@@ -50,7 +50,7 @@ std::map<ReviewedKind, ReviewCounts> count_reviews(const Register& content, cons
     std::map<ReviewedKind, ReviewCounts> counts;
     for (const auto& id : reviewable(content, part)) {
         const auto known = known_kinds.find(id);
-        const bool is_section = id.find(':') != std::string::npos;  // only the ids of sections hold a colon
+        const bool is_section = id.find(':') != std::string::npos;  // only the ids of sections contain a colon
         const auto kind = known != known_kinds.end() ? known->second
                           : is_section               ? ReviewedKind::disposition
                                                      : ReviewedKind::item;

@@ -12,11 +12,11 @@
 
 namespace canproof::host {
 
-/// Kinds of what a reader reviews.
+/// The kinds of things that a reader reviews; a disposition says whether a section of a manual is normative.
 enum class ReviewedKind { item, decision, hazard, disposition };
 
-/// Numbers of items (or decisions, hazards, dispositions) in force by their reviews. Each is in one of the four numbers
-/// of independent reviews; the numbers of authors are counted apart, because an item may have both reviews.
+/// Numbers of items (or decisions, hazards, dispositions) in force by their reviews. Each item counts in exactly one of
+/// the four numbers of independent reviews. The reviews by authors are counted apart, because an item may have both.
 struct ReviewCounts {
     std::size_t in_force{0};
     std::size_t independent{0};       ///< read by an independent reader in the present form, with code and tests

@@ -164,7 +164,8 @@ TEST(Impact, ImpactListsCodeAndTestsOfChangedItems_AndItemsOfChangedFiles) {
     EXPECT_THAT(text, HasSubstr("src/firmware/a.cpp:7"));
     EXPECT_THAT(text, HasSubstr("passed Box.Closes tests/devices/box_test.cpp"));
     EXPECT_THAT(text, HasSubstr("file src/firmware/b.cpp\n    items     AO4-OD-2000"));
-    EXPECT_THAT(text, HasSubstr("1 item(s) changed, 1 file(s), 2 item(s) touched in all, 0 verdict(s) differ"));
+    EXPECT_THAT(text,
+                HasSubstr("1 item(s) and 1 file(s) changed, 2 item(s) affected in total, 0 test result(s) differ"));
 }
 
 TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {

@@ -287,8 +287,8 @@ mode = "missing"
 TEST_F(Documents, AnalysisThatNamesUnknownItemsIsRefusedWithItsLine) {
     const std::string mode = "[[failure_mode]]\ndevices = [\"box\"]\nsignals = [\"AO4-S-SUPPLY\"]\n";
     EXPECT_THAT(refusal(mode + "mode = \"on fire\"\n"),
-                HasSubstr("a.toml:1: the signal `AO4-S-SUPPLY` has no failure mode `on fire`; its modes are (none for "
-                          "an output): too low, too high"));
+                HasSubstr("a.toml:1: the signal `AO4-S-SUPPLY` has no failure mode `on fire`; name one of its modes "
+                          "(an output has none): too low, too high"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\ndetected = [\"AO4-A-009\"]\n"),
                 HasSubstr("`AO4-A-009` is no requirement in force"));
     EXPECT_THAT(refusal(mode + "mode = \"NaN\"\nerrors = [\"fire\"]\n"),

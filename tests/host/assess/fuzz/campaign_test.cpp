@@ -174,7 +174,7 @@ TEST_F(Campaign, CampaignComparesWithThePreviousCampaign) {
     add_target("a", R"(echo '#400: cov: 15 ft: 30 corp: 5 ')");
     run();
     EXPECT_EQ(report()["last_night"]["edges"]["a"], 12);
-    EXPECT_NE(text_of(folder / "out" / "index.html").find("Against the last campaign\">+3"), std::string::npos);
+    EXPECT_NE(text_of(folder / "out" / "index.html").find("Change since the last campaign\">+3"), std::string::npos);
     EXPECT_EQ(report()["targets"][0]["inputs_before"], 1);
 }
 
@@ -218,7 +218,7 @@ TEST_F(Campaign, TargetThatEndsEarlyIsAFailure) {
     EXPECT_NE(report()["remarks"].dump().find("a ended with status 3"), std::string::npos);
     const auto exhibit = read_json(folder / "out" / "exhibit.json");
     EXPECT_EQ(exhibit["state"], "open");
-    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) ended before their time");
+    EXPECT_EQ(exhibit["open"][0], "a: 1 slice(s) of the fuzzing time ended too early");
 }
 
 TEST_F(Campaign, MissingBuildOrTargetIsReportedWithItsRemedy) {

@@ -111,7 +111,7 @@ TEST_F(AuditOfASmallRegister, RequirementWithoutATestIsAGap) {
 
 TEST_F(AuditOfASmallRegister, FailedTestIsAGapDespiteAPassedTest) {
     evidence.verdicts["D-A-002"].push_back({"S.Three", "test", false});
-    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims this item has failed"));
+    EXPECT_THAT(gaps(), ElementsAre("D-A-002: a test that claims to show this item has failed"));
     EXPECT_EQ(audit().items[1].status(), "failed");
 }
 

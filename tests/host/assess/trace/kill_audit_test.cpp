@@ -179,7 +179,7 @@ TEST_F(Kills, TestOfAnItemWithOtherCodeWaitsForItsJudgementAndIsNoRegression) {
     EXPECT_THAT(found.changed, IsEmpty());
     EXPECT_THAT(found.regressions, IsEmpty());
     EXPECT_THAT(kill_summary(found),
-                HasSubstr("tests whose items have other code than when they were judged: Relay.Closes\n"));
+                HasSubstr("tests whose items have other code than in the last mutation run: Relay.Closes\n"));
     record_["Relay.Closes"].code = code_by_test(evidence_).at("Relay.Closes");
     EXPECT_EQ(audit().shown, 1U);
 }

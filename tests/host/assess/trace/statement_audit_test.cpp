@@ -167,7 +167,8 @@ TEST_F(AuditOfStatements, StatementCoveredByASharedRequirementOfCanproofHasTheVe
     statements()[0].covered = {"CO-A-001"};
     EXPECT_EQ(audits().size(), 1U);
     EXPECT_EQ(status()["M:1/1"], "shown");
-    EXPECT_THAT(story("M:1/1")->text, HasSubstr("CO-A-001               shared item; the audit of canproof shows it"));
+    EXPECT_THAT(story("M:1/1")->text,
+                HasSubstr("CO-A-001               shared item of canproof; canproof's own audit shows its status"));
 }
 
 TEST_F(AuditOfStatements, StoryOfAStatementIsPrinted) {
