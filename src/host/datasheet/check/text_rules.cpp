@@ -63,7 +63,7 @@ class TextCheck {
                 edits.push_back({EdsEdit::Kind::crlf, i, {}});
             }
         }
-        findings_.add("text-line-ends", first, fmt::format("{} of {} lines end with CR LF", crlf, lines.size()),
+        findings_.add("text-line-ends", first, fmt::format("only {} of {} lines end with CR LF", crlf, lines.size()),
                       std::move(edits));
     }
 
@@ -157,8 +157,10 @@ class TextCheck {
 
 const std::vector<EdsRule>& text_rules() {
     static const std::vector<EdsRule> rules{
-        {"text-byte-order-mark", warning, "a byte order mark begins the file", "save the file as ASCII", format},
-        {"text-line-ends", warning, "lines end in two ways", "end every line with CR LF", format},
+        {"text-byte-order-mark", warning, "the file begins with a UTF-8 byte order mark",
+         "save the file as ASCII text, without the mark", format},
+        {"text-line-ends", warning, "some lines end with CR LF, others with LF alone", "end every line with CR LF",
+         format},
         {"text-long-line", warning, "a line is longer than 255 characters", "shorten the line", format},
         {"text-not-ascii", warning, "a character is beyond ASCII", "write ASCII characters instead", format},
         {"text-control", error, "a control character is in a line", "remove the character", format},
@@ -169,14 +171,15 @@ const std::vector<EdsRule>& text_rules() {
         {"text-behind-section", warning, "text follows the name of a section",
          "remove the text, or begin it with a semicolon", format},
         {"section-duplicate", error, "a section occurs twice", "join the two sections, or rename one", format},
-        {"section-unknown", warning, "CiA 306 has no such section", "correct the name, or remove the section", format},
-        {"section-case", warning, "the name of a section is spelled in another case",
-         "write the name as CiA 306 does; some tools compare the case", format},
-        {"section-sub-zeros", warning, "a sub-index has leading zeros", "write the sub-index without leading zeros",
-         "CiA 306, object sections"},
+        {"section-unknown", warning, "a section is unknown in CiA 306", "correct the name, or remove the section",
+         format},
+        {"section-case", warning, "the name of a section differs from CiA 306 in upper and lower case",
+         "write the name as CiA 306 does; some tools distinguish upper and lower case", format},
+        {"section-sub-zeros", warning, "the sub-index in the name of a section has leading zeros",
+         "write the sub-index without leading zeros", "CiA 306, object sections"},
         {"key-duplicate", error, "a key occurs twice in a section", "keep one of the two lines", format},
-        {"key-case", warning, "a key is spelled in another case",
-         "write the name as CiA 306 does; some tools compare the case", format}};
+        {"key-case", warning, "the name of a key differs from CiA 306 in upper and lower case",
+         "write the name as CiA 306 does; some tools distinguish upper and lower case", format}};
     return rules;
 }
 
