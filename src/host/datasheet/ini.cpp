@@ -85,7 +85,7 @@ class SectionSorter {
 
   private:
     using Value = std::pair<std::string_view, IniValue>;
-    using Order = std::vector<std::size_t>;  ///< places of the values, ascending by key
+    using Order = std::vector<std::size_t>;  ///< positions of the values before sorting, ascending by key
 
     static bool goes_before(const Value& a, const Value& b) {
         const auto first = [](const Value& one) {  // most keys differ in their first character
@@ -188,14 +188,15 @@ class IniReader {
         const std::string_view name = close == std::string_view::npos ? "" : without_blanks(text.substr(1, close - 1));
         if (name.empty()) {
             ++strange_;
-            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)), "it is ignored with its lines");
+            tell_.note(line_, fmt::format("`{}` is no name of a section", text.substr(0, 40)),
+                       "it is ignored with the lines below it");
             section_ = nullptr;
             skips_ = true;
             return;
         }
         const std::string_view rest = without_blanks(text.substr(close + 1));
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
-            tell_.note(line_, fmt::format("`{}` follows the section", rest.substr(0, 40)), "it is ignored");
+            tell_.note(line_, fmt::format("`{}` follows the name of the section", rest.substr(0, 40)), "it is ignored");
         }
         const std::size_t before = file_.sections().size();
         // most files have their sections in alphabetical order, so this place is usually right
@@ -239,7 +240,7 @@ class IniReader {
     IniSection* section_{nullptr};
     /// place of section_ in the sections; valid if section_ is not nullptr
     IniSections::iterator place_;
-    bool skips_{false};  ///< whether the present line is in an invalid section
+    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
     std::size_t strange_{0};
     unsigned line_{0};
 };

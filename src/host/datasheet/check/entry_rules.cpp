@@ -189,7 +189,7 @@ const std::vector<EdsRule>& entry_rules() {
 void check_entry(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [index, object] : sheet.objects()) {
         const bool is_type = object.code == std::uint64_t{5} || object.code == std::uint64_t{6};
-        const EdsSheetEntry* described = nullptr;  // compact entries have a common description, which is checked once
+        const EdsSheetEntry* described = nullptr;  // all entries of CompactSubObj share one section: check it once
         for (const EdsSheetEntry& entry : object.entries) {
             const bool again = entry.compact && described != nullptr && described->compact;
             if (!is_type && !again) {

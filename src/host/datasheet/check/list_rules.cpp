@@ -40,7 +40,7 @@ struct ListEntry {
 struct List {
     const IniSection* section{nullptr};
     std::vector<ListEntry> entries;  ///< ascending by key
-    bool all_known{true};            ///< whether all lines are valid, so that a fix can write the list again
+    bool all_known{true};            ///< whether all lines are valid, so that a fix can rewrite the list
 };
 
 class ListCheck {
@@ -93,8 +93,8 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// Makes one fix that writes all three lists again. All findings that this fix removes share it. Makes no fix when
-    /// a list has an invalid line.
+    /// Makes one fix that rewrites all three lists. All findings that this fix removes share it. Makes no fix when a
+    /// list has an invalid line.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {

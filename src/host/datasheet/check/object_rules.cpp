@@ -21,7 +21,7 @@ constexpr const char* source = "CiA 306, object sections";
 constexpr const char* compact_source = "CiA 306, CompactSubObj";
 constexpr const char* types_source = "CiA 306, ObjectType; CiA 301, object codes";
 
-constexpr std::size_t longest_name = 241;  // longest ParameterName of CiA 306
+constexpr std::size_t longest_name = 241;  // greatest length of a ParameterName in characters (CiA 306)
 
 class ObjectCheck {
   public:
@@ -212,7 +212,7 @@ class ObjectCheck {
         }
     }
 
-    /// Checks the name and the keys of every section of an object.
+    /// Checks ParameterName, ObjectType and the keys of every section that describes an object or a sub-object.
     void check_sections() {
         for (const auto& [name, section] : sheet_.ini().sections()) {
             const auto object = eds_object_name(name);

@@ -142,8 +142,8 @@ class PdoCheck {
         }
         const EdsSheetEntry* inhibit = object_.entry(3);
         const EdsSheetEntry* event = object_.entry(5);
-        const auto gap = inhibit == nullptr ? std::nullopt : inhibit->number();  // time in units of 100 us
-        const auto period = event == nullptr ? std::nullopt : event->number();   // time in ms
+        const auto gap = inhibit == nullptr ? std::nullopt : inhibit->number();  // inhibit time in units of 100 us
+        const auto period = event == nullptr ? std::nullopt : event->number();   // event timer in ms
         if (gap && period && period->bits != 0 && period->bits * 10 < gap->bits) {
             findings_.add(
                 "pdo-inhibit-event", event->value_line(),

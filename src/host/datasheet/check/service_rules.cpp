@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the objects of the communication area without the PDOs: 1000h to 12FFh.
+// Checks the objects of the communication services other than PDO: 1000h to 12FFh.
 #include "host/datasheet/check/service_rules.hpp"
 
 #include <fmt/format.h>

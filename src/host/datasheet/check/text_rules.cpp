@@ -17,7 +17,7 @@ namespace {
 constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* format = "CiA 306, format of the file";
-constexpr std::size_t longest_line = 255;  // longest line of CiA 306
+constexpr std::size_t longest_line = 255;  // greatest length of a line in characters (CiA 306)
 
 class TextCheck {
   public:
@@ -147,7 +147,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
-    bool skips_{false};  ///< whether the present line is in an invalid section
+    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;
