@@ -138,7 +138,7 @@ def write_markdown(folder, outcome):
 
 
 def write_html(folder, outcome):
-    """Writes the page. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
+    """Writes misra.html. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
     mark = "open" if outcome.open or outcome.faults else "shown"
     text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<main><h1>MISRA C++:2023</h1>"
