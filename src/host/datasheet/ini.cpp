@@ -153,7 +153,7 @@ class IniReader {
     bool is_strange() const { return strange_ > most_strange_lines; }
     IniFile take() {
         for (const IniRepetition& one : file_.sort_values()) {
-            tell_.note(one.line, fmt::format("{} is already in line {}", as_written(one.key), one.first),
+            tell_.note(one.line, fmt::format("key {} is already in line {}", as_written(one.key), one.first),
                        "the first counts");
         }
         return std::move(file_);
@@ -223,7 +223,7 @@ class IniReader {
         if (equals == text.size() || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
         } else if (section_ == nullptr) {
-            strange(fmt::format("{} is before the first section", key));
+            strange(fmt::format("key {} is before the first section", key));
         } else {
             make_lower_case(text_.data() + place_of(key), key.size());
             section_->values.emplace_back(key, IniValue{without_leading_blanks(text.substr(equals + 1)), line_});

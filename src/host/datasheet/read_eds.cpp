@@ -86,7 +86,7 @@ class EdsReader {
         constexpr std::array<int, 8> rates{10, 20, 50, 125, 250, 500, 800, 1000};
         const IniSection* section = ini_.find("DeviceInfo");
         if (section == nullptr) {
-            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS count as missing");
+            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS are taken as missing");
         }
         DeviceInfo& info = result_.part.info;
         info.title = text_of(section, "ProductName");

@@ -58,7 +58,7 @@ TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
         const EdsResult read = read_eds(text, "x");
         return texts(read.faults) + texts(read.notes);
     };
-    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: A is before the first section; it is ignored"));
+    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: key A is before the first section; it is ignored"));
     EXPECT_THAT(told("[]\nA=1\nB\n" + box),
                 StartsWith("x:1: `[]` is no name of a section; it is ignored with the lines below it\n"));
     EXPECT_EQ(read_eds("[]\nA=1\nB\n" + box, "x").notes.size(), 1U);
@@ -66,7 +66,7 @@ TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
     EXPECT_THAT(told("[FileInfo] C1\n" + box), HasSubstr("x:1: `C1` follows the name of the section; it is ignored"));
     EXPECT_EQ(told("# a comment\n[Tools] ; another\n" + box), "");
     EXPECT_THAT(told(replaced(box, "OrderCode=B.1", "OrderCode=B.1\nordercode=C")),
-                HasSubstr("ordercode is already in line 7; the first counts"));
+                HasSubstr("key ordercode is already in line 7; the first counts"));
     EXPECT_THAT(told("; \n" + std::string(9000, 'a') + "\n" + box),
                 HasSubstr("x:2: line has more than 8192 characters; it is ignored"));
     EXPECT_THAT(told("[A]\nb=\x01\n" + box), HasSubstr("x:2: line contains control characters; it is ignored"));
@@ -79,7 +79,7 @@ TEST(ForeignEds, RepeatedSectionIsMerged) {
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("section [2000] is already in line " +
                                              std::to_string(line_of(box, "[2000]")) + "; both are combined"));
-    EXPECT_THAT(texts(read.notes), HasSubstr("HighLimit is already in line"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("key HighLimit is already in line"));
     EXPECT_EQ(to_text(entry(read.part, 0x2000, 0).range.maximum.number), "100");
     EXPECT_EQ(entry(read.part, 0x2000, 0).mapping, "both");
 }
@@ -97,7 +97,7 @@ TEST(ForeignEds, KeysOfALongListMayHaveAnyOrderAndTheFirstOfEqualKeysCounts) {
     }
     const EdsResult read = read_eds(text, "x");
     EXPECT_EQ(texts(read.faults), "");
-    EXPECT_THAT(texts(read.notes), HasSubstr("x:45: 7 is already in line 38; the first counts"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("x:45: key 7 is already in line 38; the first counts"));
     EXPECT_THAT(texts(read.notes), Not(HasSubstr("3000h")));
     ASSERT_EQ(read.part.objects.size(), count);
     EXPECT_EQ(read.part.objects[6].index, 0x2007);

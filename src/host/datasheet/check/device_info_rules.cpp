@@ -232,7 +232,7 @@ const std::vector<EdsRule>& device_info_rules() {
         {"deviceinfo-dynamic-channels", warning,
          "DynamicChannelsSupported and the section [DynamicChannels] contradict each other",
          "set DynamicChannelsSupported to 1 if the section exists, otherwise to 0", source},
-        {"deviceinfo-group-messaging", warning, "there is a multiplexed PDO, but GroupMessaging is 0",
+        {"deviceinfo-group-messaging", warning, "there is a multiplexed PDO, but GroupMessaging is not 1",
          "set GroupMessaging to 1, or correct sub-index 0 of the mapping: 254 and 255 mean a multiplexed PDO", source}};
     return rules;
 }

@@ -36,7 +36,8 @@ class EntryCheck {
             check_mappable();
         }
         if (entry_.access == "const" && entry_.value == nullptr && !is_domain()) {
-            findings_.add("const-default", entry_.section->line, entry_.title() + " is const, but has no default");
+            findings_.add("const-default", entry_.section->line,
+                          entry_.title() + " has the access const, but no default");
         }
     }
 
@@ -104,8 +105,9 @@ class EntryCheck {
                 "domain-type", entry_.line_of("DataType"),
                 fmt::format("{} has ObjectType 0x2 (DOMAIN), but the data type {}", entry_.title(), entry_.type->name));
         } else if (is_type && !is_object && !entry_.compact) {
-            findings_.add("domain-object", entry_.line_of("DataType"),
-                          fmt::format("{} is of type DOMAIN, but ObjectType is not 0x2", entry_.title()));
+            findings_.add(
+                "domain-object", entry_.line_of("DataType"),
+                fmt::format("{} has the data type DOMAIN, but its ObjectType is not 0x2 (DOMAIN)", entry_.title()));
         }
         if (is_type && entry_.value != nullptr) {
             findings_.add("domain-default", entry_.value->line, entry_.title() + " is a DOMAIN with a default");
@@ -133,7 +135,7 @@ class EntryCheck {
         }
         if (entry_.access == "const") {
             findings_.add("mapping-const", entry_.line_of("PDOMapping"),
-                          fmt::format("{} can be mapped, but is const", entry_.title()));
+                          fmt::format("{} can be mapped, but has the access const", entry_.title()));
         }
         if (entry_.access == "rw") {
             findings_.add(
@@ -160,12 +162,13 @@ const std::vector<EdsRule>& entry_rules() {
         {"data-type-missing", error, "an entry lacks DataType", "add the number of the data type", type_source},
         {"data-type-unknown", error, "a DataType is unknown",
          "write the number of a type of CiA 301, or describe the type in a section of its own", type_source},
-        {"data-type-record", error, "a single value has the type of a RECORD", "write the data type of this value",
-         type_source},
+        {"data-type-record", error, "a single value has the type of a RECORD",
+         "write the data type of the single value", type_source},
         {"access-missing", error, "an entry lacks AccessType", "add ro, wo, rw, rwr, rww or const", access_source},
         {"access-unknown", error, "an AccessType is unknown", "write ro, wo, rw, rwr, rww or const", access_source},
         {"access-case", warning, "an AccessType has capital letters", "write small letters", access_source},
-        {"const-default", error, "a constant has no default", "add its value as DefaultValue", access_source},
+        {"const-default", error, "an entry with the access const has no default", "add its value as DefaultValue",
+         access_source},
         {"domain-type", error, "an entry with ObjectType 0x2 (DOMAIN) has another data type than DOMAIN",
          "write DataType 0x000F", type_source},
         {"domain-object", warning, "an entry with the data type DOMAIN has another ObjectType than 0x2 (DOMAIN)",
@@ -176,7 +179,8 @@ const std::vector<EdsRule>& entry_rules() {
          mapping_source},
         {"mapping-text", warning, "an entry can be mapped, but its text or octets have no fixed length",
          "write PDOMapping=0, unless the value never has more than 8 octets", mapping_source},
-        {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or AccessType=ro", mapping_source},
+        {"mapping-const", warning, "an entry with the access const can be mapped",
+         "write PDOMapping=0, or AccessType=ro", mapping_source},
         {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction of the PDO",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},
         {"mapping-direction-unused", warning, "an entry cannot be mapped, but its access names a direction of the PDO",

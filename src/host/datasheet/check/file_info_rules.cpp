@@ -148,7 +148,7 @@ class FileInfoCheck {
         }
         if (!sheet_.name().empty() && lower != lower_case(sheet_.name())) {
             findings_.add("fileinfo-name-differs", name->line,
-                          fmt::format("FileName is {}, but the file is {}", name->text, sheet_.name()));
+                          fmt::format("FileName is {}, but the name of the file is {}", name->text, sheet_.name()));
         }
     }
 

@@ -175,12 +175,12 @@ class ListCheck {
             const std::string digits = lower_case(entry.value->text);
             if (digits.rfind("0x", 0) != 0) {
                 findings_.add("list-form", entry.value->line,
-                              fmt::format("{} is not written in hexadecimal", entry.value->text), fix_);
+                              fmt::format("index {} is not written in hexadecimal (0x…)", entry.value->text), fix_);
             }
             const EdsSheetObject* object = sheet_.object(entry.index);
             if (object == nullptr || object->section == nullptr) {
                 findings_.add("list-no-section", entry.value->line,
-                              fmt::format("{} is listed, but there is no [{:04X}]", title, entry.index));
+                              fmt::format("{} is listed, but there is no section [{:04X}]", title, entry.index));
             }
             if (entry.index < cia301::first_object) {
                 findings_.add("list-data-type", entry.value->line,

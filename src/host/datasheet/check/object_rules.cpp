@@ -108,9 +108,9 @@ class ObjectCheck {
             findings_.add("compact-single", compact->line,
                           fmt::format("{} is a single value with CompactSubObj", object.title()));
         } else if (*count != 0 && !object.subs.empty()) {
-            findings_.add(
-                "compact-subs", compact->line,
-                fmt::format("{} has CompactSubObj and [{}]", object.title(), object.subs.begin()->second->name));
+            findings_.add("compact-subs", compact->line,
+                          fmt::format("{} has both CompactSubObj and the section [{}]", object.title(),
+                                      object.subs.begin()->second->name));
         }
     }
 
@@ -171,7 +171,8 @@ class ObjectCheck {
         if (zero->access == "wo" || (communication && !counts && zero->access != "ro" && zero->access != "const" &&
                                      object.index != cia301::consumer_heartbeat_time && !zero->access.empty())) {
             findings_.add("sub0-access", zero->line_of("AccessType"),
-                          fmt::format("{} has the access {}", zero->title(), zero->access));
+                          fmt::format("{} has the access {}, which sub-index 0 of this object must not have",
+                                      zero->title(), zero->access));
         }
         const auto value = zero->number();
         if (zero->value == nullptr) {
@@ -320,7 +321,7 @@ const std::vector<EdsRule>& object_rules() {
         {"sub-object-type", error, "the ObjectType of a sub-object is not that of a single value",
          "write ObjectType 0x7, or 0x2 for a DOMAIN", types_source},
         {"subnumber-missing", error, "an ARRAY or RECORD lacks SubNumber", "add the number of sub-objects", source},
-        {"subnumber", error, "SubNumber differs from the sub-objects that are described",
+        {"subnumber", error, "SubNumber differs from the number of sub-objects that are described",
          "write the number of sub-objects, sub-index 0 included", source},
         {"sub0-missing", error, "an ARRAY or RECORD lacks sub-index 0",
          "describe sub-index 0, whose value is the highest sub-index", "CiA 301, sub-index 0"},

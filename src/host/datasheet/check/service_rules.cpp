@@ -72,11 +72,13 @@ class ServiceCheck {
                 }
                 const bool reads_only = one.access == "ro" || one.access == "const";
                 if (standard.access == StandardObject301::Access::read && !reads_only && !one.access.empty()) {
-                    findings_.add("standard-read-only", one.line_of("AccessType"),
-                                  fmt::format("{} is {}, but must be read-only", one.title(), one.access));
+                    findings_.add(
+                        "standard-read-only", one.line_of("AccessType"),
+                        fmt::format("{} has the access {}, but is read-only in CiA 301", one.title(), one.access));
                 } else if (standard.access == StandardObject301::Access::write && reads_only) {
-                    findings_.add("standard-writable", one.line_of("AccessType"),
-                                  fmt::format("{} is {}, but must be writable", one.title(), one.access));
+                    findings_.add(
+                        "standard-writable", one.line_of("AccessType"),
+                        fmt::format("{} has the access {}, but is writable in CiA 301", one.title(), one.access));
                 }
             }
         }
@@ -215,9 +217,10 @@ class ServiceCheck {
                 const auto value = one.number();
                 const std::uint64_t most = index == cia301::store_parameters ? 3 : 1;
                 if (one.sub != 0 && value && value->bits > most) {
-                    findings_.add("storage-default", one.value_line(),
-                                  fmt::format("{} is 0x{:X}, but a read returns the capability, which is 0 to {}",
-                                              one.title(), value->bits, most));
+                    findings_.add(
+                        "storage-default", one.value_line(),
+                        fmt::format("{} is 0x{:X}, but a read returns what the device supports, a number from 0 to {}",
+                                    one.title(), value->bits, most));
                 }
             }
         }
@@ -250,8 +253,9 @@ class ServiceCheck {
                 }
                 if (one != nullptr && at->first == cia301::sdo_server_parameter && one->access != "ro" &&
                     one->access != "const" && !one->access.empty()) {
-                    findings_.add("sdo-default-access", one->line_of("AccessType"),
-                                  fmt::format("{} has the access {}", one->title(), one->access));
+                    findings_.add(
+                        "sdo-default-access", one->line_of("AccessType"),
+                        fmt::format("{} has the access {}, but must be read-only", one->title(), one->access));
                 }
             }
         }
@@ -298,7 +302,7 @@ const std::vector<EdsRule>& service_rules() {
         {"sync-counter", error, "1019h (SYNC counter overflow) is 1 or above 240", "write 0, or 2 to 240",
          "CiA 301, object 1019h"},
         {"time-cob-id", warning, "1012h (COB-ID TIME) differs from the pre-defined COB-ID",
-         "write 0x100, and set bits 30 and 31 as needed", "CiA 301, object 1012h"},
+         "write 0x100, and set bit 30 (producer) and bit 31 (consumer) as needed", "CiA 301, object 1012h"},
         {"guarding-half", error, "one of 100Ch (guard time) and 100Dh (life time factor) is missing",
          "describe both objects", "CiA 301, objects 100Ch and 100Dh"},
         {"error-control-missing", error, "the device has neither heartbeat nor node guarding",
@@ -309,7 +313,8 @@ const std::vector<EdsRule>& service_rules() {
          "write node-ID and time in ms as 0x00NNTTTT", "CiA 301, object 1016h"},
         {"heartbeat-consumer-twice", error, "two entries of 1016h (consumer heartbeat time) monitor the same node",
          "write each node-ID once", "CiA 301, object 1016h"},
-        {"storage-default", warning, "the default of 1010h (store) or 1011h (restore) is no capability",
+        {"storage-default", warning,
+         "the default of 1010h (store) or 1011h (restore) is no value that a read can return",
          "write the value that a read returns: 1 means that the device stores or restores on command",
          "CiA 301, objects 1010h and 1011h"},
         {"sdo-record", error, "the parameters of an SDO server are no RECORD", "write ObjectType 0x9",

@@ -132,7 +132,7 @@ void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
         for (const auto& [key, value] : section.values) {
             if (eds_object_name(name) && is_dcf_key(key)) {
                 findings.add("dcf-key", value.line,
-                             fmt::format("{} is in an EDS, but belongs in a device configuration file",
+                             fmt::format("key {} is in an EDS, but belongs in a device configuration file",
                                          sheet.line(value.line).name));
             }
         }

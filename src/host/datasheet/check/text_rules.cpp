@@ -108,7 +108,8 @@ class TextCheck {
                            object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
         if (object && object->kind == EdsObjectName::Kind::sub && line.name.size() > 8 && line.name[7] == '0') {
             const std::string plain = fmt::format("{:04X}sub{:X}", object->index, object->sub);
-            findings_.add("section-sub-zeros", number_, fmt::format("[{}] has leading zeros", line.name),
+            findings_.add("section-sub-zeros", number_,
+                          fmt::format("the sub-index in [{}] has leading zeros", line.name),
                           named && sheet_.ini().find(plain) == nullptr ? replace_line(number_, "[" + plain + "]")
                                                                        : std::vector<EdsEdit>{});
         } else if (known.empty()) {
@@ -122,14 +123,14 @@ class TextCheck {
     void check_key(const EdsLine& line) {
         if (section_.empty()) {
             findings_.add("text-before-section", number_,
-                          fmt::format("{} is before the first section", line.name.substr(0, 40)));
+                          fmt::format("key {} is before the first section", line.name.substr(0, 40)));
             return;
         }
         const auto [first, is_new] = keys_.emplace(lower_case(line.name), Key{number_, line.behind});
         if (!is_new) {
             const bool same = first->second.value == line.behind;
             findings_.add("key-duplicate", number_,
-                          fmt::format("{} is already in line {}", line.name, first->second.line),
+                          fmt::format("key {} is already in line {}", line.name, first->second.line),
                           same ? erase_line(number_) : std::vector<EdsEdit>{});
         }
         const std::string known = known_key(section_, line.name);

@@ -185,13 +185,13 @@ class ValueCheck {
         if (type_.is_whole() && digits && text.size() > sign + 1 && text[sign] == '0' &&
             text.find_first_not_of('0', sign) != std::string::npos) {
             findings_.add("number-octal", value.line,
-                          fmt::format("{} of {} begins with 0, so it is an octal number", value.text, entry_.title()));
+                          fmt::format("the number {} of {} begins with 0, so it is octal", value.text, entry_.title()));
         }
         const auto last = text.find_last_not_of("ul");
         if (type_.is_whole() && last != std::string::npos && last + 1 < text.size() && whole(text)) {
             const EdsLine& line = sheet_.line(value.line);
             findings_.add("number-suffix", value.line,
-                          fmt::format("{} of {} has a suffix of the C language", value.text, entry_.title()),
+                          fmt::format("the number {} of {} has a suffix of the C language", value.text, entry_.title()),
                           replace_line(value.line, line.name + "=" + without_blanks(value.text).substr(0, last + 1)));
         }
     }
