@@ -59,7 +59,7 @@ def read_deviations():
 
 
 def apply_deviations(findings, generated, today, records, faults):
-    """Returns the findings without a deviation, and those with one."""
+    """Returns the findings without a deviation, and (finding, deviation) of the others. Adds the faults of the records to `faults`."""
     open_findings, deviated, used = [], [], set()
     for at, record in enumerate(records):
         missing = {"rule", "place", "line", "reason", "risk", "expiry"} - record.keys()

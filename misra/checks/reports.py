@@ -61,7 +61,7 @@ def write_sarif(folder, outcome):
 
 
 def sarif_faults(path):
-    """Returns the violations of SARIF 2.1.0, section 3, by the properties that write_sarif() writes."""
+    """Yields where the log at `path` violates SARIF 2.1.0, section 3, in the properties that write_sarif() writes."""
     log = json.loads(path.read_text())
     if log.get("version") != "2.1.0" or len(log.get("runs", [])) != 1:
         yield "misra.sarif: version must be 2.1.0, with one run"

@@ -33,7 +33,7 @@ void check_voltage(SensorType type, double mv) {
         const double slope = reference_slope(curve, celsius);
         const double excess =
             static_cast<double>(ax188001::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
-        // At the low end of the branch of type B the slope is 0, so the voltage itself must match.
+        // At the lower end of the curve of type B the slope is 0, so the voltage itself must match.
         require(std::fabs(excess) < std::fmax(0.02 * slope, 1e-9));
     }
 }

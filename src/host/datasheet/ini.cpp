@@ -132,7 +132,7 @@ class SectionSorter {
     }
 
     std::array<Order, 16> orders_;  ///< element n: order of the keys in the last section with n values
-    Order long_order_;              ///< order of the keys in the last section with more values
+    Order long_order_;              ///< order of the keys in the last section with 16 or more values
     std::vector<Value> sorted_;
     std::vector<IniRepetition> repeated_;
 };

@@ -94,7 +94,7 @@ constexpr auto minus(const unsigned mutant, const A& a, const B& b) {
 template <typename A, typename B>
 constexpr auto times(const unsigned mutant, const A& a, const B& b) {
     if (__builtin_is_constant_evaluated() || !static_cast<bool>(b)) {
-        return a * b;  // division by zero: no quotient to compare with
+        return a * b;  // a / b would divide by zero, so the mutant multiplies too
     }
     return either(mutant, a * b, a / b);
 }
