@@ -46,7 +46,7 @@ class Bus<std::tuple<Unit...>> {
         for_each([](auto& world) { world.keep_start(); });
     }
 
-    /// Switches all devices on again, with the memory that they were made with.
+    /// Switches all devices on again, each with the memory content that it had at first.
     void restart() {
         for_each([](auto& world) { world.restart(); });
         exchange();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads EDS files of any bytes. A file is refused with faults, each with a line and a fix, or it gives a device that
-// switches on, runs, and is written and read back unchanged. The check names existing lines; its safe fixes terminate
-// and keep the device.
+// switches on, runs, and is written and read back unchanged. The findings of `eds check` name
+// existing lines. Its automatic fixes come to an end and do not change the device.
 #include <algorithm>
 
 #include "firmware/base/time.hpp"

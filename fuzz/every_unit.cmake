@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Writes generated/every_unit.hpp: the devices of fuzz/bus_fuzz.cpp as a type, in the order of `bus_node` in their _unit.hpp. Stops when a
-# device has no `bus_node`, or that of another one.
+# device has no `bus_node`, or when two devices have the same one.
 function(canproof_write_every_unit)
   get_property(devices GLOBAL PROPERTY CANPROOF_DEVICES)
   set(seats "")

@@ -72,8 +72,8 @@ source = ["S1:1"]
     return *loaded.content.part("slave");
 }
 
-/// Follows the state of the slave as far as its frames show it. When the frames leave the state open, the slave counts
-/// as possibly in LSS configuration.
+/// Follows the LSS state of the slave as far as its frames show it. When the frames leave the state open, the slave
+/// counts as possibly in LSS configuration.
 class Watch {
   public:
     void request(const Frame& frame, bool answered, Instant now) {
@@ -93,8 +93,8 @@ class Watch {
         }
     }
     void booted() { may_configure_ = false; }
-    /// Returns whether the slave may be in LSS configuration: by switch state, or because all four numbers were
-    /// confirmed since the scan began.
+    /// Returns whether the slave may be in LSS configuration: by a switch state service, or because Fastscan confirmed
+    /// all four numbers of the LSS address.
     bool may_configure() const { return may_configure_; }
 
   private:
@@ -167,7 +167,7 @@ CANPROOF_FUZZ_CLAIMS(req::CO_LSS_052, req::CO_LSS_054, req::CO_LSS_063, req::CO_
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static host::Memory memory{64};
     static TransmitQueue queue;
-    // made once for all inputs, because making it takes longer than running an input
+    // one device for all inputs, because making it takes longer than running an input
     static host::GenericDevice device{part(), memory, queue};
     queue = TransmitQueue{};
     std::fill(memory.bytes().begin(), memory.bytes().end(), std::uint8_t{0xFF});

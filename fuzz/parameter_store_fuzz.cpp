@@ -92,7 +92,7 @@ class World {
         for (const naive_store::Stored& one : format_.entries()) {
             const auto found = saved.find(one.address);
             const naive_store::Bytes expected = found == saved.end() ? defaults_.at(one.address) : found->second;
-            // A start clears 1020h verify configuration when the configuration it belongs to was not saved with it.
+            // A start clears 1020h (verify configuration) if the configuration that it describes was not saved with it.
             require(one.address.first == 0x1020 || value(device_, one) == expected, "value", one.address.first);
         }
         drain();
@@ -123,7 +123,7 @@ class World {
         return all_values(format, device);
     }
 
-    /// Returns the abort code or else the first byte of the answer to a request; 0 when there is no answer.
+    /// Sends a request. Returns the abort code of an abort, or the first byte of any other answer; 0 without an answer.
     std::uint32_t ask(const Frame& request) {
         fuzz::deliver(device_, request, Instant{});
         std::uint32_t answer = 0;
@@ -157,8 +157,8 @@ class World {
         }
     }
 
-    /// Saves or restores with a power cut at `place`. A save stores its groups as they are now and keeps the others as
-    /// stored; a restore keeps the others (CiA 301, 7.5.2.13).
+    /// Saves or restores parameter groups, with a power cut at `place`. A save stores the present values of its groups
+    /// and keeps the stored values of the other groups. A restore also keeps the other groups (CiA 301, 7.5.2.13).
     void execute(std::uint16_t index, unsigned sub, const char* signature, std::uint16_t place) {
         const fuzz::Image before = memory_.image();
         Values expected = format_.read(before, node_id);
@@ -196,8 +196,8 @@ class World {
         return tampering_.is_foreign(pair[0]) || tampering_.is_foreign(pair[1]);
     }
 
-    /// Stores by LSS, which has its own store at the end of the memory. A node-ID other than 1 to 127 and 255 counts as
-    /// not stored.
+    /// Stores node-ID and bit rate by LSS, which has its own store at the end of the memory. A node-ID other than 1 to
+    /// 127 and 255 counts as not stored.
     void store_lss(const LssConfiguration& given, std::uint16_t place) {
         constexpr LssConfiguration shipped{127, 125000};
         const bool counts = given.node_id == 255 || (given.node_id >= 1 && given.node_id <= 127);

@@ -48,7 +48,7 @@ bool is_kept_for_others(std::uint32_t id) {
            (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
 }
 
-/// Returns whether a valid TPDO before `number` has that identifier.
+/// Returns whether one of the first `before` TPDOs is valid and has this identifier.
 bool is_transmitted(const Slave& slave, std::uint32_t id, unsigned before) {
     for (unsigned number = 0; number < before; ++number) {
         if (slave.tpdo(number).is_valid() && slave.tpdo(number).id() == id) {
@@ -79,8 +79,8 @@ void check_parameters(Slave& slave) {
     }
 }
 
-/// The settings of the dictionary that determine which frames the node may send. A frame of a step must match the
-/// settings before the step or after it.
+/// The settings of the dictionary that determine which frames the node may send. A frame that is sent during a step
+/// must match the settings before the step or after it.
 struct Settings {
     std::array<Pdo, pdo_count> tpdos;
     bool operational{false};
@@ -116,8 +116,8 @@ void check_frames(Slave& slave, const Settings& before, const Settings& after) {
     }
 }
 
-/// Returns the values expected after a frame: RPDOs of types 254 and 255 set them as in the naive model, the others set
-/// nothing before a SYNC.
+/// Returns the values expected after a frame. RPDOs of transmission types 254 and 255 set the values as in the naive
+/// model; other RPDOs set nothing before a SYNC.
 Values expected_after(Slave& slave, const Frame& frame) {
     Values values = slave.values();
     const Bytes data(frame.data.begin(), frame.data.begin() + frame.length);
@@ -142,7 +142,8 @@ void receive_rpdo(Slave& slave, std::uint32_t id, std::uint8_t length, const std
     require(found == expected);
 }
 
-/// Requests a TPDO. Type 253 answers with the present values, and so do types 254 and 255 without an inhibit time.
+/// Requests a TPDO by a remote frame. A TPDO of transmission type 253 must answer with the present values; so must
+/// types 254 and 255 without an inhibit time.
 void request_tpdo(Slave& slave, unsigned number) {
     const Pdo& pdo = slave.tpdo(number);
     Frame frame = data_frame(pdo.id(), 0);

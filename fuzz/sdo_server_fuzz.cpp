@@ -25,7 +25,7 @@ constexpr unsigned most_obedient = 700;  ///< most requests in one input; two tr
 /// Requests of a client that follows the protocol: an input can run transfers that are longer than itself.
 struct Obedient {
     unsigned count;   ///< number of requests
-    bool ends;        ///< the last request is a segment that is marked as the last
+    bool ends;        ///< whether the last request is a segment that is marked as the last
     unsigned unused;  ///< number of bytes without data in that segment
     unsigned lost;    ///< 0: none, otherwise every n-th request is lost
 

@@ -36,7 +36,7 @@ const std::vector<const host::Part*>& devices() {
     return all;
 }
 
-/// Returns whether any device has an input that takes this stimulus.
+/// Returns whether any device has an input that accepts this stimulus.
 bool is_taken(const host::Stimulus& one) {
     for (const host::Part* device : devices()) {
         for (const host::Signal& signal : device->signals) {

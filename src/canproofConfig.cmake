@@ -17,9 +17,9 @@
 # canproof::base has the time, bytes and checksums, canproof::canopen the node with its services, canproof::blocks the blocks of
 # several devices. They are compiled from their sources with the project's compiler and flags.
 #
-# The same file serves the installed package (lib/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package has the
-# host's libraries and the register's compiler in compiled form. With a checkout, canproof_project() compiles them in the
-# outside build, and the shared firmware alone needs -DCANPROOF_SPECCOMPILER=CHECKOUT/build/PRESET/speccompiler.
+# The same file serves the installed package (lib/canproof) and a checkout (-Dcanproof_DIR=CHECKOUT/src): the package contains the
+# compiled libraries of the host and the generator of tables (speccompiler). With a checkout, canproof_project() compiles both in
+# the outside build, and the shared firmware alone needs -DCANPROOF_SPECCOMPILER=CHECKOUT/build/PRESET/speccompiler.
 get_filename_component(CANPROOF_HOME ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
 set(CANPROOF_PREBUILT "" CACHE PATH "Compiled libraries of the host; from the package when empty")
 if(NOT CANPROOF_PREBUILT AND EXISTS ${CANPROOF_HOME}/prebuilt/speccompiler)

@@ -23,7 +23,7 @@ mkdir -p "$OUT/lib"
 for name in "${targets[@]}"; do
   find_target "$build" "$name"
   cp "$build/${name}_fuzz" "$OUT/"
-  # The fuzzing machine has none of the libraries.
+  # The machine that runs the fuzzers has none of these libraries, so they are copied.
   ldd "$build/${name}_fuzz" | awk '$3 ~ /lib(fmt|pugixml|tomlplusplus|socketcan|stdc\+\+|gcc_s)/ {print $3}' |
     xargs -r cp -L -n -t "$OUT/lib"
   [ ! -d "$corpus" ] || python3 - "$corpus" "$OUT/${name}_fuzz_seed_corpus.zip" <<'PYTHON'

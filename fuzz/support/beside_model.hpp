@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the events of an input (device_world.hpp) on a device and on the naive model of the whole device, and compares
-// the two after each event and at each deadline of the device. A model knows no late driver, no failing memory and few
-// requests. So some records mean something else than in the other runs:
+// the two after each event and at each deadline of the device. A model knows no late driver, no failing memory and only
+// some requests. So some records mean something else than in the runs without a model:
 //   0…3, 5, F  where the model does not know the request: a write of one of the parameters that it knows, or one of the
 //              frames that it knows
 //   B          where the model does not know the value: one that it knows
 //   C          the driver keeps every deadline, for less than Model::longest_wait_ms
 //   D          the power is cut after the frame was served
-// After the events of the input follow Model::further_events others. They, and the choices of begin(), depend on the
-// first record. A frame that the model does not know is left out for device and model, with a reason
+// Model::further_events more events follow the events of the input. These events, and the choices of begin(), depend on
+// the first record. A frame that the model does not know is left out for device and model, with a reason
 // (model_counts.hpp).
 //
-// A `Model` is made with the device, which stays where it is, and has:
+// The constructor of a `Model` gets the device, whose address stays the same. A `Model` has:
 //   power_on(inputs, ms) · set_inputs(inputs) · receive(frame) · pass(ms)
 //   unknown(frame, device), unknown(inputs)  why the model does not know it, or nullptr
 //   usual_frame(node, which, data)           a frame that it knows
 //   ends()                                   why the model cannot go on, or nullptr
-//   compare(device, said, ms)                requires that the device shows and has said what the model does
+//   compare(device, said, ms)                requires that device and model show the same and have sent the same frames
 //   input_shows_after_ms                     how long the manual leaves open which inputs the device shows
 //   put_usual_input(inputs, which, data)     changes an input to a value that it knows
-//   begin(run, choices), finish(device)      may give both some events before those of the input, and compare more at
-//                                            its end
+//   begin(run, choices)                      may give device and model some events before those of the input
+//   finish(device)                           may compare more at the end of the input
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,7 @@ inline bool is_usual(float value, float low, float high) {
     return value >= low && value <= high && (std::isnormal(value) || (value == 0.0F && !std::signbit(value)));
 }
 
-/// Choices that follow from a seed.
+/// Pseudo-random choices that follow from a seed.
 class Choices {
   public:
     explicit Choices(std::uint64_t seed) : state_{seed} {}
@@ -71,8 +71,8 @@ inline TimedFrames timed(const std::vector<Frame>& frames, std::uint64_t ms) {
     return all;
 }
 
-/// Returns which target compares a frame of 11 bits that the models of the Axiomatic devices do not know: a remote
-/// frame or LSS. Returns nullptr for other frames.
+/// Returns which fuzz target compares a frame that the models of the Axiomatic devices do not know: a remote frame, or
+/// a frame of LSS. Returns nullptr for other frames. The frame must have an 11-bit identifier.
 inline const char* compared_elsewhere(const Frame& frame) {
     if (frame.remote) {
         return "pdo and error_control compare remote frames";
@@ -80,12 +80,12 @@ inline const char* compared_elsewhere(const Frame& frame) {
     return frame.id == 0x7E5 ? "lss compares LSS" : nullptr;
 }
 
-/// Requires what a comparison of values states.
+/// Ends the run as a finding when a comparison of values does not hold.
 inline void check_model(bool holds, const char* what, unsigned index) {
     require(holds, what, index);
 }
 
-/// Requires the frames that the model has sent; prints both when they differ.
+/// Requires that the device has sent the frames of the model (`expected`). Prints both lists when they differ.
 inline void require_frames(const TimedFrames& said, const TimedFrames& expected, const char* file = __builtin_FILE(),
                            int line = __builtin_LINE()) {
     if (said == expected) {
@@ -243,10 +243,11 @@ class BesideModel {
     const KnownParameters* parameters_{nullptr};
 };
 
-/// A multiple of all LED patterns. It is not 0, so that the frames are not logged a second time (device_world.hpp).
+/// The start time is a multiple of the period of each LED pattern. It is not 0, so that the frames are not logged a
+/// second time (device_world.hpp).
 constexpr Circumstances beside_a_model{24'000'000U, 0U};
 
-/// Runs one input beside the model. The device of the last input is switched on again.
+/// Runs one input beside the model. Uses the device of the previous input again, as it was after power-on.
 template <typename Unit, typename Model>
 void run_beside_model(const std::uint8_t* data, std::size_t size) {
     static Reused<DeviceWorld<Unit>> world{beside_a_model};
@@ -255,7 +256,7 @@ void run_beside_model(const std::uint8_t* data, std::size_t size) {
     BesideModel<Unit, Model>{world.at_start(), digest.value()}.run(data, size);
 }
 
-/// Lets the target run inputs beside a model. CANPROOF_COMPARED_ONE_IN in the environment sets how many.
+/// Lets the target run inputs beside a model. The environment variable CANPROOF_COMPARED_ONE_IN sets one in how many.
 inline bool set_beside_model(void (*run)(const std::uint8_t*, std::size_t)) {
     beside_model = run;
     if (const char* const one_in = std::getenv("CANPROOF_COMPARED_ONE_IN")) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names the requirements that a fuzz target verifies, as C++ types, so that an unknown requirement does not compile.
-// The replay of its corpus writes them with its verdict.
+// The replay of the target's corpus writes these names into its result.
 #pragma once
 
 #include <string>

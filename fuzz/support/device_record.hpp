@@ -69,7 +69,7 @@ Value value_of(const std::uint8_t* data) {
     }
 }
 
-/// Puts the value in `data` into one of the physical inputs, counted round by `which`.
+/// Puts the value in `data` into one of the physical inputs: input number `which`, modulo the number of inputs.
 template <typename Inputs>
 void put_input(Inputs& inputs, unsigned which, const std::uint8_t* data) {
     unsigned count = 0;

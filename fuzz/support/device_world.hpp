@@ -115,7 +115,7 @@ class DeviceWorld {
             case 0xF:
                 return fail_memory(how, data[0] + 256U * data[1]);
             default:
-                return;  // an entry that no expedited write reaches
+                return;  // kind 4, for an entry that has no expedited write
         }
     }
     void fail_memory(unsigned how, std::size_t after) {
@@ -222,7 +222,7 @@ class DeviceWorld {
     }
 
     Frame request(const std::uint8_t* data) const { return frame_of(0x600U + node(), 8, data); }
-    /// Returns a request for the error control message, a TPDO or an RPDO.
+    /// Returns a remote frame that requests the error control message, a TPDO or an RPDO.
     Frame remote_frame(unsigned how) const {
         const unsigned number = how % 9U;
         std::uint32_t id = device_->objects().has(0x100E, 0) ? current_id(0x100E, 0) : 0x700U + node();
@@ -291,7 +291,7 @@ class DeviceWorld {
         return digest.value();
     }
 
-    /// Returns whether the values differ from `seen`, and copies them to it.
+    /// Returns whether the values of the dictionary differ from `seen`, and copies them to `seen`.
     bool differs_from(Image& seen) const {
         const ByteView image = device_->objects().image();
         if (std::equal(image.data(), image.data() + image.size(), seen.begin(), seen.end())) {
@@ -301,8 +301,8 @@ class DeviceWorld {
         return true;
     }
     /// Checks that every value is within its limits. Exceptions: 1003h:0 (number of errors), whose limits apply to
-    /// writes only, and the entries that Unit::shows_beyond_limits() names, by their own value. An entry that has not
-    /// changed since the last check, and whose limits have not, is not checked again.
+    /// writes only, and entries for which Unit::shows_beyond_limits() is true. Does not check an entry again if neither
+    /// its value nor its limits have changed since the last check.
     void check_values() {
         const ObjectDictionary& objects = device_->objects();
         if (!Unit::has_values(*device_)) {
@@ -317,8 +317,8 @@ class DeviceWorld {
     }
 
     /// Checks everything that one event caused: well-formed frames on identifiers of the device or as
-    /// Unit::may_also_send() permits, and at most one SDO answer. The queue must not be full, because then a frame may
-    /// be lost; only after a long time without emptying it may be full.
+    /// Unit::may_also_send() permits, and at most one SDO answer. The transmit queue must not be full, because then a
+    /// frame may be lost. It may be full only if it was not emptied for a long time (`may_be_full`).
     void drain(const Frame* cause, bool may_be_full = false) {
         require(may_be_full || state_.queue.size() < TransmitQueue::capacity, "room in the queue");
         const std::uint8_t node_id = device_->node_id();
@@ -375,7 +375,7 @@ class DeviceWorld {
         Unit unit;
         Instant now{};
         Identifiers known;
-        Image known_for;  ///< the values and the node-ID that gave these identifiers
+        Image known_for;  ///< dictionary values from which `known` follows, with `known_node`
         std::uint8_t known_node{0};
         LimitWatch checked;
         unsigned unasked{0};

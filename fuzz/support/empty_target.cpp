@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Target that does nothing: fuzz/throughput compares the cost of libFuzzer itself with it.
+// Target that does nothing. fuzz/throughput measures with it what libFuzzer itself costs.
 #include <cstddef>
 #include <cstdint>
 

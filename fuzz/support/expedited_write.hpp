@@ -49,7 +49,7 @@ inline std::optional<ExpeditedWrite> expedited_write(const ObjectDictionary& obj
     return ExpeditedWrite{entry, static_cast<std::uint32_t>(read_le(request.payload(), 4, size))};
 }
 
-/// Returns the request of such a write. `size` is the length of the entry in bytes.
+/// Returns the request of an expedited write. `size` is the length of the entry in bytes.
 inline Frame write_request(unsigned node, unsigned index, unsigned sub, unsigned size, std::uint32_t bits) {
     Frame request = data_frame(0x600U + node, max_frame_length);
     request.data[0] = static_cast<std::uint8_t>(0x23U | ((4U - size) << 2U));

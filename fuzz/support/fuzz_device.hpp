@@ -8,7 +8,7 @@
 
 namespace canproof::fuzz {
 
-/// Checks that a unit after a reset is the same as a unit that was switched on at that moment.
+/// Checks that a device after a reset (`used`) is the same as a device that was switched on at that moment (`fresh`).
 template <typename Unit>
 void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
     const std::vector<Frame> said = used.take_sent();
@@ -29,8 +29,8 @@ void require_same(DeviceWorld<Unit>& used, DeviceWorld<Unit>& fresh) {
     require(outputs.value() == wanted.value(), "a reset node drives what a fresh one drives");
 }
 
-/// Checks that a unit after the NMT command reset node behaves like a unit that is switched on at the same moment with
-/// the same memory and inputs (CO-NMT-005). Skips three kinds of unit:
+/// Checks that a device after the NMT command reset node behaves like a device that is switched on at the same moment
+/// with the same memory and inputs (CO-NMT-005). Skips devices of three kinds:
 /// - It receives no command, because it has no node-ID or LSS switches its bit rate.
 /// - It takes another node-ID or bit rate at power-on, but not at reset node.
 /// - It keeps the value of an output over the reset (Unit::keeps_outputs()).
@@ -105,7 +105,7 @@ std::uint64_t run_in_new_world(const std::uint8_t* data, std::size_t size, const
 inline bool is_compared(const std::uint8_t* data, std::size_t size) {
     Digest digest;
     digest.add(ByteView{data, size});
-    const bool is_logged = frame_probe.begins != nullptr;  // a log shows one of the runs
+    const bool is_logged = frame_probe.begins != nullptr;  // a log shows only one run, so nothing is compared
     return beside_model != nullptr && !is_logged && digest.value() % compared_one_in == 0;
 }
 

@@ -30,7 +30,7 @@ class KnownParameters {
         }
     }
 
-    /// Returns a write to one of them: data[0] chooses the object, data[1] its entry, data[2…6] the value.
+    /// Returns a write to a known parameter: data[0] chooses the object, data[1] its entry, data[2…6] the value.
     Frame write(unsigned node, const std::uint8_t* data) const {
         const std::vector<EntryRef>& entries = objects_[data[0] % objects_.size()];
         const EntryRef& entry = entries[data[1] % entries.size()];

@@ -7,8 +7,8 @@
 
 namespace canproof::fuzz {
 
-/// When `holds` is false, prints the source line, `what` was required and `number` in hexadecimal, and ends the run as
-/// a finding.
+/// When `holds` is false, prints the source line, the requirement `what`, and `number` in hexadecimal. Then ends the
+/// run as a finding.
 inline void require(bool holds, const char* what = "", unsigned long number = 0, const char* file = __builtin_FILE(),
                     int line = __builtin_LINE()) {
     if (!holds) {

@@ -96,7 +96,7 @@ void World::queue_frame(std::uint8_t which) {
     }
 }
 
-/// Advances the driver. A frame that leaves the queue must be the first one by identifier and order.
+/// Advances the driver. A frame that leaves the queue must have the lowest identifier, and be the first with it.
 void World::advance(std::uint64_t us) {
     now_.us += us * 1000;
     const std::size_t before = queue_.size();
@@ -173,7 +173,7 @@ void World::set_bit_rate(std::uint8_t which) {
     follow_reset();
 }
 
-/// A reset drops the frame in the controller, and those that it has received.
+/// Follows a reset of the controller, which drops the frame to be sent and the received frames.
 void World::follow_reset() {
     if (model_.resets() != resets_) {
         resets_ = model_.resets();

@@ -53,7 +53,7 @@ def version_of(home):
 
 
 def print_lines(outcome):
-    """Prints what is open, then the stack of each device and the counts."""
+    """Prints the open findings and the faults, then the stack of each device and a summary."""
     for finding in outcome.open:
         if finding.rule in outcome.reviewed_rules:
             print(f"{finding.path}:{finding.line}: no valid review for {finding.rule}; judge the file, then "

@@ -129,7 +129,7 @@ def run_cached(command, files, generated, script="", scratch=None, leaves=None):
         file.write(script)
         file.flush()
         status, output = run_tool([file.name if word == "@script@" else word for word in command])
-    # Another status is no result: a tool that was killed or ran out of memory may succeed next time.
+    # A status other than 0 and 1 is no result: a tool that was killed or ran out of memory may succeed next time.
     if entry is None or status not in (0, 1) or (leaves and not os.path.exists(leaves)):
         return status, output
     known = {"status": status, "output": places.without(output)}

@@ -48,7 +48,7 @@ class CallGraph:
                     self.calls.setdefault(caller, set()).add(callee)
 
     def resolve(self, listed, faults):
-        """Adds edges for the indirect calls. An unlisted call is a fault, and so is an unused entry."""
+        """Adds edges for the indirect calls. An unlisted call is a fault, and so is an entry of `listed` that no call uses."""
         used = set()
         for caller, place in sorted(set(self.indirect)):
             through, method = called_through(place)
@@ -82,7 +82,7 @@ class CallGraph:
 
 
 def check(graph, listed, bounds, faults):
-    """Checks the graph. Returns figures for the report."""
+    """Checks the call graph for recursion, unlisted indirect calls and stack use. Returns the figures for the report."""
     graph.resolve(listed, faults)
     known = {}
     for title in sorted(graph.stack):
@@ -102,7 +102,7 @@ def check(graph, listed, bounds, faults):
 
 
 def device_bounds():
-    """Returns the stack that any public call of each device may use."""
+    """Yields for each device the number of bytes of stack that each of its public calls may use."""
     for path in sorted((ROOT / "src" / "devices").glob("*/target/budgets.toml")):
         name = path.parent.parent.name.replace("-", "_")
         yield {"name": name, "entry": rf"\bcanproof::{name}::Device::\w+\(", "bytes": tomllib.loads(path.read_text())["host_stack"]}

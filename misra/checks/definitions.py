@@ -47,7 +47,7 @@ def split_at_commas(text):
 
 
 def spelled_type(parameter):
-    """Returns the type as spelled, without the name, a default, the const of a copy, and enclosing scopes except std::."""
+    """Returns the type of a parameter as spelled: without its name, a default, the const of a copy, and scopes other than std::."""
     text = re.sub(r"\s*=.*$", "", parameter, flags=re.DOTALL)
     if re.search(r"[\w>&*]\s+\w+$|[&*]\w+$", text) and not re.fullmatch(r"(?:const\s+)?[\w:]+", text):
         text = re.sub(r"\w+$", "", text)
@@ -230,7 +230,7 @@ def hidden_and_renamed(texts):
 
 
 def inherited_by(scope, named, methods, bases, seen=()):
-    """Returns names and declarations of the functions of the bases. For each base, the nearest scope with such a class counts."""
+    """Returns names and declarations of the functions of the bases. For each base, the nearest scope with a class of its name counts."""
     for base in named - set(seen):
         around = scope.split("::")[:-1]
         places = [place for place in methods if place.split("::")[-1] == base]

@@ -16,7 +16,8 @@ WEAKER = {"mandatory": [], "required": ["mandatory"], "advisory": ["mandatory", 
 
 
 def read_plan(rules, faults):
-    """Reads plan.csv: each of the 179 guidelines once. An `enforced` one has tested checkers, one under `review` a tested scope."""
+    """Reads plan.csv, which must have each of the 179 guidelines once. An `enforced` guideline must have tested checkers, and a
+    guideline under `review` a tested matcher that finds the places to judge."""
     with open(HERE / "plan.csv", newline="", encoding="utf-8") as file:
         plan = list(csv.DictReader(file))
     numbers = [row["guideline"] for row in plan]
@@ -48,7 +49,7 @@ def source_line(finding, generated):
 
 
 def read_deviations():
-    """Returns the project's deviations. Another project also gets those of canproof whose place is not in src/; they may be unused."""
+    """Returns the project's deviations. Another project also gets canproof's deviations outside src/, which may be unused."""
     records = []
     for path in records_of("deviations.toml"):
         borrowed = path.parent.parent != ROOT
@@ -58,7 +59,7 @@ def read_deviations():
 
 
 def apply_deviations(findings, generated, today, records, faults):
-    """Returns the findings without a deviation, and those with one."""
+    """Returns the findings without a deviation, and (finding, deviation) of the others. Adds the faults of the records to `faults`."""
     open_findings, deviated, used = [], [], set()
     for at, record in enumerate(records):
         missing = {"rule", "place", "line", "reason", "risk", "expiry"} - record.keys()
@@ -82,7 +83,7 @@ def apply_deviations(findings, generated, today, records, faults):
     return open_findings, deviated
 
 
-LINK = re.compile(r"\bstatic_assert\s*\(\s*implements<[^;]*;")  # names requirements, and is true
+LINK = re.compile(r"\bstatic_assert\s*\(\s*implements<[^;]*;")  # an assertion that names requirements and always holds
 
 
 def fingerprint(text):
@@ -135,7 +136,7 @@ def add_review(arguments, generated):
     kept = [review for review in read_reviews() if (review["rule"], review["file"]) != (rule, file)]
     kept.append({"rule": rule, "file": file, "date": datetime.date.today(), "by": arguments.by,
                  "fingerprint": fingerprint(file_of(file, generated).read_text()), "judgement": arguments.judgement})
-    lines = ["# Judgements of a person, each for one content of one file; `canproof misra review FILE RULE` writes these records.", ""]
+    lines = ["# Judgements by a person, each for one version of one file; `canproof misra review FILE RULE` writes these records.", ""]
     for review in sorted(kept, key=lambda one: ([int(part) for part in one["rule"].split(".")], one["file"])):
         quoted = review["judgement"].replace("\\", "\\\\").replace('"', '\\"')
         lines += ["[[review]]", f'rule = "{review["rule"]}"', f'file = "{review["file"]}"', f'date = {review["date"]}',

@@ -61,7 +61,7 @@ def write_sarif(folder, outcome):
 
 
 def sarif_faults(path):
-    """Returns the violations of SARIF 2.1.0, section 3, by the properties that write_sarif() writes."""
+    """Yields where the log at `path` violates SARIF 2.1.0, section 3, in the properties that write_sarif() writes."""
     log = json.loads(path.read_text())
     if log.get("version") != "2.1.0" or len(log.get("runs", [])) != 1:
         yield "misra.sarif: version must be 2.1.0, with one run"
@@ -138,7 +138,7 @@ def write_markdown(folder, outcome):
 
 
 def write_html(folder, outcome):
-    """Writes the page. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
+    """Writes misra.html. An evidence pack takes over the content of its <main>, and its own style sheet applies there."""
     mark = "open" if outcome.open or outcome.faults else "shown"
     text = [f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>canproof: MISRA C++:2023</title><style>\n{STYLE}\n</style>\n<main><h1>MISRA C++:2023</h1>"

@@ -32,7 +32,7 @@ class Piece(NamedTuple):
 
 
 def read_pieces(faults):
-    """Returns by firmware file and suffix of its copy the content of the copy: lines for its start, and the pieces."""
+    """Returns the content of each copy, by firmware file and suffix of the copy: lines for its start, and its pieces of code."""
     hosts = {}
     for path in sorted((HERE / "seeds").glob("*.toml")):
         table = tomllib.loads(path.read_text())
@@ -78,7 +78,7 @@ def write_copies(hosts, folder):
 
 
 def judge(places, found, faults):
-    """Checks that exactly the marked lines are flagged under their rule. Returns the numbers of seeds and of undetected ones."""
+    """Checks that exactly the marked lines are flagged under their rule. Returns the numbers of all seeds and of undetected seeds."""
     lines_of = {}
     for finding in found:
         lines_of.setdefault((finding.rule, finding.path), set()).add(finding.line)
@@ -94,7 +94,7 @@ def judge(places, found, faults):
 
 
 def prove_on_firmware(rules, generated, faults):
-    """Runs all checkers over copies with seeds. Returns the numbers of seeds and of undetected ones."""
+    """Runs all checkers over copies with seeds. Returns the numbers of all seeds and of undetected seeds."""
     hosts = read_pieces(faults)
     with tempfile.TemporaryDirectory() as scratch:
         units, headers, places = write_copies(hosts, pathlib.Path(scratch).resolve())

@@ -56,7 +56,7 @@ class Source:
 
 
 def plain(name):
-    """Returns `canproof::Node::advance` for a label of the graph: its name without types, arguments and template arguments."""
+    """Returns the name in a label of the call graph, such as `canproof::Node::advance`: without types, arguments and template arguments."""
     name = re.sub(r" \[with .*", "", name)
     depth, out = 0, ""
     for char in name:
@@ -83,7 +83,7 @@ class Served:
         self.plain = {title: plain(graph.names[title]) for title in self.places}
 
     def linked(self):
-        """Returns the functions with their own link."""
+        """Returns the functions that have a link (implements<>) of their own."""
         found = set()
         named = collections.defaultdict(set)  # names with implements<> at their declaration, by path without extension
         for path, source in self.sources.items():
@@ -101,7 +101,7 @@ class Served:
         return found
 
     def beginning(self, path, first):
-        """Returns the functions of the first line that begins one, `first` or one of the three lines after it."""
+        """Returns the functions that begin in the same line: the first line of `first` to `first + 3` in which a function begins."""
         near = [(line, title) for line, title in self.functions[path] if first <= line <= first + 3]
         return [title for line, title in near if line == min(near)[0]]
 
@@ -127,7 +127,7 @@ class Served:
 
 
 def unserved(graph, files):
-    """Returns the place of each function without an item by its name, and the number of all functions by name."""
+    """Returns the place of each function that serves no item, by the function's name, and the number of different names of functions."""
     all_of = Served(graph, files)
     served = {all_of.plain[title] for title in all_of.served()}
     rest = {}
@@ -158,7 +158,7 @@ def graph_of_firmware(generated, faults):
 
 
 def check_served(generated, faults):
-    """Reports functions without an item and a reason, and unused reasons. Returns figures for the report."""
+    """Reports functions that serve no item and have no reason, and unused reasons. Returns figures for the report."""
     prove(generated, faults)
     graph = graph_of_firmware(generated, faults)
     files = {str(path.relative_to(root)): path for root in dict.fromkeys((HOME, ROOT)) for pattern in ("*.hpp", "*.cpp")

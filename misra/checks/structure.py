@@ -37,7 +37,7 @@ def may_include(path, name):
 
 
 def against_the_layers(folder):
-    """Returns includes against the layers in folder/firmware, folder/devices/*/firmware and the drivers' folders."""
+    """Yields the includes that violate the layers in folder/firmware, folder/devices/*/firmware and the drivers' folders."""
     for path in firmware_files(folder, "*.?pp"):
         for at, text in enumerate(path.read_text().splitlines(), 1):
             include = re.match(r'\s*#\s*include\s*"([^"]+)"', text)

@@ -48,8 +48,8 @@ def query(rules, files, generated, scratch, faults):
 
 
 def query_together(rules, files, generated, scratch, faults):
-    """Runs all matchers over one unit that includes these files: most of the time is spent on headers, which it contains once.
-    Files that define the same name cannot be in one unit: those that the compiler refuses are in another one."""
+    """Runs all matchers over one unit that includes these files: most of the time is spent on headers, which the unit contains
+    only once. Files that define the same name cannot be in one unit: those that the compiler refuses are in another unit."""
     waiting = [list(files)]
     while waiting:
         group = waiting.pop()

@@ -9,8 +9,7 @@
 
 namespace canproof::bench {
 
-/// Devices with default parameters and node-IDs 1 to 127, repeated. They share no bus: a bus of 1 Mbit/s has at most
-/// 127.
+/// Devices with default parameters and node-IDs 1 to 127, repeated. They share no bus: a bus has at most 127 nodes.
 class Fleet {
   public:
     explicit Fleet(std::size_t size, bool operational = true) {

@@ -37,7 +37,7 @@ void segmented_upload(Server& server) {
     static const Frame even = frame_of("605#6000000000000000");
     static const Frame odd = frame_of("605#7000000000000000");
     exchange(server, begin, 0x41);
-    for (int segment = 0; segment < 9; ++segment) {  // nine segments of seven bytes, then the 64th
+    for (int segment = 0; segment < 9; ++segment) {  // nine segments of seven bytes, then the 64th byte
         server.receive(segment % 2 == 0 ? even : odd);
     }
     exchange(server, odd, 0x1D);  // one byte, the last segment

@@ -14,7 +14,7 @@
 
 namespace canproof::bench {
 
-/// A node with the test dictionary and its bus side.
+/// A node with the test dictionary and a transmit queue.
 class TestNode final : public Server {
   public:
     TestNode();
@@ -42,7 +42,7 @@ std::unique_ptr<Server> make_floor();
 struct Transaction {
     std::string name;
     double limit;        ///< instructions that a node may take with link-time optimisation
-    double plain_limit;  ///< instructions that a node may take without it
+    double plain_limit;  ///< instructions that a node may take without link-time optimisation
     std::function<void(Server&)> prepare;
     std::function<void(Server&)> run;  ///< throws when the server gave a wrong result
 };

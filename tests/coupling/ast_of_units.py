@@ -17,8 +17,8 @@ REFERENCES = {"LVALUEREFERENCE", "POINTER"}
 
 
 class Coupling:
-    """The couplings by units: calls, with the function and the place of each, and which units write and read data of
-    another unit. Data are a public member (`Frame::id`), or the state of a class (`TransmitQueue`), which a member
+    """The couplings of units: their calls, with the function and the place of each call, and which units write and read
+    data of another unit. Data are a public member (`Frame::id`), or the state of a class (`TransmitQueue`), which a member
     function that is not const writes."""
 
     def __init__(self):

@@ -21,8 +21,8 @@ def layer_of(unit):
 
 
 def is_downward(upper, lower):
-    """Returns whether `upper` may call `lower`. A device may call everything except another device, a driver the shared
-    firmware, and every layer base."""
+    """Returns whether `upper` may call `lower`. A device may call everything except another device. A driver may call the
+    shared firmware. Every layer may call base."""
     if upper == lower or lower == "base":
         return True
     if upper in ("base", "blocks", "canopen"):

@@ -72,7 +72,7 @@ def main():
     programs = [run]
     try:
         port = None
-        while not port:  # other lines, such as the device names, come before it
+        while not port:  # other lines, such as the device names, come before the port
             said = run.stderr.readline()
             assert said, "the program ended before it named its port"
             port = re.search(r"listens at port (\d+)", said)

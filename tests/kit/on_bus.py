@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """on_bus.py PROGRAM: runs the RC-22 on a bus in real time and talks to it as another program: a client of socketcand. Then shows it on the
-panel, which must have its card. The kernel chooses the ports. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
+panel, which must have a card for it. The kernel chooses the ports. The frames are written by hand after tests/kit/datasheet.txt (1, 3, 5)."""
 import json
 import re
 import signal

@@ -26,7 +26,7 @@ namespace {
 
 using host::generated_alterations;
 
-// All tests together take a third of this time.
+// Greatest processor time in seconds of a program with CANPROOF_ALTER. All tests together take a third of it.
 constexpr time_t most_seconds_started = 60;
 
 // Longest wait in seconds without processor time, also for a process that shares its core with many others.

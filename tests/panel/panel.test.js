@@ -59,7 +59,7 @@ async function openPage(t, options = {}, program = panel) {
   page.on('pageerror', (error) => complaints.push(error.message));
   const close = async () => {
     if (!program.pages.delete(close)) return;
-    const heard = [...complaints]; // closing a page interrupts its requests, and the page reports that
+    const heard = [...complaints]; // closing a page interrupts its requests, and the page reports the interruption
     await context.close();
     assert.deepEqual(heard, []);
   };

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """tests/program/fuzz_root.py PROGRAM: checks that `canproof fuzz --root FOLDER` works on the project in FOLDER from any other folder:
-it takes its fuzz targets, and writes corpus and report below it. A folder that an option names is not below FOLDER.
+it uses the fuzz targets of FOLDER, and writes corpus and report below FOLDER. A folder that an option names is not below FOLDER.
 
 A script replaces the fuzz target: it finds one input."""
 import os

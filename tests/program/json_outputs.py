@@ -46,7 +46,7 @@ printf '{"words": "%s"}\n' "$*"
 
 
 def listed_members():
-    """Returns the members that the README lists by the first cell of the row, without backticks."""
+    """Returns the members that each row of the README's table lists, by the first cell of the row without backticks."""
     text = (ROOT / "src/host/app/README.md").read_text()
     rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \|$", text.split("## JSON for other programs")[1].split("\n## ")[0], re.MULTILINE)
     return {command.replace("`", ""): set(re.findall(r"`(\w+)`", members)) for command, members in rows}
@@ -138,7 +138,7 @@ def mutants(project):
 
 
 def checkers(project):
-    """Checks that `canproof misra` passes --json on to the checkers, and that their report lists what is open."""
+    """Checks that `canproof misra` passes --json on to the checkers, and that their report lists the open findings."""
     project.write("build/release/home.txt", f"{project.root}/home\n")
     project.write("home/misra/run", MISRA)
     (project.root / "home/misra/run").chmod(0o755)

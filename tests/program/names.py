@@ -84,7 +84,7 @@ def part_numbers():
 
 
 def workload_of_a_part_number():
-    """`inject` finds the workload of a device by its part number, with a dot in it, too."""
+    """`inject` finds the workload of a device also by its part number, even if the part number contains a dot."""
     root = pathlib.Path(__file__).resolve().parents[2]
     results = [call("inject", name, "--faults", "1", "--root", str(root)) for name in ("cbx-ao412", "C.3040.02")]
     assert [one[0] for one in results] == [0, 0], results

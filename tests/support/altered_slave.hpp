@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conformance slave with a changed dictionary, for valid dictionaries that no device has.
+// A bench with the conformance slave, whose dictionary the test changes: for valid dictionaries that no device has.
 #pragma once
 
 #include "tests/support/frame_bench.hpp"

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace sheet {
 
-/// One of 1400h…1403h or 1800h…1803h. The COB-ID is that of node 127.
+/// The communication parameters of one PDO (1400h…1403h or 1800h…1803h). The COB-ID is that of node 127.
 struct PdoCommunication {
     std::uint16_t index;
     std::int64_t cob_id;
@@ -17,7 +17,7 @@ struct PdoCommunication {
     std::int64_t timer;
 };
 
-/// One of 1600h…1603h or 1A00h…1A03h: the number of used entries, and all four entries.
+/// The mapping of one PDO (1600h…1603h or 1A00h…1A03h): the number of used entries, and all four entries.
 struct PdoMapping {
     std::uint16_t index;
     std::int64_t count;
@@ -31,7 +31,7 @@ class AxiomaticSheet : public ObjectSheet {
     AxiomaticSheet(const DictionaryTables& tables, std::size_t image_size)
         : ObjectSheet{tables, image_size, LimitAbort::high_low, 127} {}
 
-    /// Checks 1003h pre-defined error field: its number of entries, and a count that accepts only 0.
+    /// Checks 1003h pre-defined error field: its number of entries, and that sub-index 0 accepts only 0.
     void check_error_list(int entries) const {
         using namespace sheet;
         check_choice({0x1003, 0, u8, Access::rw, {}, none, none, Map::no, false}, 0, 0, {0});

@@ -16,7 +16,7 @@ namespace {
 std::FILE* log_file = nullptr;
 
 void write_line(Instant now, char direction, const Frame& frame) {
-    // Formats without fmt, because the test that nothing allocates memory also writes a log.
+    // Formats without fmt, because the test that checks that nothing allocates memory also writes a log.
     constexpr const char* digits = "0123456789ABCDEF";
     std::array<char, 24> data{};
     auto* end = data.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets a test program observe its benches: the frames that pass, and the work of each step. Without an observer, each
+// Lets a test program observe its benches: the frames on the bus, and the work of each step. Without an observer, each
 // step costs one call of an empty function.
 #pragma once
 

@@ -21,7 +21,7 @@ inline std::vector<std::string> every_device() {
     return names;
 }
 
-/// Returns the names of the devices with an object, in alphabetical order.
+/// Returns the names of the devices that have the object `index`, in alphabetical order.
 inline std::vector<std::string> every_device_with(std::uint16_t index) {
     std::vector<std::string> names = every_device();
     names.erase(std::remove_if(names.begin(), names.end(),

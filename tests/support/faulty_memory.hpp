@@ -9,7 +9,7 @@
 
 namespace canproof::test {
 
-/// Works without faults until a test selects one.
+/// Works without faults until a test selects a fault.
 class FaultyMemory final : public NonVolatileMemory {
   public:
     explicit FaultyMemory(std::size_t size) : sound{size} {}

@@ -25,7 +25,7 @@ class LssBench : public SlaveBench {
 
     NmtState state() { return device->node().state(); }
     std::uint32_t bit_rate() const { return device->bit_rate(); }
-    /// Returns whether the slave is in LSS configuration, found by a service of that state only.
+    /// Returns whether the slave is in LSS configuration: only then it answers `inquire node-ID` (5Eh).
     bool is_configuring() { return !send("7E5#5E").empty(); }
 
     /// When true at the start, the device resets itself at the switch to LSS waiting, as in the Axiomatic manuals.

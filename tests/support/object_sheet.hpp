@@ -111,7 +111,7 @@ inline std::int64_t greatest(DataType type) {
     }
 }
 
-/// Returns the next value of the type; `step` is 1 or -1.
+/// Returns the next greater (`step` 1) or next smaller (`step` -1) value of the type.
 inline std::int64_t neighbour(std::int64_t value, DataType type, int step) {
     const float end = std::numeric_limits<float>::infinity();
     return type == real ? bits(std::nextafter(number(value), step > 0 ? end : -end)) : value + step;

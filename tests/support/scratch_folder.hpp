@@ -28,7 +28,7 @@ class ScratchFolder {
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    /// Returns the names of the files and folders in it.
+    /// Returns the names of the files and folders in this folder.
     std::set<std::string> names() const {
         std::set<std::string> all;
         for (const auto& entry : std::filesystem::directory_iterator{path_}) {

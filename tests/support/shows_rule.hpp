@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of rules that no manual contains.
+// Links a test to a rule of the project, which no manual contains.
 #pragma once
 
 #include <gtest/gtest.h>

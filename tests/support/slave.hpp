@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The description of the conformance slave from which its devices are made.
+// The description of the conformance slave, from which tests make devices.
 #pragma once
 
 #include "host/sim/devices/generic_device.hpp"
 
 namespace canproof::test {
 
-/// Returns the description: from its register here (slave/slave.cpp), or from its generated tables on the
-/// microcontroller (src/target/tests/slave.cpp).
+/// Returns the description of the slave. On a PC it comes from the slave's register (slave/slave.cpp), on the
+/// microcontroller from generated tables (src/target/tests/slave.cpp).
 const host::GenericDescription& slave();
 
 }  // namespace canproof::test

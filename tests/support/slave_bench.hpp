@@ -7,7 +7,7 @@
 
 namespace canproof::test {
 
-/// Node 5 with every service. `send` returns the answers as text: `585#6000200100000000`.
+/// The slave as node 5, with every service. `send` returns the answers as text: `585#6000200100000000`.
 class SlaveBench : public FrameBench<host::GenericDevice> {
   public:
     static constexpr std::uint16_t program_index = 0x2400;  ///< the DOMAIN object; the slave provides the memory for it

@@ -8,10 +8,10 @@
 
 namespace canproof::test {
 
-/// Returns the files of that register by their path.
+/// Returns the files of the slave's register by their path.
 const host::SpecFiles& slave_files();
 
-/// Returns the part of that register that describes the slave. It is read once.
+/// Returns the part of the register that describes the slave. The register is read once.
 const host::Part& slave_part();
 
 }  // namespace canproof::test

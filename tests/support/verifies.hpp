@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links a test to the requirements that it shows. The link is written to the test's verdict when the test runs.
+// Links a test to the requirements that it verifies. The link is written to the result of the test when the test runs.
 #pragma once
 
 #include <gtest/gtest.h>

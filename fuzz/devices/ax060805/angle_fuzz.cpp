@@ -25,12 +25,12 @@ const Exact radians = std::atan2(0.0L, -1.0L) / 180.0L;
 Exact degrees(Exact y, Exact x) {
     return std::atan2(y, x) / radians;
 }
-/// Returns the difference of two directions; -180 and 180 are the same direction.
+/// Returns the difference of two directions in degrees; -180 and 180 are the same direction.
 Exact apart(Exact a, Exact b) {
     return std::fabs(std::remainder(a - b, 360.0L));
 }
 
-/// Checks the direction of any finite vector against the error that angle_math.hpp states.
+/// Checks that atan2_degrees() has at most the error that angle_math.hpp states, for any finite vector.
 void check_direction(float y, float x) {
     if (!std::isfinite(x) || !std::isfinite(y) || (x == 0.0F && y == 0.0F)) {
         return;
@@ -71,7 +71,7 @@ void check_tilt(const Vector3& g) {
     require((y == 0.0L && z == 0.0L) || apart(euler.roll, degrees(y, z)) < 1.0e-4L, "Euler roll");
 }
 
-/// Checks that undoing an installation equals two rotations in long double.
+/// Checks that undo_rotation(), which removes the installation angles, equals two rotations in long double.
 void check_rotation(const Vector3& given) {
     const PitchRoll turn{std::fmod(given.x, 90.0F), std::fmod(given.y, 180.0F)};
     if (!std::isfinite(turn.pitch) || !std::isfinite(turn.roll)) {

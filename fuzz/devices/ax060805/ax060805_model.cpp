@@ -16,7 +16,8 @@ constexpr unsigned node = 127;
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 60;
-    static constexpr std::uint64_t input_shows_after_ms = 5;  ///< a sample; a write may show new temperatures before
+    static constexpr std::uint64_t input_shows_after_ms =
+        5;  ///< time of a sample; a write can show new temperatures earlier
     static constexpr unsigned further_events = 12;
     static constexpr std::uint64_t longest_run_ms = 600;
 
@@ -105,7 +106,7 @@ class Model {
                 inputs.acceleration_x = std::sin(pitch);
                 inputs.acceleration_y = -std::sin(roll) * std::cos(pitch);
                 inputs.acceleration_z = -std::cos(roll) * std::cos(pitch);
-                const float size = data[3] == 0 ? 16.5F : 1.0F;  // beyond the range of the sensor
+                const float size = data[3] == 0 ? 16.5F : 1.0F;  // 16.5 is beyond the range of the sensor
                 (data[4] % 2U == 0 ? inputs.acceleration_y : inputs.acceleration_x) *= size;
                 return;
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the AX060805 for DeviceWorld.
+// Describes the AX060805 for DeviceWorld (device_world.hpp).
 #pragma once
 
 #include "devices/ax060805/firmware/ax060805.hpp"

@@ -87,7 +87,7 @@ class Model {
         }
     }
 
-    /// Changes an input to a value near the limits of supply or temperature, or another load.
+    /// Sets the supply or the temperature to a value near its limits, or connects another load.
     static void put_usual_input(ax130751::Inputs& inputs, unsigned which, const std::uint8_t* data) {
         constexpr std::array<float, 8> volts{24.0F, 24.3F, 12.0F, 7.9F, 8.0F, 6.9F, 35.1F, 39.1F};
         constexpr std::array<float, 8> celsius{35.0F, 35.0F, 35.0F, 60.0F, 85.0F, 85.1F, 50.0F, 90.0F};
@@ -170,7 +170,7 @@ class Model {
 
   private:
     /// Connects outputs, relay, two tables, a logic block and a math block to extra received values (sources 1, numbers
-    /// 4 to 9), with other parameters for each.
+    /// 4 to 9). Gives each of them different parameters.
     template <typename Write>
     static void connect(const Write& write, fuzz::Choices& choices) {
         using Some = std::array<unsigned, 4>;
@@ -243,7 +243,7 @@ class Model {
         }
         return all;
     }
-    /// Sorts frames; the order of frames of one identifier stays.
+    /// Sorts frames by identifier. Frames with the same identifier keep their order.
     static fuzz::TimedFrames by_identifier(const fuzz::TimedFrames& frames) {
         std::multimap<std::string, fuzz::TimedFrames::value_type> sorted;
         for (const auto& frame : frames) {
@@ -279,7 +279,7 @@ class Model {
         }
         return known_if(!fuzz::is_beyond_fixed_range(objects, write), "the model knows no fixed ranges");
     }
-    /// Performs a write; returns 0 or the abort code.
+    /// Performs a write on the model. Returns 0 or the abort code.
     std::uint32_t answer_to(const fuzz::ExpeditedWrite& write) {
         if (write.address() == 0x100300) {
             model_.errors.empty_list();
@@ -290,7 +290,7 @@ class Model {
             return 0;
         }
         if (model_.entries().count({write.index(), write.sub()}) == 0) {
-            return 0;  // of begin(), which sets the parameters of the model
+            return 0;  // a write by begin(), which sets these parameters of the model itself
         }
         return model_.write(write.index(), write.sub(), static_cast<int>(write.value()));
     }

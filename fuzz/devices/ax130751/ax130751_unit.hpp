@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the AX130751 for DeviceWorld.
+// Describes the AX130751 for DeviceWorld (device_world.hpp).
 #pragma once
 
 #include "devices/ax130751/firmware/ax130751.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the AX188001 for DeviceWorld.
+// Describes the AX188001 for DeviceWorld (device_world.hpp).
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ struct Ax188001Unit {
     /// Returns false: no output keeps its value over a reset of the node.
     static bool keeps_outputs(const Device&, const Inputs&) { return false; }
 
-    /// Checks values, faults and limits against 1.1, 3.2.4, 3.3.6 and 3.4.13 to 3.4.19.
+    /// Checks values, faults and limits against the manual's sections 1.1, 3.2.4, 3.3.6 and 3.4.13 to 3.4.19.
     static void check(const Device& device, const Inputs&, bool) {
         const ObjectDictionary& objects = device.objects();
         const auto read = [&](std::uint16_t index, std::uint8_t sub) { return objects.read(index, sub); };
@@ -69,7 +69,7 @@ struct Ax188001Unit {
         std::uint16_t factor;
         std::uint16_t offset;
         std::uint8_t sub;
-        bool gives_way;  ///< whether a value of -1 or -512 is increased by one, because these are reserved
+        bool gives_way;  ///< whether -1 and -512 are increased by one, because these values are reserved
     };
     static void check_scaling(const ObjectDictionary& objects, const Scaled& at) {
         const auto real = [&](std::uint16_t index) {

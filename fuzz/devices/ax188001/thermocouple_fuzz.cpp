@@ -23,8 +23,8 @@ constexpr std::size_t record_size = 10;
 constexpr SensorType types[]{SensorType::j, SensorType::k, SensorType::n, SensorType::r,
                              SensorType::s, SensorType::t, SensorType::e, SensorType::b};
 
-/// Checks that a voltage of any bits gives a temperature within the range of the type, and that this temperature has
-/// the given voltage when that is within the range.
+/// Checks that a voltage of any bit pattern gives a temperature within the range of the type. Checks that this
+/// temperature has the given voltage, if the voltage is within the range.
 void check_voltage(SensorType type, double mv) {
     const ThermocoupleCurve& curve = thermocouple_curve(type);
     const double celsius = exact_celsius(curve, mv);
@@ -33,7 +33,7 @@ void check_voltage(SensorType type, double mv) {
         const double slope = reference_slope(curve, celsius);
         const double excess =
             static_cast<double>(ax188001::reference_mv_exactly(type, static_cast<long double>(celsius))) - mv;
-        // At the low end of the branch of type B the slope is 0, so the voltage itself must match.
+        // At the lower end of the curve of type B the slope is 0, so the voltage itself must match.
         require(std::fabs(excess) < std::fmax(0.02 * slope, 1e-9));
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the naive model of the CAN-CBX-AO412 beside the device: voltages, LEDs, all frames, 1001h (error register),
-// 1003h (error list), and the objects of the outputs.
+// Runs the naive model of the CAN-CBX-AO412 beside the device. Compares voltages, LEDs, all frames, 1001h (error
+// register), 1003h (error list), and the objects of the outputs.
 #include "fuzz/devices/cbx-ao412/cbx_ao412_unit.hpp"
 #include "fuzz/support/beside_model.hpp"
 #include "fuzz/support/expedited_write.hpp"
@@ -69,7 +69,7 @@ class Model {
     void set_inputs(const cbx_ao412::Inputs& inputs) { model_.set_terminals(naive_ao4::terminals_of(inputs)); }
     void pass(std::uint64_t ms) { model_.pass(ms); }
 
-    /// Changes a failure, lost frames or the state of the controller; rarely a switch.
+    /// Changes a failure, the lost frames or the state of the CAN controller; rarely changes a switch.
     static void put_usual_input(cbx_ao412::Inputs& inputs, unsigned which, const std::uint8_t* data) {
         const bool present = (data[0] & 1U) != 0;
         switch (which % 8U) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the CAN-CBX-AO412 for DeviceWorld.
+// Describes the CAN-CBX-AO412 for DeviceWorld (device_world.hpp).
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ class CbxAo412Unit {
     static constexpr std::uint8_t answers_remote = 0x02;
 
     static void prepare(Inputs&) {}
-    /// Returns whether the device has values: with switches that give no node-ID only the LEDs work.
+    /// Returns whether the device has values. If its switches give no valid node-ID, only the LEDs work.
     static bool has_values(const Device& device) { return device.node_id() >= 1 && device.node_id() <= 127; }
     static bool shows_beyond_limits(const ObjectDictionary&, const EntryRef&) { return false; }
     static bool may_also_send(const Frame&) { return false; }
-    /// Returns whether an output keeps its value over a reset of the node: during an internal failure it does with
-    /// error mode 2 in 6443h (7.10.3).
+    /// Returns whether an output keeps its value over a reset of the node. It does during an internal failure if its
+    /// error mode (6443h) is 2 (7.10.3).
     static bool keeps_outputs(const Device& device, const Inputs& inputs) {
         bool keeps = false;
         for (std::uint8_t number = 1; number <= 4; ++number) {
@@ -71,8 +71,8 @@ class CbxAo412Unit {
     static std::uint32_t read(const Device& device, std::uint16_t index, std::uint8_t sub) {
         return device.objects().read(index, sub) & 0xFFFFU;
     }
-    /// Returns the voltage of the upper half of 6444h error value: steps of eight codes, 2.492 mV each (7.10.2.2,
-    /// 7.10.4).
+    /// Returns the voltage that the upper half of 6444h (error value) means: steps of eight codes, 2.492 mV each
+    /// (7.10.2.2, 7.10.4).
     static float error_volts(const Device& device, std::uint8_t number) {
         const auto code = static_cast<std::int16_t>(device.objects().read(0x6444, number) >> 16U);
         const float step = std::floor((static_cast<float>(code) + 4.0F) / 8.0F);

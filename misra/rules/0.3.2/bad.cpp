@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line must be reported for a review.
+// The checkers must report each line marked `flagged` for a review by a person.
 #include <cmath>
 #include <optional>
 double root(const double value) {

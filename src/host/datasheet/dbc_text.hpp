@@ -12,7 +12,7 @@
 
 namespace canproof::host {
 
-/// Values of a signal, each with its word.
+/// Values of a signal, each with the word that tools show for it.
 using DbcWords = std::vector<std::pair<std::uint64_t, std::string>>;
 
 struct DbcSignal {
@@ -49,8 +49,8 @@ struct DbcFile {
     std::vector<DbcMessage> messages;
 };
 
-/// The unique names of one scope. Each is a valid identifier of at most 32 characters. Two names never differ in their
-/// case alone, because SavvyCAN ignores the case.
+/// The unique names of one scope. Each name is a valid identifier of at most 32 characters. Two names never differ only
+/// in upper and lower case, because SavvyCAN ignores this difference.
 class DbcNames {
   public:
     /// Returns the text as a unique name. Other characters than letters and digits become underscores; an ending such

@@ -27,8 +27,8 @@ CobId of_pdo(unsigned index, unsigned first, std::int64_t base) {
     return number < predefined ? CobId{base + std::int64_t{0x100} * number, true} : CobId{does_not_exist, false};
 }
 
-/// Returns the usual COB-ID of an entry (CiA 301, 7.3.5 and 7.5.2). Returns nothing for an entry that is no such
-/// COB-ID.
+/// Returns the COB-ID that CiA 301 gives an entry by default (7.3.5 and 7.5.2). Returns nothing for an entry without
+/// such a COB-ID.
 std::optional<CobId> usual(unsigned index, unsigned subindex) {
     if (index == cia301::sync_cob_id && subindex == 0) {
         return CobId{0x80, false};

@@ -7,8 +7,9 @@
 
 namespace canproof::host {
 
-/// Replaces each COB-ID that is not switched off and has the identifier 0: it gets the COB-ID of the pre-defined
-/// connection set (CiA 301). Switches off such a PDO if it is not in the set. Adds a note for each change.
+/// Replaces each COB-ID that is not switched off and has the identifier 0 by the COB-ID of the pre-defined connection
+/// set (CiA 301). Switches off a PDO with such a COB-ID if the set does not contain the PDO. Adds a note for each
+/// change.
 void mend_cob_ids(Part& part, const EdsTelling& tell);
 
 }  // namespace canproof::host

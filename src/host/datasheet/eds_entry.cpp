@@ -13,17 +13,18 @@ namespace canproof::host {
 
 namespace {
 
-/// Least length in bytes of a writable string, even if its default is shorter.
+/// Number of bytes that a writable string gets at least, even if its default is shorter.
 constexpr std::size_t string_room = 64;
 constexpr std::size_t longest_string = 4096;
 
 struct TypeRow {
     unsigned number;
     std::string_view word;
-    std::size_t octets;  ///< length of a type that the device treats as bytes; 0: the device supports the type
+    std::size_t octets;  ///< length of a type that becomes an OCTET_STRING; 0: the firmware has the type
 };
 
-/// The data types of CiA 301, Table 44. No service calculates with the types that are treated as bytes.
+/// The data types of CiA 301, Table 44. Types that the firmware lacks become OCTET_STRING: no service calculates with
+/// them.
 constexpr std::array<TypeRow, 25> type_rows{{{0x01, "BOOLEAN", 0},
                                              {0x02, "INTEGER8", 0},
                                              {0x03, "INTEGER16", 0},
@@ -75,7 +76,7 @@ struct KeyRow {
     KeyField field{nullptr};
 };
 
-/// Returns the slot of a key, which no two of the known keys share.
+/// Returns the slot of a key in `keys_by_slot`. No two known keys have the same slot.
 constexpr std::size_t key_slot(std::string_view key) {
     constexpr std::size_t slots = 32;
     return key.empty() ? 0 : (key.size() + static_cast<unsigned char>(key.front())) % slots;
@@ -177,7 +178,7 @@ void read_type(Entry& entry, const IniSection& section, const EntryKeys& keys, b
 /// only: transmit for rwr, receive for rww (CiA 306).
 void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys, const EdsTelling& tell) {
     const IniValue* given = keys.access;
-    std::string lower;  // most sheets have the word in lower case already
+    std::string lower;  // remains empty for most sheets, which have the word in lower case already
     std::string_view word = given == nullptr ? std::string_view{} : given->text;
     if (std::any_of(word.begin(), word.end(), [](char c) { return c != lower_case(c); })) {
         lower = lower_case(word);
@@ -210,7 +211,8 @@ void read_access(Entry& entry, const IniSection& section, const EntryKeys& keys,
     }
 }
 
-/// Reads a limit of an entry; `kept` is whether the firmware can compare values of this type.
+/// Reads a limit of an entry. Ignores the limit if `kept` is false: the firmware then cannot compare values of this
+/// type.
 void read_limit(Limit& limit, const Entry& entry, bool kept, const IniValue* given, const char* key,
                 const EdsTelling& tell) {
     if (given == nullptr) {
@@ -218,10 +220,10 @@ void read_limit(Limit& limit, const Entry& entry, bool kept, const IniValue* giv
     }
     const auto value = kept ? eds_value(given->text, entry.type) : std::nullopt;
     if (!kept) {
-        tell.note(given->line, fmt::format("{} of a {} is not kept", key, entry.type),
+        tell.note(given->line, fmt::format("{} of an entry of type {} is ignored", key, entry.type),
                   "every value of the type is accepted");
     } else if (!value) {
-        tell.note(given->line, fmt::format("{} {} is no value of {}", key, given->text, entry.type),
+        tell.note(given->line, fmt::format("{} {} is no value of type {}", key, given->text, entry.type),
                   "the type alone limits the value");
     } else {
         limit.kind = Limit::Kind::number;
@@ -276,7 +278,7 @@ void set_string(Entry& entry, const IniValue& given, const EdsTelling& tell) {
     const auto octets = entry.type == "OCTET_STRING" ? eds_octets(given.text) : std::nullopt;
     std::string text = octets ? *octets : std::string{given.text};
     if (text.size() > longest_string) {
-        tell.note(given.line, fmt::format("text has {} characters", text.size()),
+        tell.note(given.line, fmt::format("the text has {} characters", text.size()),
                   fmt::format("the first {} are used", longest_string));
         text.resize(longest_string);
     }
@@ -313,7 +315,7 @@ void set_eds_value(Entry& entry, const IniValue& given, const EdsTelling& tell) 
                        : term            ? eds_value(term->rest, entry.type)
                                          : std::nullopt;
     if (!value || (has_node_id && !is_integer(entry.type))) {
-        tell.note(given.line, fmt::format("value {} is no value of {}", given.text, entry.type),
+        tell.note(given.line, fmt::format("value {} is not of type {}", given.text, entry.type),
                   fmt::format("{} is assumed", to_text(entry.value)));
         return;
     }

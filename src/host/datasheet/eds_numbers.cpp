@@ -125,7 +125,8 @@ std::optional<Value> integer_value(std::string_view text, const std::string& typ
     return limits && value >= limits->first && value <= limits->second ? std::optional<Value>{value} : std::nullopt;
 }
 
-/// Returns whether the text is a decimal number that fits 64 bits with sign. A leading 0 would make it octal.
+/// Returns whether the text is a decimal number of at most 18 digits, which always fits 64 bits with sign. A number
+/// with a leading 0 is octal.
 bool is_short_decimal(std::string_view text) {
     constexpr std::size_t always_fit = 18;
     return !text.empty() && text.size() <= always_fit && (text.size() == 1 || text.front() != '0') &&
@@ -133,7 +134,7 @@ bool is_short_decimal(std::string_view text) {
 }
 
 std::optional<std::uint64_t> number_of_digits(std::string_view digits, unsigned base) {
-    constexpr std::size_t always_fit = 16;  // digits of any base here
+    constexpr std::size_t always_fit = 16;  // number of digits that fit 64 bits in base 8, 10 and 16
     const bool may_overflow = digits.size() > always_fit;
     std::uint64_t value = 0;
     for (const char c : digits) {
@@ -149,7 +150,7 @@ std::optional<std::uint64_t> number_of_digits(std::string_view digits, unsigned 
 }  // namespace
 
 std::optional<std::uint64_t> eds_unsigned(std::string_view text) {
-    if (text.size() == 1) {  // as most numbers of a data sheet
+    if (text.size() == 1) {  // most numbers of a data sheet have one digit
         return number_of_digits(text, 10U);
     }
     const std::string_view number = without_suffix(text);

@@ -23,11 +23,11 @@ struct NodeIdTerm {
     std::string rest;  ///< number without the term; "0" when the term is alone
     bool has_node_id{false};
 };
-/// Separates the term $NODEID from the number. Returns nothing when $NODEID is not part of a sum.
+/// Separates the term $NODEID, if there is one, from the number. Returns nothing for any other text with `$`.
 std::optional<NodeIdTerm> split_node_id(std::string_view text);
 
-/// Parses a value of a numeric CiA type. Returns nothing for any other text or a value that does not fit. A hexadecimal
-/// number can be the bit pattern of a signed type; for a real type it is the IEEE 754 bits.
+/// Parses a value of a numeric CiA type. Returns nothing for any other text and for a value that does not fit. For a
+/// signed type, a hexadecimal number can be the bit pattern of the value; for a real type, it is the IEEE 754 bits.
 std::optional<Value> eds_value(std::string_view text, const std::string& type);
 
 /// Parses hexadecimal bytes: `01 A0 FF` or `01A0FF`. Returns nothing for any other text.

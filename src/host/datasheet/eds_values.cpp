@@ -49,7 +49,7 @@ std::optional<std::string> limit_text(const Entry& entry, const Limit& limit, bo
         return std::nullopt;
     }
     if (limit.kind == Limit::Kind::number && lowest && entry.range.zero) {
-        return "0";  // a data sheet cannot describe gaps between the allowed values
+        return "0";  // 0 is allowed below the minimum, and a data sheet cannot describe a gap between them
     }
     if (limit.kind == Limit::Kind::number) {
         return value_text(limit.number, entry.type, reals);

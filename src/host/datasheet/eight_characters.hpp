@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles eight characters of ASCII at a time: a data sheet has a hundred bytes an entry.
+// Handles eight ASCII characters at a time, because a data sheet has about a hundred bytes for each entry.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace canproof::host {
 
 namespace eight_characters {
 
-constexpr std::uint64_t each = 0x0101010101010101;  ///< times a byte: that byte eight times
+constexpr std::uint64_t each = 0x0101010101010101;  ///< multiplied by a byte: eight copies of the byte
 constexpr std::uint64_t highest_bits = 0x80 * each;
 
-/// Returns the highest bit of each character that is at least `first`; of others, 0. `first` is at most 7Fh. The
-/// highest bit of a character of 80h or more is not considered.
+/// Returns a word in which bit 7 of a byte is set if the lower 7 bits of the character in this byte are at least
+/// `first`. All other bits are 0. `first` is at most 7Fh.
 constexpr std::uint64_t at_least(std::uint64_t text, std::uint64_t first) {
     return ((text & (0x7F * each)) + (0x80 - first) * each) & highest_bits;
 }

@@ -20,8 +20,8 @@ struct NamedEntry {
     const Entry* entry{nullptr};
 };
 
-/// Returns the name of an entry with the name of its object. Returns only the entry's name if it begins with the
-/// object's name, and only the object's name for a VAR.
+/// Returns the name of the object, followed by the name of its entry. Returns only the entry's name if it begins with
+/// the object's name, and only the object's name for a VAR.
 std::string full_name(const NamedEntry& named);
 
 class EntryIndex {

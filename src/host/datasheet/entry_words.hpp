@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the limits and the range of a dictionary's entry in words.
+// Describes an entry of the object dictionary as text: limits, range, index and sub-index.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace canproof::host {
 
 /// Returns the text of a limit that depends on another object: `4020h:1 - 100`.
 std::string limit_name(const Entry& entry, const Limit& limit);
-/// Returns the range in words: `0 … 10`, `2, 8` or `0, 10 … 65535`. Returns an empty text when only the type limits the
-/// value.
+/// Returns the range of an entry as text: `0 … 10`, `2, 8` or `0, 10 … 65535`. Returns an empty text when only the type
+/// limits the value.
 std::string range_words(const Entry& entry);
 /// Returns `VAR`, `ARRAY` or `RECORD`.
 const char* kind_name(const Object& object);

@@ -85,7 +85,7 @@ class SectionSorter {
 
   private:
     using Value = std::pair<std::string_view, IniValue>;
-    using Order = std::vector<std::size_t>;  ///< places of the values, ascending by key
+    using Order = std::vector<std::size_t>;  ///< positions of the values before sorting, ascending by key
 
     static bool goes_before(const Value& a, const Value& b) {
         const auto first = [](const Value& one) {  // most keys differ in their first character
@@ -132,7 +132,7 @@ class SectionSorter {
     }
 
     std::array<Order, 16> orders_;  ///< element n: order of the keys in the last section with n values
-    Order long_order_;              ///< order of the keys in the last section with more values
+    Order long_order_;              ///< order of the keys in the last section with 16 or more values
     std::vector<Value> sorted_;
     std::vector<IniRepetition> repeated_;
 };
@@ -153,7 +153,7 @@ class IniReader {
     bool is_strange() const { return strange_ > most_strange_lines; }
     IniFile take() {
         for (const IniRepetition& one : file_.sort_values()) {
-            tell_.note(one.line, fmt::format("{} is already in line {}", as_written(one.key), one.first),
+            tell_.note(one.line, fmt::format("key {} is already in line {}", as_written(one.key), one.first),
                        "the first counts");
         }
         return std::move(file_);
@@ -188,14 +188,15 @@ class IniReader {
         const std::string_view name = close == std::string_view::npos ? "" : without_blanks(text.substr(1, close - 1));
         if (name.empty()) {
             ++strange_;
-            tell_.note(line_, fmt::format("`{}` is no section", text.substr(0, 40)), "it is ignored with its lines");
+            tell_.note(line_, fmt::format("`{}` is no name of a section", text.substr(0, 40)),
+                       "it is ignored with the lines below it");
             section_ = nullptr;
             skips_ = true;
             return;
         }
         const std::string_view rest = without_blanks(text.substr(close + 1));
         if (!rest.empty() && rest.front() != ';' && rest.front() != '#') {
-            tell_.note(line_, fmt::format("`{}` follows the section", rest.substr(0, 40)), "it is ignored");
+            tell_.note(line_, fmt::format("`{}` follows the name of the section", rest.substr(0, 40)), "it is ignored");
         }
         const std::size_t before = file_.sections().size();
         // most files have their sections in alphabetical order, so this place is usually right
@@ -222,7 +223,7 @@ class IniReader {
         if (equals == text.size() || key.empty()) {
             strange(fmt::format("`{}` is neither [Section] nor Key=Value", text.substr(0, 40)));
         } else if (section_ == nullptr) {
-            strange(fmt::format("{} is before the first section", key));
+            strange(fmt::format("key {} is before the first section", key));
         } else {
             make_lower_case(text_.data() + place_of(key), key.size());
             section_->values.emplace_back(key, IniValue{without_leading_blanks(text.substr(equals + 1)), line_});
@@ -239,7 +240,7 @@ class IniReader {
     IniSection* section_{nullptr};
     /// place of section_ in the sections; valid if section_ is not nullptr
     IniSections::iterator place_;
-    bool skips_{false};  ///< whether the present line is in an invalid section
+    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
     std::size_t strange_{0};
     unsigned line_{0};
 };

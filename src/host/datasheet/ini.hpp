@@ -61,12 +61,12 @@ class IniFile {
     const IniSection* find(std::string_view name) const;
     /// Stores the text of a key or a value. Returns a view of it, which is valid as long as the file exists.
     std::string_view keep(std::string text) { return texts.emplace_front(std::move(text)); }
-    /// Sorts the values of each section, which may have been appended in any order, by their keys. Of equal keys, keeps
-    /// the value of the first line. Returns the others.
+    /// Sorts the values of each section, which may have been appended in any order, by their keys. If a key occurs
+    /// several times in a section, keeps the value of the first line and returns the other values.
     std::vector<IniRepetition> sort_values();
 
   private:
-    /// The sections and the memory in which they are: a data sheet has thousands, and all of them end together.
+    /// The sections and the memory in which they are. A data sheet has thousands of sections, which are freed together.
     struct Kept {
         std::pmr::monotonic_buffer_resource memory;
         IniSections sections{&memory};

@@ -86,7 +86,7 @@ class EdsReader {
         constexpr std::array<int, 8> rates{10, 20, 50, 125, 250, 500, 800, 1000};
         const IniSection* section = ini_.find("DeviceInfo");
         if (section == nullptr) {
-            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS count as missing");
+            tell_.note(1, "there is no section [DeviceInfo]", "name, bit rates and LSS are taken as missing");
         }
         DeviceInfo& info = result_.part.info;
         info.title = text_of(section, "ProductName");
@@ -170,15 +170,15 @@ class EdsReader {
         const IniSection* section = ini_.find(index_text(index));
         if (section == nullptr) {
             tell_.note(listed_in, fmt::format("object {:04X}h is listed but not described", index),
-                       "it does not exist");
+                       "the device runs without it");
             return;
         }
         if (entries_ > most_entries) {
             return;  // check_whole() reports that there are too many entries
         }
         if (!seen_.emplace(index, listed_in).second) {
-            tell_.note(listed_in, fmt::format("object {:04X}h is listed already in line {}", index, seen_[index]),
-                       "it exists once");
+            tell_.note(listed_in, fmt::format("object {:04X}h is already listed in line {}", index, seen_[index]),
+                       "the second line is ignored");
             return;
         }
         Object object;
@@ -188,7 +188,8 @@ class EdsReader {
         object.name = text_of(section, "ParameterName");
         if (object.name.empty()) {
             object.name = fmt::format("Object {:04X}h", index);
-            tell_.note(section->line, fmt::format("[{}] has no ParameterName", section->name), "its index is its name");
+            tell_.note(section->line, fmt::format("[{}] has no ParameterName", section->name),
+                       "the object is named after its index");
         }
         read_entries(object, *section);
         entries_ += object.entries.size();
@@ -202,8 +203,8 @@ class EdsReader {
         for (const auto& [name, section] : ini_.sections()) {
             const auto index = name.size() == 4 ? eds_hexadecimal(name) : std::nullopt;
             if (index && *index >= cia301::first_object && seen_.count(static_cast<std::uint16_t>(*index)) == 0) {
-                tell_.note(section.line, fmt::format("[{}] is in none of the lists", section.name),
-                           "the object exists");
+                tell_.note(section.line, fmt::format("[{}] is in none of the lists of objects", section.name),
+                           "the device has the object");
                 read_object(static_cast<std::uint16_t>(*index), section.line);
             }
         }
@@ -228,7 +229,7 @@ class EdsReader {
         tell_.note(given == nullptr ? section.line : given->line, what,
                    has_subs   ? "a RECORD of its sub-objects is assumed"
                    : has_type ? "a VAR is assumed"
-                              : fmt::format("object {:04X}h does not exist", object.index));
+                              : fmt::format("the device runs without object {:04X}h", object.index));
         return has_subs ? 9U : has_type ? 7U : 0U;
     }
 
@@ -242,7 +243,7 @@ class EdsReader {
             object.entries.front().name = object.name;
             if (has_subs) {
                 tell_.note(section.line, fmt::format("[{}] is a single value but has sub-objects", section.name),
-                           "they are ignored");
+                           "the sub-objects are ignored");
             }
         } else if (code == 8 || code == 9) {
             object.kind = code == 8 ? Object::Kind::array : Object::Kind::record;
@@ -299,7 +300,7 @@ class EdsReader {
         }
         if (object.entries.empty()) {
             tell_.note(section.line, fmt::format("[{}] has no sub-objects", section.name),
-                       fmt::format("object {:04X}h does not exist", object.index));
+                       fmt::format("the device runs without object {:04X}h", object.index));
             return;
         }
         if (object.entries.front().subindex != 0) {
@@ -326,7 +327,7 @@ class EdsReader {
         Part& part = result_.part;
         if (entries_ > most_entries) {
             tell_.fault(1, fmt::format("the file describes {} entries", entries_),
-                        fmt::format("a device can have at most {} entries", most_entries));
+                        fmt::format("remove objects: a device can have at most {} entries", most_entries));
         }
         if (part.objects.empty() && result_.faults.empty()) {
             tell_.fault(1, "the file describes no objects", "name an EDS, DCF or XDD file");
@@ -338,12 +339,12 @@ class EdsReader {
             }
         }
         if (bytes > most_bytes) {
-            tell_.fault(1, fmt::format("the values take {} bytes", bytes),
-                        fmt::format("a device can have at most {} bytes of values", most_bytes));
+            tell_.fault(1, fmt::format("the values of all entries take {} bytes", bytes),
+                        fmt::format("remove objects: a device can have at most {} bytes of values", most_bytes));
         }
         for (const unsigned index : {cia301::device_type, cia301::error_register, cia301::identity}) {
             if (seen_.count(static_cast<std::uint16_t>(index)) == 0) {
-                tell_.note(1, fmt::format("object {:04X}h, which every device has, is not described", index),
+                tell_.note(1, fmt::format("object {:04X}h, which every device must have, is not described", index),
                            "the device runs without it");
             }
         }
@@ -354,7 +355,7 @@ class EdsReader {
     EdsTelling tell_;
     IniFile ini_;
     SubSections subs_;
-    std::map<std::uint16_t, unsigned> seen_;  ///< line that lists an object, by its index
+    std::map<std::uint16_t, unsigned> seen_;  ///< index of an object: line that lists it
     std::map<std::uint16_t, Object> objects_;
     std::size_t entries_{0};
 };

@@ -40,8 +40,8 @@ class XddReader {
         }
         const auto outcome = document_.load_buffer(plain.data(), plain.size());
         if (!outcome) {
-            tell_.fault(line_at(outcome.offset), fmt::format("the file is not XML: {}", outcome.description()),
-                        "name an EDS, DCF or XDD file");
+            tell_.fault(line_at(outcome.offset), fmt::format("the file is no valid XML: {}", outcome.description()),
+                        "correct the XML, or name an EDS, DCF or XDD file");
         }
         sound_ = static_cast<bool>(outcome);
     }

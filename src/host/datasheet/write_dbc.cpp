@@ -168,7 +168,7 @@ class DbcWriter {
                 signal.number = whole || integer ? signal.number : DbcSignal::Number::natural;
                 signals.push_back(std::move(signal));
             }
-            at += length;  // a mapped data type leaves a gap of its length
+            at += length;  // a mapped data type (dummy mapping) leaves a gap of its length
         }
         const std::string name = fmt::format("{}PDO{}", is_rpdo ? "R" : "T", (index & 0x1FFU) + 1);
         if (DbcMessage* pdo = add(*cob_id, name, std::min(at, pdo_bits) / 8 + (at % 8 == 0 ? 0 : 1), !is_rpdo)) {

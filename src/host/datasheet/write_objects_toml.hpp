@@ -8,7 +8,7 @@
 
 namespace canproof::host {
 
-/// Returns an [[object]] for each object of the device, with all its entries. Each object gets the source `source`.
+/// Returns TOML text with an [[object]] for each object of the device and its entries. Each object gets the `source`.
 std::string write_objects_toml(const Part& part, const std::string& source);
 
 }  // namespace canproof::host

@@ -7,7 +7,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Returns the number of an IEC 61131-3 type in CiA 301, Table 44; nullptr when it has none.
+/// Returns the number that CiA 301, Table 44, gives an IEC 61131-3 type; nullptr when the type has none.
 const char* type_number(const std::string& word) {
     static const std::map<std::string, const char*> numbers{
         {"BOOL", "0x0001"},  {"SINT", "0x0002"}, {"INT", "0x0003"},    {"DINT", "0x0004"},      {"USINT", "0x0005"},

@@ -31,15 +31,16 @@ TEST(ForeignEds, AllFaultsAreReportedAtOnceWithLineAndAssumption) {
     const auto at = [&](const std::string& where) { return "bad.eds:" + std::to_string(line_of(text, where)) + ": "; };
     EXPECT_EQ(texts(read.faults), "");
     const std::string told = texts(read.notes);
-    EXPECT_THAT(told, HasSubstr(at("DefaultValue=0x1G1") + "value 0x1G1 is no value of UNSIGNED32; 0 is assumed"));
+    EXPECT_THAT(told, HasSubstr(at("DefaultValue=0x1G1") + "value 0x1G1 is not of type UNSIGNED32; 0 is assumed"));
     EXPECT_THAT(told, HasSubstr(at("AccessType=readonly") + "AccessType readonly is unknown; rw is assumed"));
     EXPECT_THAT(told, HasSubstr(at("DataType=0x0077") + "DataType 0x0077 is treated as 64 octets; its bytes are not"));
     EXPECT_THAT(told,
-                HasSubstr(at("DefaultValue=$NODEID*2") + "value $NODEID*2 is no value of UNSIGNED32; 0 is assumed"));
+                HasSubstr(at("DefaultValue=$NODEID*2") + "value $NODEID*2 is not of type UNSIGNED32; 0 is assumed"));
     EXPECT_THAT(told, HasSubstr(at("LowLimit=200") + "LowLimit 200 is above HighLimit 100; the type alone limits"));
-    EXPECT_THAT(told, HasSubstr(at("4=0x2FFF") + "object 2FFFh is listed but not described; it does not exist"));
+    EXPECT_THAT(told,
+                HasSubstr(at("4=0x2FFF") + "object 2FFFh is listed but not described; the device runs without it"));
     EXPECT_THAT(told, HasSubstr(at("5=banana") + "banana is no index; it is ignored"));
-    EXPECT_THAT(told, HasSubstr("object 2001h is listed already in line"));
+    EXPECT_THAT(told, HasSubstr("object 2001h is already listed in line"));
     EXPECT_THAT(told,
                 HasSubstr(at("what is this") + "`what is this` is neither [Section] nor Key=Value; it is ignored"));
     EXPECT_THAT(told,
@@ -57,14 +58,15 @@ TEST(ForeignEds, SyntaxOfTheFileIsCheckedLineByLine) {
         const EdsResult read = read_eds(text, "x");
         return texts(read.faults) + texts(read.notes);
     };
-    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: A is before the first section; it is ignored"));
-    EXPECT_THAT(told("[]\nA=1\nB\n" + box), StartsWith("x:1: `[]` is no section; it is ignored with its lines\n"));
+    EXPECT_THAT(told("A=1\n" + box), HasSubstr("x:1: key A is before the first section; it is ignored"));
+    EXPECT_THAT(told("[]\nA=1\nB\n" + box),
+                StartsWith("x:1: `[]` is no name of a section; it is ignored with the lines below it\n"));
     EXPECT_EQ(read_eds("[]\nA=1\nB\n" + box, "x").notes.size(), 1U);
-    EXPECT_THAT(told("[Open\n" + box), HasSubstr("x:1: `[Open` is no section"));
-    EXPECT_THAT(told("[FileInfo] C1\n" + box), HasSubstr("x:1: `C1` follows the section; it is ignored"));
+    EXPECT_THAT(told("[Open\n" + box), HasSubstr("x:1: `[Open` is no name of a section"));
+    EXPECT_THAT(told("[FileInfo] C1\n" + box), HasSubstr("x:1: `C1` follows the name of the section; it is ignored"));
     EXPECT_EQ(told("# a comment\n[Tools] ; another\n" + box), "");
     EXPECT_THAT(told(replaced(box, "OrderCode=B.1", "OrderCode=B.1\nordercode=C")),
-                HasSubstr("ordercode is already in line 7; the first counts"));
+                HasSubstr("key ordercode is already in line 7; the first counts"));
     EXPECT_THAT(told("; \n" + std::string(9000, 'a') + "\n" + box),
                 HasSubstr("x:2: line has more than 8192 characters; it is ignored"));
     EXPECT_THAT(told("[A]\nb=\x01\n" + box), HasSubstr("x:2: line contains control characters; it is ignored"));
@@ -77,7 +79,7 @@ TEST(ForeignEds, RepeatedSectionIsMerged) {
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_THAT(texts(read.notes), HasSubstr("section [2000] is already in line " +
                                              std::to_string(line_of(box, "[2000]")) + "; both are combined"));
-    EXPECT_THAT(texts(read.notes), HasSubstr("HighLimit is already in line"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("key HighLimit is already in line"));
     EXPECT_EQ(to_text(entry(read.part, 0x2000, 0).range.maximum.number), "100");
     EXPECT_EQ(entry(read.part, 0x2000, 0).mapping, "both");
 }
@@ -95,7 +97,7 @@ TEST(ForeignEds, KeysOfALongListMayHaveAnyOrderAndTheFirstOfEqualKeysCounts) {
     }
     const EdsResult read = read_eds(text, "x");
     EXPECT_EQ(texts(read.faults), "");
-    EXPECT_THAT(texts(read.notes), HasSubstr("x:45: 7 is already in line 38; the first counts"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("x:45: key 7 is already in line 38; the first counts"));
     EXPECT_THAT(texts(read.notes), Not(HasSubstr("3000h")));
     ASSERT_EQ(read.part.objects.size(), count);
     EXPECT_EQ(read.part.objects[6].index, 0x2007);
@@ -128,10 +130,10 @@ TEST(ForeignEds, MissingOrInvalidAttributesOfAnEntryGetAnAssumedValue) {
                 HasSubstr("CompactSubObj 300 is not a number from 0 to 254; 0 is assumed"));
     EXPECT_THAT(told("CompactSubObj=2\n", ""), HasSubstr("[6200] has no sub-objects; a VAR is assumed"));
     EXPECT_THAT(told("CompactSubObj=2\nDataType=0x0005\n", ""),
-                HasSubstr("[6200] has no sub-objects; object 6200h does not exist"));
+                HasSubstr("[6200] has no sub-objects; the device runs without object 6200h"));
     EXPECT_THAT(told("BaudRate_125=1", "BaudRate_125=yes"), HasSubstr("BaudRate_125 yes is neither 0 nor 1; 0 is"));
     EXPECT_THAT(told("HighLimit=100", "HighLimit=40000"),
-                HasSubstr("HighLimit 40000 is no value of INTEGER16; the type alone limits the value"));
+                HasSubstr("HighLimit 40000 is no value of type INTEGER16; the type alone limits the value"));
     EXPECT_THAT(told("DefaultValue=hello", "DefaultValue=" + std::string(5000, 'x')),
                 HasSubstr("text has 5000 characters; the first 4096 are used"));
 }
@@ -148,7 +150,7 @@ TEST(ForeignEds, InvalidNodeIdAndBitRateAreReplacedByDefaults) {
 TEST(ForeignEds, ObjectMissingInTheObjectListsIsReadWithANote) {
     const EdsResult read = read_eds(replaced(box, "3=0x2002\n", ""), "x");
     EXPECT_EQ(texts(read.faults), "");
-    EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists; the object exists"));
+    EXPECT_THAT(texts(read.notes), HasSubstr("[2002] is in none of the lists of objects; the device has the object"));
     EXPECT_EQ(entry(read.part, 0x2002, 0).type, "DOMAIN");
     const EdsResult none = read_eds("[2000]\nDataType=5\nAccessType=rw\nDefaultValue=7\n", "x");
     EXPECT_EQ(texts(none.faults), "");
@@ -244,8 +246,8 @@ TEST(BrokenEds, SheetTooLargeForADeviceIsRefused) {
         sections += std::string{name} + "ParameterName=A\nObjectType=8\nCompactSubObj=254\nDataType=7\nAccessType=rw\n";
     }
     const std::string told = texts(read_eds(text + sections, "x").faults);
-    EXPECT_THAT(told, HasSubstr("entries; a device can have at most 65535 entries"));
-    EXPECT_THAT(told, HasSubstr("bytes; a device can have at most 65535 bytes of values"));
+    EXPECT_THAT(told, HasSubstr("entries; remove objects: a device can have at most 65535 entries"));
+    EXPECT_THAT(told, HasSubstr("bytes; remove objects: a device can have at most 65535 bytes of values"));
 }
 
 TEST(BrokenEds, TruncatedFilesAreReadWithoutACrash) {

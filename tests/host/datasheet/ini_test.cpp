@@ -74,7 +74,7 @@ TEST(Ini, RepeatedKeyIsReportedEvenWhenTheSectionBeforeHasAsManyKeys) {
     EXPECT_EQ(read.value("C", "a") + read.value("C", "b"), "65");
     ASSERT_EQ(read.notes.size(), 1U);
     EXPECT_EQ(read.notes.front().place.line, 6U);
-    EXPECT_EQ(read.notes.front().what, "A is already in line 5");
+    EXPECT_EQ(read.notes.front().what, "key A is already in line 5");
 }
 
 TEST(Ini, AssignmentReplacesAllSectionsOfAnIniFile) {

@@ -109,7 +109,7 @@ TEST(ReadXdd, ValuesInAttributesAreReadAsInVersion1_0) {
     const EdsResult read = read_eds(box_1_0, "folder/box.xdd");
     EXPECT_EQ(texts(read.faults), "");
     EXPECT_EQ(texts(read.notes),
-              "folder/box.xdd:1: object 1001h, which every device has, is not described; "
+              "folder/box.xdd:1: object 1001h, which every device must have, is not described; "
               "the device runs without it\n");
     EXPECT_EQ(read.part.name, "box");
     EXPECT_EQ(read.part.info.vendor, "Nobody");
@@ -175,8 +175,9 @@ TEST(ReadXdd, FaultsAreReportedWithTheirLine_AndTheRestIsRead) {
 
 TEST(ReadXdd, TextThatIsNoDescriptionIsRefused) {
     const auto told = [](const std::string& text) { return texts(read_eds(text, "x").faults); };
-    EXPECT_EQ(told("<a>\n<b>\n</a>"),
-              "x:3: the file is not XML: Start-end tags mismatch; name an EDS, DCF or XDD file\n");
+    EXPECT_EQ(
+        told("<a>\n<b>\n</a>"),
+        "x:3: the file is no valid XML: Start-end tags mismatch; correct the XML, or name an EDS, DCF or XDD file\n");
     EXPECT_EQ(told(" <html/>"),
               "x:1: the XML contains no CANopenObjectList of CiA 311; name an EDS, DCF or XDD file\n");
     EXPECT_EQ(told("<CANopenObjectList/>"), "x:1: the file describes no objects; name an EDS, DCF or XDD file\n");

@@ -21,7 +21,7 @@ inline void tell(const unsigned mutant, const bool differs) noexcept {
     }
 }
 
-/// A condition. `mutant` makes it true, the next mutant makes it false.
+/// Returns a condition. `mutant` makes it true, the next mutant makes it false.
 template <typename T>
 constexpr bool forced(const unsigned mutant, const T& condition) {
     const bool holds = static_cast<bool>(condition);
@@ -33,8 +33,8 @@ constexpr bool forced(const unsigned mutant, const T& condition) {
     return is(mutant) || (holds && !is(mutant + 1U));
 }
 
-/// A comparison `a OP b` with the value `holds`. The third mutant has the value `boundary`: the comparison with or
-/// without equality, opposite to the original.
+/// Returns `holds`, the value of a comparison `a OP b`. Its three mutants return true, false and `boundary`, which is
+/// the value of the comparison with or without equality, opposite to the original.
 constexpr bool compared(const unsigned mutant, const bool holds, const bool boundary) {
     if (__builtin_is_constant_evaluated()) {
         return holds;
@@ -61,7 +61,7 @@ constexpr bool greater_equal(const unsigned mutant, const A& a, const B& b) {
     return compared(mutant, a >= b, a > b);
 }
 
-/// Turns `&&` into `||` and back: `a || b` is computed as `!(!a && !b)`.
+/// Returns whether the mutant turns `&&` into `||` or back: `a || b` is computed as `!(!a && !b)`.
 constexpr bool turned(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return false;
@@ -70,7 +70,7 @@ constexpr bool turned(const unsigned mutant) {
     return is(mutant);
 }
 
-/// `a OP b` with both values computed. The mutant returns the second value.
+/// Returns `value`, the result of `a OP b`. The mutant returns `other`, the result of another operator.
 template <typename T, typename U>
 constexpr T either(const unsigned mutant, const T value, const U other) {
     if (__builtin_is_constant_evaluated()) {
@@ -94,7 +94,7 @@ constexpr auto minus(const unsigned mutant, const A& a, const B& b) {
 template <typename A, typename B>
 constexpr auto times(const unsigned mutant, const A& a, const B& b) {
     if (__builtin_is_constant_evaluated() || !static_cast<bool>(b)) {
-        return a * b;  // division by zero: no quotient to compare with
+        return a * b;  // a / b would divide by zero, so the mutant multiplies too
     }
     return either(mutant, a * b, a / b);
 }
@@ -127,14 +127,14 @@ constexpr auto bit_xor(const unsigned mutant, const A& a, const B& b) {
     return __builtin_is_constant_evaluated() ? a ^ b : either(mutant, a ^ b, a | b);
 }
 
-/// `a OP= b` computed as `a = a OP b` by the functions above.
+/// Assigns `value` to `a`: `a OP= b` is computed as `a = a OP b` by the functions above.
 template <typename A, typename V>
 constexpr A& assigned(A& a, const V value) {
     a = static_cast<A>(value);
     return a;
 }
 
-/// A statement, which the mutant omits.
+/// Returns whether a statement is executed. The mutant omits the statement.
 constexpr bool kept(const unsigned mutant) {
     if (__builtin_is_constant_evaluated()) {
         return true;
@@ -157,7 +157,7 @@ constexpr unsigned ordered(const unsigned first, const unsigned step, const unsi
     return step;
 }
 
-/// A literal, which the mutant increases by one.
+/// Returns a literal, which the mutant increases by one.
 template <typename T>
 constexpr T zero(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -166,7 +166,7 @@ constexpr T zero(const unsigned mutant, const T value) {
     tell(mutant, true);
     return is(mutant) ? static_cast<T>(value + 1) : value;
 }
-/// A literal: the first mutant increases it by one, the next decreases it by one.
+/// Returns a literal. The first mutant increases it by one, the next mutant decreases it by one.
 template <typename T>
 constexpr T literal(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -176,7 +176,7 @@ constexpr T literal(const unsigned mutant, const T value) {
     return is(mutant + 1U) ? static_cast<T>(value - 1) : zero(mutant, value);
 }
 
-/// An index, which is 0 in the mutant.
+/// Returns an index. The mutant returns 0.
 template <typename T>
 constexpr T index(const unsigned mutant, const T value) {
     if (__builtin_is_constant_evaluated()) {
@@ -186,7 +186,7 @@ constexpr T index(const unsigned mutant, const T value) {
     return is(mutant) ? T{} : value;
 }
 
-/// The value of a variable. The mutant reads another variable.
+/// Returns the value of a variable. The mutant returns the value of another variable.
 template <typename T, typename U>
 constexpr T other(const unsigned mutant, const T& value, const U& another) {
     if (__builtin_is_constant_evaluated()) {

@@ -14,8 +14,8 @@ from conversation import IMAGES
 SLAVES = [("ax188001", 5, "vcan0", "vcan0"), ("cbx-ao412", 3, "vcan1", "vcan1"), ("ax060805", 6, "vcan2", "vcan2"),
           ("ax130751", 7, "can0", "can1")]
 ALLOWED = ["--allow-outputs", "--allow-store", "--allow-lss"]
-SECONDS = 1100  # for one run on a slow machine
-# The only reasons for which the verdict here may differ from that in virtual time.
+SECONDS = 1100  # limit for one run, for a slow machine
+# The only reasons why the verdict of a case in real time may differ from its verdict in virtual time.
 ONLY_VIRTUAL = {"nobody can switch the slave off and on here", "nobody can switch the slave off to the millisecond here"}
 
 
@@ -67,7 +67,8 @@ def compare(program, device, interface, process):
 
 
 def check_all(program, images=None):
-    """`images`: the folder of the ARM images; those in IMAGES then run as the slaves of their node-ID."""
+    """Tests the four slaves at the same time. `images` is the folder of the ARM images: the slaves of the node-IDs in IMAGES then run as
+    ARM code."""
     for name in ("vcan0", "vcan1", "vcan2"):
         sh("ip", "link", "add", "dev", name, "type", "vcan")
         sh("ip", "link", "set", name, "up")

@@ -17,7 +17,7 @@ IMAGES = {3: "bridged_cbx_ao412.elf", 5: "bridged_ax188001.elf"}
 
 
 def with_images(folder):
-    """Returns the words of `canproof run` for the same four, two of them as ARM code."""
+    """Returns the words of `canproof run` for the four devices, two of them as ARM code."""
     return [word for node, name in FOUR.items()
             for word in (["--arm", f"{folder}/{IMAGES[node]}@{node}"] if node in IMAGES else [f"{name}@{node}"])]
 
@@ -45,7 +45,7 @@ def ask_with_python_can():
 
 
 def stamps_are_the_kernels(ear, run):
-    """A frame that arrives while the process is stopped is logged with its time of arrival."""
+    """Checks that a frame that arrives while the process is stopped is logged with its time of arrival."""
     run.process.send_signal(signal.SIGSTOP)
     with Ear("vcan0") as other:
         stamps = []
@@ -69,7 +69,7 @@ def dumped():
 
 
 def log_is_candumps(run):
-    """Compares the frames that the log has now. Heartbeats continue, so candump may soon have more.
+    """Compares the frames that the log has now with those of candump. Heartbeats continue, so candump may soon have more.
 
     candump writes the frames of one socket as the kernel delivers them. Each device has a socket of its own, and the log is in
     the order of the kernel's time stamps. With two processors, the kernel may deliver two frames in another order than that of

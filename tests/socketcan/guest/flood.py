@@ -25,7 +25,7 @@ def occurrences(path, text):
 
 
 def full_rate(program):
-    """Each request of a flood is in the log and answered. candump, whose buffer is large enough, receives each answer."""
+    """Checks that each request of a flood is answered and is in the log, and that candump receives each answer: its buffer is large enough."""
     path = "/tmp/flood.log"
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0") as run:
         ear.wait("703#00")
@@ -44,8 +44,8 @@ def full_rate(program):
 
 
 def losses_are_told(program):
-    """A run without root rights has a receive buffer of some hundred frames. When it was stopped for longer, it reports
-    how many are missing."""
+    """Checks that a run reports how many frames are missing after it was stopped for too long. Without root rights, a run
+    has a receive buffer of some hundred frames."""
     count = 2000
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "--bus", "socketcan:vcan0",
                                   prefix=["setpriv", "--reuid", "65534", "--clear-groups"]) as run:

@@ -79,10 +79,10 @@ def matches():
 
 
 def filters(program):
-    """The kernel wakes the socket of a node only for frames to which the node may react."""
+    """Checks that the kernel wakes the socket of a node only for frames to which the node may react."""
     with Ear("vcan0") as ear, Run(program, "cbx-ao412@3", "ax188001@5", "--bus", "socketcan:vcan0"):
         boot_up(ear, [3, 5])
-        # The kernel passes a frame to one socket after the other, so this socket may have it before that of the program.
+        # The kernel passes a frame to one socket after the other: this socket may get the frame before the socket of the program.
         until("both boot-ups counted", lambda: matches().get("703") == [1] and matches().get("705") == [1])
         before = matches()
         assert "603" in before and "605" in before, before
@@ -95,7 +95,7 @@ def filters(program):
 
 
 def full_queue(program):
-    """A queue of four frames that sends 60 frames a second refuses further frames with ENOBUFS."""
+    """Checks a run on a queue of four frames that sends 60 frames a second and refuses further frames with ENOBUFS."""
     count = 24
     sh("ip", "link", "add", "dev", "vxcan0", "type", "vxcan", "peer", "name", "vxcan1")
     for interface in ("vxcan0", "vxcan1"):

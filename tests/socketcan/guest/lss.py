@@ -46,7 +46,7 @@ def granted(program, device):
 
 
 def stored(ear):
-    """Waits for the answer 7E5#17, and repeats the request during the switch delay of the node."""
+    """Sends the LSS request `store` (7E5#17). Returns whether the node confirms it; during its switch delay, a node does not answer."""
     ear.send("7E5#17")
     return "7E4#170000" in [text[:10] for text in ear.rest(0.05)]
 

@@ -74,7 +74,7 @@ def on_vcan(lines):
 
 
 def listeners(interface):
-    """Returns the sockets that receive every frame of the interface."""
+    """Returns the number of sockets that receive every frame of the interface."""
     with open("/proc/net/can/rcvlist_all") as sockets:
         return sum(line.split()[:1] == [interface] for line in sockets)
 

@@ -41,7 +41,7 @@ class OtherNetwork:
 
 
 class Client:
-    """A client of socketcand in this network, by the protocol's text."""
+    """A client of socketcand in this network, which sends and receives the text of the protocol."""
 
     def __init__(self, port):
         self.text = b""

@@ -130,14 +130,14 @@ void BxcanModel::control(std::uint32_t bits) {
     control_ = bits;
 }
 
-/// Updates the acknowledgement bits, which happens at each access: 32.4.1, 32.4.2.
+/// Updates the acknowledgement bits, which happens at each access (RM0090 32.4.1, 32.4.2).
 void BxcanModel::follow_request() {
     asleep_ = asleep_ && (control_ & mcr::sleep) != 0U;
     const bool wanted = (control_ & mcr::initialise) != 0U;
     if (!answers_ || wanted == initialising_) {
         return;
     }
-    if (wanted && !on_bus_) {  // a frame on the bus is completed before this
+    if (wanted && !on_bus_) {  // a frame on the bus is completed before initialisation begins
         initialising_ = true;
         recovers_ = false;
     } else if (!wanted && !dominant_) {
@@ -167,7 +167,7 @@ void BxcanModel::write_transmit_status(std::uint32_t bits) {
         }
         if ((own & tsr::abort) != 0U && one.pending) {
             if (on_bus_ == i) {
-                one.aborting = true;  // the end of the transmission decides: 32.7.1
+                one.aborting = true;  // end_transmission() completes the abort (RM0090 32.7.1)
             } else {
                 complete(i, false);
             }
@@ -296,12 +296,12 @@ BxcanModel::Taken BxcanModel::receive(const Frame& frame, std::uint32_t bits_lat
     }
     one.overrun = true;
     if ((control_ & mcr::lock_fifo) == 0U) {
-        one.frames.back() = content;  // the last frame is overwritten: 32.7.3
+        one.frames.back() = content;  // the new frame overwrites the last one (RM0090 32.7.3)
     }
     return Taken::lost;
 }
 
-/// Returns the mailbox with the lowest identifier; of equal identifiers, the lowest mailbox: 32.7.1.
+/// Returns the pending mailbox with the lowest identifier; of equal identifiers, the lowest mailbox (RM0090 32.7.1).
 std::optional<std::size_t> BxcanModel::winner() const {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < outgoing_.size(); ++i) {
@@ -315,7 +315,7 @@ std::optional<std::size_t> BxcanModel::winner() const {
 
 std::optional<Frame> BxcanModel::begin_transmission() {
     follow_request();
-    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // no new frame starts: 32.4.1
+    const bool is_leaving = (control_ & mcr::initialise) != 0U;  // then no new frame starts (RM0090 32.4.1)
     if (on_bus_ || is_leaving || initialising_ || bus_off_ || dominant_) {
         return std::nullopt;
     }
@@ -364,7 +364,8 @@ void BxcanModel::count_errors(std::uint32_t transmit, std::uint32_t receive) {
     }
 }
 
-/// 32.7.6: 128 times 11 recessive bits end bus-off. With ABOM 0, they count from the request of the software on.
+/// Lets recessive bits pass: 128 times 11 of them end bus-off (RM0090 32.7.6). With ABOM 0, they count only after the
+/// software has left initialisation mode.
 void BxcanModel::pass_recessive(std::uint32_t sequences) {
     follow_request();
     if (!bus_off_ || !(recovers_ || (control_ & mcr::leave_bus_off) != 0U)) {

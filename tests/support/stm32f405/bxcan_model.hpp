@@ -19,9 +19,9 @@ class BxcanModel final : public Peripheral {
     stm32f405::BxcanRegisters& registers() { return block_; }
 
     // Settings for the behaviour of the hardware.
-    void answer_initialisation(bool answers) { answers_ = answers; }  ///< sets whether INAK ever follows INRQ
-    void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< without 11 recessive bits, INAK stays set
-    void release_slowly(bool slowly) { releases_slowly_ = slowly; }   ///< RFOM stays set until finish_release()
+    void answer_initialisation(bool answers) { answers_ = answers; }  ///< sets whether INAK follows INRQ
+    void hold_dominant(bool dominant) { dominant_ = dominant; }       ///< on a dominant bus, INAK stays set
+    void release_slowly(bool slowly) { releases_slowly_ = slowly; }  ///< if true, RFOM stays set until finish_release()
     void finish_release();
 
     // Events on the bus.
@@ -31,8 +31,8 @@ class BxcanModel final : public Peripheral {
     /// Puts the frame of the winning mailbox on the bus, where an abort comes too late for it. Returns nothing when no
     /// frame waits, when one is on the bus already, or when the controller cannot send.
     std::optional<Frame> begin_transmission();
-    /// Ends that transmission: sent, or lost by an error or arbitration. A lost frame is sent again unless its abort
-    /// was requested.
+    /// Ends the transmission: the frame was sent, or was lost by an error or arbitration. A lost frame is sent again
+    /// unless its abort was requested.
     void end_transmission(bool sent);
     /// Calls begin_transmission() and end_transmission() with success.
     std::optional<Frame> transmit();
@@ -89,7 +89,7 @@ class BxcanModel final : public Peripheral {
     std::array<Fifo, stm32f405::fifo_count> fifos_{};
     std::uint32_t transmit_errors_{0}, receive_errors_{0};
     bool bus_off_{false};
-    bool recovers_{false};  ///< initialisation mode was left after bus-off
+    bool recovers_{false};  ///< whether the software has left initialisation mode since bus-off
     std::uint32_t recessive_{0};
     std::uint32_t time_{0xFFC0U};  ///< time stamps in bits, close to their wrap
     std::size_t resets_{0};

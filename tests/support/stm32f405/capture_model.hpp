@@ -17,7 +17,7 @@ class CaptureModel final : public Peripheral {
     double timer_mhz{80}, oscillator_khz{32};
 
     void pass(double us);
-    /// Lets a capture come between the next read of the status and that of the capture.
+    /// Lets a capture happen between the next read of the status and the next read of the captured value.
     void capture_before_read() { before_read_ = true; }
 
   private:

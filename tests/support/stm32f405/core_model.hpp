@@ -9,11 +9,11 @@ namespace canproof::test {
 struct CoreModel {
     bool registers_hold{true};
     bool masked{false};              ///< interrupts are masked
-    std::uint32_t marches{0};        ///< slices of RAM that were tested on the other stack
+    std::uint32_t marches{0};        ///< number of slices of RAM that were tested on the other stack
     const void* stack_end{nullptr};  ///< end of the other stack in the last of these tests
 };
 
-/// Returns the core. A test that alters it sets it back to CoreModel{}.
+/// Returns the model of the core. A test that alters it must set it back to CoreModel{}.
 CoreModel& core_model();
 
 }  // namespace canproof::test

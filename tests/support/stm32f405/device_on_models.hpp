@@ -20,7 +20,7 @@
 
 namespace canproof::test {
 
-/// Node 3 at 1 Mbit/s, selected by its switches.
+/// A board whose switches select node 3 at 1 Mbit/s.
 struct TestBoard {
     using Inputs = cbx_ao412::Inputs;
     using Outputs = cbx_ao412::Outputs;
@@ -40,7 +40,7 @@ struct TestBoard {
     std::function<void()> on_read{};  ///< called once, in the next read
 };
 
-/// The models of the chip, with the self-tests' view of it.
+/// The models of the microcontroller: peripherals, and the RAM and the flash image that the self-tests check.
 struct Chips {
     BxcanModel can;
     FlashModel flash;
@@ -76,7 +76,7 @@ struct Unit {
         EXPECT_TRUE(memory.prepare());
         loop.power_on(may_join);
     }
-    /// Runs passes of 100 us. Returns all frames that are sent during them.
+    /// Runs passes of the main loop, of 100 us each. Returns all frames that are sent during them.
     std::vector<Frame> run(std::uint32_t passes) {
         std::vector<Frame> sent;
         for (std::uint32_t i = 0; i < passes; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of the flash controller and two sectors for their driver (RM0090 chapter 3). They have the unlock sequence,
+// Models of the flash controller and two sectors for their driver (RM0090 chapter 3). They model the unlock sequence,
 // busy times, errors, bits that only an erase sets, and a power cut during a programming or an erase.
 #pragma once
 
@@ -54,8 +54,8 @@ class FlashModel final : public Peripheral {
     /// Lets the operation that follows `count` more operations end with an error and no effect.
     void fail_after(std::size_t count) { until_failure_ = count; }
     void stay_busy(bool stays) { stays_busy_ = stays; }
-    /// operations() returns the number of programmed words and erased sectors so far, erases() that of the erases of
-    /// one sector.
+    /// Returns the number of programmed words and erased sectors so far. erases() returns how often one sector was
+    /// erased.
     std::size_t operations() const { return operations_; }
     std::size_t erases(std::size_t which) const { return erases_[which]; }
     bool is_locked() const { return locked_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models of peripherals behind the registers of the drivers. Each access of a Register goes to the model that contains
-// it, so that side effects of reads and writes happen at once. An access without a model, or to a gap of one, is a
-// fault.
+// it, so that side effects of reads and writes happen at once. An access to a gap of a model is a fault; an access
+// to a register without a model ends the test program.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ class Peripheral {
     friend class stm32f405::Register;
     friend Peripheral& peripheral_of(const void* place);
 
-    /// `offset` is that of the register in bytes.
+    /// `offset` is the offset of the register in bytes.
     virtual std::uint32_t on_read(std::size_t offset) = 0;
     virtual void on_write(std::size_t offset, std::uint32_t bits) = 0;
 

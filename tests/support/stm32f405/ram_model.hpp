@@ -35,7 +35,7 @@ class RamModel final : public Peripheral {
     explicit RamModel(std::size_t words) : RamModel{std::vector<stm32f405::Register>(words)} {}
 
     Slots<stm32f405::Register> words() { return {block_.data(), block_.size()}; }
-    /// Accesses a word as it is stored, without the defect.
+    /// Returns a word as it is stored. The access does not trigger the defect.
     std::uint32_t& at(std::size_t word) { return content_.at(word); }
     /// Returns the number of accesses; unmasked() returns the number of accesses with interrupts enabled.
     std::size_t accesses() const { return accesses_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flash of an image with its seal, for self-tests: a test can invert its bits.
+// The flash of an image with its seal (a CRC), for tests of the self-test: a test can invert bits of the flash.
 #pragma once
 
 #include <vector>

@@ -97,8 +97,8 @@ void ZynqCanModel::on_write(std::size_t offset, std::uint32_t bits) {
     }
 }
 
-/// UG1087, SRR: SRST puts all registers to their values after reset and clears itself. ISR then shows an empty TXFIFO.
-/// The filters keep their content.
+/// Handles a write of SRR (UG1087): SRST puts all registers to their values after reset and clears itself. ISR then
+/// shows an empty TXFIFO. The filters keep their content.
 void ZynqCanModel::write_reset(std::uint32_t bits) {
     if ((bits & srst) != 0U) {
         ++resets_;
@@ -121,7 +121,7 @@ void ZynqCanModel::write_timing(std::uint32_t& field, std::uint32_t bits) {
     field = bits;
 }
 
-/// UG1085, Message Format: all four words are written, in their order.
+/// Handles a write of TXHPB. The driver must write all four words in their order (UG1085, Message Format).
 void ZynqCanModel::write_frame(std::size_t word, std::uint32_t bits) {
     if (full_ || word != written_) {
         return fault("TXHPB is written while it is full, or its words in another order");
@@ -152,7 +152,7 @@ std::uint32_t ZynqCanModel::status() {
     return before | (normal_ ? normal : 0U) | (full_ ? txbfll : 0U) | (busy_ ? acfbsy : 0U) | error_state();
 }
 
-/// UG1087, SR: ESTAT in bits 7 and 8, 0 in configuration mode.
+/// Returns the error bits of SR (UG1087): ESTAT in bits 7 and 8, and ERRWRN. Returns 0 in configuration mode.
 std::uint32_t ZynqCanModel::error_state() const {
     const std::uint32_t worst = std::max(transmit_errors_, receive_errors_);
     if (!enabled_) {
@@ -175,7 +175,8 @@ std::uint32_t ZynqCanModel::read_received(std::size_t word) {
     return bits;
 }
 
-/// UG1085, RX Message Acceptance Filters: without a used filter every frame passes.
+/// Returns whether a frame passes the filters. Without a used filter, every frame passes (UG1085, RX Message Acceptance
+/// Filters).
 bool ZynqCanModel::passes(std::uint32_t identifier) const {
     bool any = used_ == 0;
     for (std::uint32_t i = 0; i < filters_.size(); ++i) {
@@ -230,7 +231,7 @@ void ZynqCanModel::count_errors(std::uint32_t transmit, std::uint32_t receive) {
     }
 }
 
-/// The controller leaves bus-off by itself after 128 times 11 recessive bits.
+/// Lets sequences of 11 recessive bits pass. After 128 sequences the controller leaves bus-off by itself.
 void ZynqCanModel::pass_recessive(std::uint32_t sequences) {
     recessive_ += bus_off_ ? sequences : 0U;
     if (recessive_ >= 128) {

@@ -19,9 +19,9 @@ class ZynqCanModel final : public Peripheral {
     zynqmp::CanRegisters& registers() { return block_; }
 
     // Settings for the behaviour of the hardware.
-    void answer_reset(bool answers) { answers_ = answers; }      ///< sets whether a reset ever leads to CONFIG
+    void answer_reset(bool answers) { answers_ = answers; }      ///< sets whether a reset leads to CONFIG
     void keep_filters_busy(bool busy) { filters_stay_ = busy; }  ///< sets whether ACFBSY stays set after a change
-    void hold_dominant(bool dominant) { dominant_ = dominant; }  ///< without 11 recessive bits it does not join
+    void hold_dominant(bool dominant) { dominant_ = dominant; }  ///< the controller does not join a dominant bus
 
     // Events on the bus.
     /// The result for a frame of another node.
@@ -30,7 +30,7 @@ class ZynqCanModel final : public Peripheral {
     /// Puts the waiting frame on the bus. Returns nothing when no frame waits, when one is on the bus already, or when
     /// the controller cannot send.
     std::optional<Frame> begin_transmission();
-    /// Ends that transmission. A frame that was not sent is sent again.
+    /// Ends the transmission. A frame that was not sent is sent again.
     void end_transmission(bool sent);
     /// Calls begin_transmission() and end_transmission() with success.
     std::optional<Frame> transmit();

@@ -15,11 +15,11 @@ namespace canproof::host {
 /// values, mapping, PDO, services.
 std::vector<EdsRule> eds_rules();
 
-/// Returns the findings of all rules, ascending by line, at most Faults::most. `name` is the name of the file without
-/// its folder. If `name` is empty, leaves out the checks that depend on the name. A text is a device configuration file
-/// if its name ends in .dcf. A text with [DeviceComissioning] is also a device configuration file if its name does not
-/// end in .eds. Such a file may have additional keys. Throws InputError for a text that is no EDS: XML, more than
-/// most_strange_lines invalid lines, more than a million lines, or no section.
+/// Checks the text by all rules and returns the findings, ascending by line and at most Faults::most (10,000). `name`
+/// is the name of the file without its folder; if it is empty, no check depends on the name. A text is a device
+/// configuration file if `name` ends in .dcf, or if it has [DeviceComissioning] and `name` does not end in .eds. A
+/// device configuration file may have additional keys. Throws InputError for a text that is no EDS: XML, no section,
+/// more than most_strange_lines invalid lines, or more than a million lines.
 std::vector<EdsFinding> check_eds(std::string_view text, std::string_view name = {});
 
 }  // namespace canproof::host

@@ -58,7 +58,8 @@ class DeviceInfoCheck {
              {"VendorName", "VendorNumber", "ProductName", "ProductNumber", "RevisionNumber", "SimpleBootUpMaster",
               "SimpleBootUpSlave", "Granularity", "NrOfRXPDO", "NrOfTXPDO", "LSS_Supported"}) {
             if (section_.filled(key) == nullptr) {
-                findings_.add("deviceinfo-key-missing", line_of(key), fmt::format("[DeviceInfo] has no {}", key));
+                findings_.add("deviceinfo-key-missing", line_of(key),
+                              fmt::format("[DeviceInfo] has no value for {}", key));
             }
         }
         for (const auto& [key, value] : section_.values) {
@@ -95,9 +96,9 @@ class DeviceInfoCheck {
         const EdsSheetEntry* entry = sheet_.entry(cia301::identity, sub);
         const auto in_object = entry == nullptr ? std::nullopt : entry->number();
         if (in_object && in_object->bits != *found) {
-            findings_.add(
-                rule, value->line,
-                fmt::format("{} is 0x{:X}, the default of 1018h:{:02X} 0x{:X}", key, *found, sub, in_object->bits));
+            findings_.add(rule, value->line,
+                          fmt::format("{} is 0x{:X}, but 1018h:{:02X} (identity) has the default 0x{:X}", key, *found,
+                                      sub, in_object->bits));
         }
     }
 
@@ -164,8 +165,9 @@ class DeviceInfoCheck {
         }
         for (unsigned sub = 1; sub <= 4; ++sub) {
             if (sheet_.entry(cia301::identity, sub) == nullptr) {
-                findings_.add("deviceinfo-lss-identity", line_of("LSS_Supported"),
-                              fmt::format("LSS_Supported is 1, but there is no 1018h:{:02X}", sub));
+                findings_.add(
+                    "deviceinfo-lss-identity", line_of("LSS_Supported"),
+                    fmt::format("LSS_Supported is 1, but there is no 1018h:{:02X}, a part of the LSS address", sub));
             }
         }
     }
@@ -182,8 +184,9 @@ class DeviceInfoCheck {
             const EdsSheetEntry* count = mapping ? object.entry(0) : nullptr;
             const auto value = count == nullptr ? std::nullopt : count->number();
             if (value && (value->bits == 254 || value->bits == 255) && number("GroupMessaging").value_or(0) != 1) {
-                findings_.add("deviceinfo-group-messaging", count->value_line(),
-                              fmt::format("{} is of a multiplexed PDO, but GroupMessaging is not 1", count->title()));
+                findings_.add(
+                    "deviceinfo-group-messaging", count->value_line(),
+                    fmt::format("{} makes the PDO a multiplexed PDO, but GroupMessaging is not 1", count->title()));
             }
         }
     }
@@ -202,33 +205,35 @@ const std::vector<EdsRule>& device_info_rules() {
          source},
         {"deviceinfo-key-unknown", warning, "[DeviceInfo] has a key that CiA 306 does not define",
          "correct or remove the key", source},
-        {"deviceinfo-flag", error, "a flag is neither 0 nor 1", "write 0 or 1", source},
-        {"deviceinfo-number", error, "a number of the identity is no UNSIGNED32", "write a number of 32 bits", source},
+        {"deviceinfo-flag", error, "a flag of [DeviceInfo] is neither 0 nor 1", "write 0 or 1", source},
+        {"deviceinfo-number", error, "VendorNumber, ProductNumber or RevisionNumber is no UNSIGNED32",
+         "write a number from 0 to 0xFFFFFFFF", source},
         {"deviceinfo-vendor-differs", error, "VendorNumber differs from 1018h:01 (vendor-ID)",
-         "write the same number twice", identity},
+         "write the same number in both places", identity},
         {"deviceinfo-product-differs", error, "ProductNumber differs from 1018h:02 (product code)",
-         "write the same number twice", identity},
+         "write the same number in both places", identity},
         {"deviceinfo-revision-differs", warning, "RevisionNumber differs from 1018h:03 (revision number)",
-         "write the same number twice", identity},
+         "write the same number in both places", identity},
         {"deviceinfo-no-bit-rate", error, "the device supports no bit rate",
          "set BaudRate_… to 1 for each supported bit rate", source},
         {"deviceinfo-boot-up", warning, "the device boots neither as a master nor as a slave",
          "set SimpleBootUpSlave or SimpleBootUpMaster to 1", source},
-        {"deviceinfo-rpdo-count", error, "NrOfRXPDO differs from the objects 1400h to 15FFh",
+        {"deviceinfo-rpdo-count", error, "NrOfRXPDO differs from the number of objects from 1400h to 15FFh",
          "write the number of receive PDOs", source},
-        {"deviceinfo-tpdo-count", error, "NrOfTXPDO differs from the objects 1800h to 19FFh",
+        {"deviceinfo-tpdo-count", error, "NrOfTXPDO differs from the number of objects from 1800h to 19FFh",
          "write the number of transmit PDOs", source},
         {"deviceinfo-granularity", error, "Granularity is not a number from 0 to 64",
          "write the length in bits of the smallest object that can be mapped, or 0 if no mapping can be changed",
          source},
-        {"deviceinfo-granularity-mapping", warning, "Granularity contradicts the access to the mapping",
-         "write 0 exactly when no mapping can be changed", source},
+        {"deviceinfo-granularity-mapping", warning, "Granularity contradicts the AccessType of the PDO mappings",
+         "write 0 if no mapping can be changed, otherwise a number from 1 to 64", source},
         {"deviceinfo-lss-identity", error, "a device with LSS lacks a part of its LSS address",
          "describe 1018h:01 to 1018h:04, or set LSS_Supported to 0", "CiA 305, LSS address; CiA 301, object 1018h"},
-        {"deviceinfo-dynamic-channels", warning, "DynamicChannelsSupported contradicts [DynamicChannels]",
-         "correct the flag", source},
-        {"deviceinfo-group-messaging", warning, "there is a multiplexed PDO, but GroupMessaging is 0",
-         "set GroupMessaging to 1, or correct the number of mapped objects", source}};
+        {"deviceinfo-dynamic-channels", warning,
+         "DynamicChannelsSupported and the section [DynamicChannels] contradict each other",
+         "set DynamicChannelsSupported to 1 if the section exists, otherwise to 0", source},
+        {"deviceinfo-group-messaging", warning, "there is a multiplexed PDO, but GroupMessaging is not 1",
+         "set GroupMessaging to 1, or correct sub-index 0 of the mapping: 254 and 255 mean a multiplexed PDO", source}};
     return rules;
 }
 

@@ -33,7 +33,7 @@ struct EdsEdit {
     std::string text;
 };
 
-/// The edits of one fix. Several findings can share one fix, for example all findings of a list.
+/// The edits of one fix. Several findings can share one fix, for example all findings about the lists of objects.
 using EdsEdits = std::shared_ptr<const std::vector<EdsEdit>>;
 
 struct EdsFinding {
@@ -41,8 +41,8 @@ struct EdsFinding {
     unsigned line{0};      ///< line number from 1
     std::string what;      ///< description of this fault
     std::string fix;       ///< remedy
-    EdsEdits edits;        ///< the safe fix; nullptr: a person must decide
-    std::size_t order{0};  ///< position among the findings of the same line
+    EdsEdits edits;        ///< edits of the automatic fix; nullptr: there is none, so a person must decide
+    std::size_t order{0};  ///< number of findings before this one; orders the findings of one line
 
     bool is_fixable() const { return edits != nullptr; }
 };

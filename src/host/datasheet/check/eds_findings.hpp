@@ -16,8 +16,8 @@ class EdsFindings {
     /// Keeps a reference to `rules`, which contains the rules by id.
     explicit EdsFindings(const std::map<std::string, EdsRule>& rules) : rules_{rules} {}
 
-    /// Adds a finding of the rule with this id. Throws std::out_of_range for an unknown rule. Drops findings beyond
-    /// Faults::most.
+    /// Adds a finding of the rule with this id, unless there are Faults::most findings already. Throws
+    /// std::out_of_range for an unknown rule.
     void add(const std::string& rule, unsigned line, std::string what, std::vector<EdsEdit> edits = {});
     void add(const std::string& rule, unsigned line, std::string what, EdsEdits edits);
     /// Returns the findings in ascending order of their lines, and empties this object.
@@ -28,8 +28,8 @@ class EdsFindings {
     std::vector<EdsFinding> all_;
 };
 
-/// Returns an edit that replaces the line. The two functions below return edits that insert lines after the line, and
-/// that erase the line.
+/// Returns an edit that replaces the line. The next two functions return an edit that inserts text after the line, and
+/// an edit that erases the line.
 inline std::vector<EdsEdit> replace_line(unsigned line, std::string text) {
     return {{EdsEdit::Kind::replace, line, std::move(text)}};
 }

@@ -15,7 +15,7 @@ namespace canproof::host {
 namespace {
 
 constexpr unsigned highest_subindex = 0xFE;
-/// Greatest number of entries that are expanded. A dictionary of the firmware cannot contain more.
+/// Greatest number of entries that are read from a sheet and checked. A dictionary of the firmware cannot contain more.
 constexpr std::size_t most_entries = 0x10000;
 /// Greatest number of lines; a full dictionary needs fewer.
 constexpr std::size_t most_lines = 1000000;

@@ -37,9 +37,9 @@ struct EdsSheetEntry {
     std::uint8_t sub{0};
     const IniSection* section{nullptr};  ///< section that describes the entry
     const IniValue* value{nullptr};      ///< default of the entry; nullptr: none
-    const EdsDataType* type{nullptr};    ///< nullptr: missing or unknown
+    const EdsDataType* type{nullptr};    ///< data type; nullptr: DataType is missing or unknown
     std::string access;                  ///< access type in lower case; empty: missing
-    bool mappable{false};                ///< whether PDOMapping is not 0
+    bool mappable{false};                ///< whether PDOMapping is a number other than 0
     bool compact{false};                 ///< whether CompactSubObj describes the entry
 
     /// Returns the default if it is an unsigned number, also with `$NODEID`; nothing for any other default.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data types of CiA 301 by the number that DataType contains.
+// Data types of CiA 301. They are found by their number, which an EDS gives as DataType.
 #pragma once
 
 #include <cstdint>

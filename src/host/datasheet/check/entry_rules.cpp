@@ -36,7 +36,8 @@ class EntryCheck {
             check_mappable();
         }
         if (entry_.access == "const" && entry_.value == nullptr && !is_domain()) {
-            findings_.add("const-default", entry_.section->line, entry_.title() + " is const, but has no default");
+            findings_.add("const-default", entry_.section->line,
+                          entry_.title() + " has the access const, but no default");
         }
     }
 
@@ -63,7 +64,8 @@ class EntryCheck {
                           fmt::format("DataType {} of {} is unknown", given->text, entry_.title()));
         } else if (entry_.type != nullptr && entry_.type->kind == Kind::record) {
             findings_.add("data-type-record", given->line,
-                          fmt::format("{} is a single value of type {}", entry_.title(), entry_.type->name));
+                          fmt::format("{} is a single value, but its data type {} is a RECORD", entry_.title(),
+                                      entry_.type->name));
         }
     }
 
@@ -99,11 +101,13 @@ class EntryCheck {
         const bool is_object = code != nullptr && eds_unsigned(code->text) == std::uint64_t{2};
         const bool is_type = entry_.type->kind == Kind::domain;
         if (is_object && !is_type) {
-            findings_.add("domain-type", entry_.line_of("DataType"),
-                          fmt::format("{} is a DOMAIN of type {}", entry_.title(), entry_.type->name));
+            findings_.add(
+                "domain-type", entry_.line_of("DataType"),
+                fmt::format("{} has ObjectType 0x2 (DOMAIN), but the data type {}", entry_.title(), entry_.type->name));
         } else if (is_type && !is_object && !entry_.compact) {
-            findings_.add("domain-object", entry_.line_of("DataType"),
-                          fmt::format("{} is of type DOMAIN, but ObjectType is not 0x2", entry_.title()));
+            findings_.add(
+                "domain-object", entry_.line_of("DataType"),
+                fmt::format("{} has the data type DOMAIN, but its ObjectType is not 0x2 (DOMAIN)", entry_.title()));
         }
         if (is_type && entry_.value != nullptr) {
             findings_.add("domain-default", entry_.value->line, entry_.title() + " is a DOMAIN with a default");
@@ -114,7 +118,7 @@ class EntryCheck {
         if (!entry_.mappable) {
             if (entry_.access == "rwr" || entry_.access == "rww") {
                 findings_.add("mapping-direction-unused", entry_.line_of("AccessType"),
-                              fmt::format("{} is {}, but cannot be mapped", entry_.title(), entry_.access));
+                              fmt::format("{} has the access {}, but no PDOMapping=1", entry_.title(), entry_.access));
             }
             return;
         }
@@ -123,18 +127,20 @@ class EntryCheck {
         if (is_text) {
             findings_.add(
                 "mapping-text", entry_.line_of("PDOMapping"),
-                fmt::format("{} can be mapped, but the length of {} varies", entry_.title(), entry_.type->name));
+                fmt::format("{} can be mapped, but the length of a {} varies", entry_.title(), entry_.type->name));
         } else if (!entry_.type->fits_pdo()) {
-            findings_.add("mapping-type", entry_.line_of("PDOMapping"),
-                          fmt::format("{} can be mapped, but {} fits no PDO", entry_.title(), entry_.type->name));
+            findings_.add(
+                "mapping-type", entry_.line_of("PDOMapping"),
+                fmt::format("{} can be mapped, but the type {} fits no PDO", entry_.title(), entry_.type->name));
         }
         if (entry_.access == "const") {
             findings_.add("mapping-const", entry_.line_of("PDOMapping"),
-                          fmt::format("{} can be mapped, but is const", entry_.title()));
+                          fmt::format("{} can be mapped, but has the access const", entry_.title()));
         }
         if (entry_.access == "rw") {
-            findings_.add("mapping-no-direction", entry_.line_of("AccessType"),
-                          fmt::format("{} can be mapped, but rw names no direction", entry_.title()));
+            findings_.add(
+                "mapping-no-direction", entry_.line_of("AccessType"),
+                fmt::format("{} can be mapped, but its access rw names no direction of the PDO", entry_.title()));
         }
         const bool parameters =
             entry_.index >= cia301::sdo_server_parameter && entry_.index <= cia301::last_communication_object;
@@ -153,27 +159,31 @@ class EntryCheck {
 
 const std::vector<EdsRule>& entry_rules() {
     static const std::vector<EdsRule> rules{
-        {"data-type-missing", error, "an entry lacks DataType", "add the number of the type", type_source},
+        {"data-type-missing", error, "an entry lacks DataType", "add the number of the data type", type_source},
         {"data-type-unknown", error, "a DataType is unknown",
-         "write a type of CiA 301, or describe the type in a section", type_source},
-        {"data-type-record", error, "a single value has the type of a RECORD", "write the type of the entry",
-         type_source},
+         "write the number of a type of CiA 301, or describe the type in a section of its own", type_source},
+        {"data-type-record", error, "a single value has the type of a RECORD",
+         "write the data type of the single value", type_source},
         {"access-missing", error, "an entry lacks AccessType", "add ro, wo, rw, rwr, rww or const", access_source},
         {"access-unknown", error, "an AccessType is unknown", "write ro, wo, rw, rwr, rww or const", access_source},
         {"access-case", warning, "an AccessType has capital letters", "write small letters", access_source},
-        {"const-default", error, "a constant has no default", "add its value as DefaultValue", access_source},
-        {"domain-type", error, "a DOMAIN has the type of a value", "write DataType 0x000F", type_source},
-        {"domain-object", warning, "an entry of type DOMAIN has another ObjectType", "write ObjectType 0x2",
-         type_source},
-        {"domain-default", warning, "a DOMAIN has a default", "remove the value", "CiA 306, DefaultValue"},
+        {"const-default", error, "an entry with the access const has no default", "add its value as DefaultValue",
+         access_source},
+        {"domain-type", error, "an entry with ObjectType 0x2 (DOMAIN) has another data type than DOMAIN",
+         "write DataType 0x000F", type_source},
+        {"domain-object", warning, "an entry with the data type DOMAIN has another ObjectType than 0x2 (DOMAIN)",
+         "write ObjectType 0x2", type_source},
+        {"domain-default", warning, "a DOMAIN has a default", "remove the default", "CiA 306, DefaultValue"},
         {"mapping-flag", error, "PDOMapping is neither 0 nor 1", "write 0 or 1", mapping_source},
-        {"mapping-type", error, "an entry that fits no PDO can be mapped", "write PDOMapping=0", mapping_source},
-        {"mapping-text", warning, "a text or octets of any length can be mapped",
+        {"mapping-type", error, "an entry can be mapped, but its data type fits no PDO", "write PDOMapping=0",
+         mapping_source},
+        {"mapping-text", warning, "an entry can be mapped, but its text or octets have no fixed length",
          "write PDOMapping=0, unless the value never has more than 8 octets", mapping_source},
-        {"mapping-const", warning, "a constant can be mapped", "write PDOMapping=0, or AccessType=ro", mapping_source},
-        {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction",
+        {"mapping-const", warning, "an entry with the access const can be mapped",
+         "write PDOMapping=0, or AccessType=ro", mapping_source},
+        {"mapping-no-direction", warning, "an entry can be mapped, but its access names no direction of the PDO",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},
-        {"mapping-direction-unused", warning, "the access of an entry that cannot be mapped names a direction",
+        {"mapping-direction-unused", warning, "an entry cannot be mapped, but its access names a direction of the PDO",
          "write AccessType=rw, or PDOMapping=1", access_source},
         {"mapping-parameter", warning, "a communication parameter can be mapped", "write PDOMapping=0",
          mapping_source}};
@@ -183,7 +193,7 @@ const std::vector<EdsRule>& entry_rules() {
 void check_entry(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [index, object] : sheet.objects()) {
         const bool is_type = object.code == std::uint64_t{5} || object.code == std::uint64_t{6};
-        const EdsSheetEntry* described = nullptr;  // compact entries have a common description, which is checked once
+        const EdsSheetEntry* described = nullptr;  // all entries of CompactSubObj share one section: check it once
         for (const EdsSheetEntry& entry : object.entries) {
             const bool again = entry.compact && described != nullptr && described->compact;
             if (!is_type && !again) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for entries; entry_rules.cpp contains their table.
+// Rules for the entries of objects in an EDS. entry_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

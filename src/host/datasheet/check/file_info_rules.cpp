@@ -123,7 +123,8 @@ class FileInfoCheck {
         for (const char* key : {"FileName", "FileVersion", "FileRevision", "EDSVersion", "Description", "CreationTime",
                                 "CreationDate", "CreatedBy"}) {
             if (section_.filled(key) == nullptr) {
-                findings_.add("fileinfo-key-missing", section_.line, fmt::format("[FileInfo] has no {}", key));
+                findings_.add("fileinfo-key-missing", section_.line,
+                              fmt::format("[FileInfo] has no value for {}", key));
             }
         }
         for (const auto& [key, value] : section_.values) {
@@ -147,7 +148,7 @@ class FileInfoCheck {
         }
         if (!sheet_.name().empty() && lower != lower_case(sheet_.name())) {
             findings_.add("fileinfo-name-differs", name->line,
-                          fmt::format("FileName is {}, but the file is {}", name->text, sheet_.name()));
+                          fmt::format("FileName is {}, but the name of the file is {}", name->text, sheet_.name()));
         }
     }
 
@@ -205,7 +206,7 @@ class FileInfoCheck {
         const auto key = [](const Day& day) { return std::make_tuple(day.year, day.month, day.day); };
         if (first && last && key(*last) < key(*first)) {
             findings_.add("fileinfo-modified-before", modified->line,
-                          fmt::format("the file was modified {} and created {}", modified->text, created->text));
+                          fmt::format("ModificationDate {} is before CreationDate {}", modified->text, created->text));
         }
     }
 
@@ -219,16 +220,16 @@ class FileInfoCheck {
 const std::vector<EdsRule>& file_info_rules() {
     static const std::vector<EdsRule> rules{
         {"fileinfo-missing", error, "there is no [FileInfo]", "add the section", source},
-        {"fileinfo-key-missing", warning, "[FileInfo] lacks a key", "add the key", source},
+        {"fileinfo-key-missing", warning, "[FileInfo] lacks a key or its value", "add the key with its value", source},
         {"fileinfo-key-unknown", warning, "[FileInfo] has a key that CiA 306 does not define",
          "correct or remove the key", source},
-        {"fileinfo-name-extension", warning, "FileName has another extension than the kind of file",
-         "write the name with .eds, or .dcf for a device configuration file", source},
+        {"fileinfo-name-extension", warning, "the extension of FileName does not fit the kind of file",
+         "end the name in .eds, or in .dcf for a device configuration file", source},
         {"fileinfo-name-differs", warning, "FileName is not the name of the file", "write the name that the file has",
          source},
         {"fileinfo-version", error, "FileVersion is no UNSIGNED8", "write a number from 0 to 255", source},
         {"fileinfo-revision", error, "FileRevision is no UNSIGNED8", "write a number from 0 to 255", source},
-        {"fileinfo-eds-version", warning, "EDSVersion is unknown", "write 4.0", source},
+        {"fileinfo-eds-version", warning, "EDSVersion is neither 3.0 nor 4.0", "write 4.0", source},
         {"fileinfo-date", error, "a date is not of the form mm-dd-yyyy", "write month, day and year as mm-dd-yyyy",
          source},
         {"fileinfo-no-such-day", error, "a date is no day of the calendar",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for [FileInfo]; file_info_rules.cpp contains their table.
+// Rules for the section [FileInfo] of an EDS. file_info_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

@@ -12,15 +12,15 @@ namespace canproof::host {
 
 namespace {
 
-/// Greatest number of rounds. A fix can make another finding visible, which needs another round. More rounds mean that
-/// two rules contradict each other.
+/// Greatest number of rounds of checking and fixing. A fix can make another finding visible, which needs another round.
+/// If more rounds were necessary, two rules would contradict each other.
 constexpr int most_rounds = 20;
 
 /// The edits of one round. All edits of a line belong to the same fix.
 class Round {
   public:
-    /// Adds the edits of a finding, unless they are added already. Returns false when another fix already changes one
-    /// of these lines.
+    /// Adds the edits of a finding, unless they are added already. If another fix already changes one of the edited
+    /// lines, adds nothing and returns false.
     bool take(const EdsFinding& finding) {
         if (taken_.count(finding.edits) != 0) {
             return true;  // several findings share this fix

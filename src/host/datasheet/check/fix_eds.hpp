@@ -12,7 +12,7 @@ namespace canproof::host {
 
 struct EdsFixed {
     std::string text;
-    std::vector<EdsFinding> done;  ///< fixed findings; each line number refers to the text before its round
+    std::vector<EdsFinding> done;  ///< fixed findings; line numbers refer to the text before the round of the fix
 };
 
 /// Applies the edits of all findings that have edits, and checks again until no such finding is left (at most 20

@@ -11,7 +11,7 @@ namespace canproof::host {
 
 namespace {
 
-/// Words in the spelling of CiA 306, by the same words in lower case.
+/// Maps words in lower case to the spelling of CiA 306.
 struct Words {
     Words(std::initializer_list<const char*> all) {
         for (const char* word : all) {

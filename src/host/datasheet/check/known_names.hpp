@@ -11,8 +11,8 @@ namespace canproof::host {
 /// CiA 306 has no such section. Also accepts [DeviceCommissioning], with two m.
 std::string known_section(const std::string& name);
 
-/// Returns a key of a section in the spelling of CiA 306; empty when the section has no such key. Returns a key of an
-/// unknown section unchanged. Upper and lower case of both names do not matter.
+/// Returns a key of a section in the spelling of CiA 306; an empty text when CiA 306 does not give the section this
+/// key. Returns a key of an unknown section unchanged. Upper and lower case of `section` and `key` do not matter.
 std::string known_key(const std::string& section, std::string_view key);
 
 /// Returns whether the key of an object exists only in device configuration files.

@@ -40,7 +40,7 @@ struct ListEntry {
 struct List {
     const IniSection* section{nullptr};
     std::vector<ListEntry> entries;  ///< ascending by key
-    bool all_known{true};            ///< whether all lines are valid, so that a fix can write the list again
+    bool all_known{true};            ///< whether all lines are valid, so that a fix can rewrite the list
 };
 
 class ListCheck {
@@ -78,9 +78,10 @@ class ListCheck {
             const auto index = eds_unsigned(value.text);
             if (!numbered) {
                 findings_.add("list-key", value.line,
-                              fmt::format("{} is not a number of a list entry", sheet_.line(value.line).name));
+                              fmt::format("key {} is no valid number of a list entry", sheet_.line(value.line).name));
             } else if (!index || *index == 0 || *index > 0xFFFF) {
-                findings_.add("list-no-index", value.line, fmt::format("{} is no index", value.text));
+                findings_.add("list-no-index", value.line,
+                              fmt::format("{} is not an index from 0x0001 to 0xFFFF", value.text));
             } else {
                 list.entries.push_back(
                     {static_cast<unsigned>(std::stoul(std::string{key})), static_cast<unsigned>(*index), &value});
@@ -92,8 +93,8 @@ class ListCheck {
                   [](const ListEntry& a, const ListEntry& b) { return a.key < b.key; });
     }
 
-    /// Makes one fix that writes all three lists again. All findings that this fix removes share it. Makes no fix when
-    /// a list has an invalid line.
+    /// Makes one fix that rewrites all three lists. All findings that this fix removes share it. Makes no fix when a
+    /// list has an invalid line.
     void make_fix() {
         std::array<std::set<unsigned>, 3> right;
         for (const List& list : lists_) {
@@ -136,7 +137,7 @@ class ListCheck {
         const auto count = said == nullptr ? std::nullopt : eds_unsigned(said->text);
         if (!count) {
             findings_.add("list-count-missing", said == nullptr ? list.section->line : said->line,
-                          fmt::format("[{}] has no number SupportedObjects", names[at]), fix_);
+                          fmt::format("SupportedObjects of [{}] is missing or not a number", names[at]), fix_);
         } else if (*count != list.entries.size()) {
             findings_.add("list-count", said->line,
                           fmt::format("SupportedObjects is {}, but [{}] lists {} object(s)", *count, names[at],
@@ -151,7 +152,7 @@ class ListCheck {
             if (numbered && entry.key != ++due) {
                 numbered = false;
                 findings_.add("list-numbering", entry.value->line,
-                              fmt::format("the number {} is in the place of {}", entry.key, due), fix_);
+                              fmt::format("the entry has the number {} instead of {}", entry.key, due), fix_);
             }
             if (in_order && entry.index < last) {
                 in_order = false;
@@ -169,25 +170,26 @@ class ListCheck {
             if (!is_new) {
                 const bool same = first->second.list == at;
                 findings_.add(same ? "list-duplicate" : "list-two", entry.value->line,
-                              fmt::format("{} is listed already in line {}", title, first->second.line), fix_);
+                              fmt::format("{} is already listed in line {}", title, first->second.line), fix_);
             }
             const std::string digits = lower_case(entry.value->text);
             if (digits.rfind("0x", 0) != 0) {
                 findings_.add("list-form", entry.value->line,
-                              fmt::format("{} is not written in hexadecimal", entry.value->text), fix_);
+                              fmt::format("index {} is not written in hexadecimal (0x…)", entry.value->text), fix_);
             }
             const EdsSheetObject* object = sheet_.object(entry.index);
             if (object == nullptr || object->section == nullptr) {
                 findings_.add("list-no-section", entry.value->line,
-                              fmt::format("{} is listed, but there is no [{:04X}]", title, entry.index));
+                              fmt::format("{} is listed, but there is no section [{:04X}]", title, entry.index));
             }
             if (entry.index < cia301::first_object) {
                 findings_.add("list-data-type", entry.value->line,
                               fmt::format("{} is the index of a data type", title));
             } else if (list_of(entry.index) != at) {
-                findings_.add("list-wrong", entry.value->line,
-                              fmt::format("{} is in [{}], not in [{}]", title, names[at], names[list_of(entry.index)]),
-                              fix_);
+                findings_.add(
+                    "list-wrong", entry.value->line,
+                    fmt::format("{} is listed in [{}] instead of [{}]", title, names[at], names[list_of(entry.index)]),
+                    fix_);
             }
         }
     }
@@ -195,8 +197,10 @@ class ListCheck {
     void check_unlisted() {
         for (const auto& [index, object] : sheet_.objects()) {
             if (object.section != nullptr && index >= cia301::first_object && listed_.count(index) == 0) {
-                findings_.add("list-none", object.section->line,
-                              fmt::format("[{}] is in none of the lists", object.section->name), fix_);
+                findings_.add(
+                    "list-none", object.section->line,
+                    fmt::format("[{}] describes an object that is in none of the three lists", object.section->name),
+                    fix_);
             }
         }
     }
@@ -218,26 +222,28 @@ class ListCheck {
 const std::vector<EdsRule>& list_rules() {
     static const std::vector<EdsRule> rules{
         {"list-missing", error, "a list of objects is missing",
-         "add the section, with SupportedObjects=0 when it is empty", source},
-        {"list-count-missing", error, "a list lacks SupportedObjects", "add the number of its objects", source},
-        {"list-count", error, "SupportedObjects differs from the objects that are listed",
-         "write the number of objects", source},
+         "add the section, with SupportedObjects=0 when the list is empty", source},
+        {"list-count-missing", error, "SupportedObjects of a list is missing or not a number",
+         "write the number of objects in the list", source},
+        {"list-count", error, "SupportedObjects differs from the number of listed objects",
+         "write the number of listed objects", source},
         {"list-key", warning, "a key of a list is not a number", "write the entries as 1=0x1000, 2=0x1001 …", source},
         {"list-no-index", error, "an entry of a list is no index", "write an index from 0x1000 to 0xFFFF", source},
         {"list-numbering", error, "the entries of a list are not numbered from 1 without gap",
          "number the entries from 1 on", source},
-        {"list-order", warning, "a list is not ascending", "list the objects by ascending index", source},
+        {"list-order", warning, "a list is not in ascending order", "list the objects by ascending index", source},
         {"list-duplicate", error, "an object is in a list twice", "list the object once", source},
-        {"list-two", error, "an object is in two lists", "list the object once, in the list of its kind", source},
+        {"list-two", error, "an object is in two lists",
+         "list the object once, as mandatory, optional or manufacturer's object", source},
         {"list-form", warning, "an index is not hexadecimal", "write the index as 0x and four digits", source},
         {"list-no-section", error, "an object is listed but not described",
          "describe the object, or remove it from the list", source},
         {"list-data-type", error, "a data type is listed as an object", "remove the data type from the list", source},
-        {"list-wrong", error, "an object is in a list of another kind",
+        {"list-wrong", error, "an object is in the wrong list",
          "list 1000h, 1001h and 1018h as mandatory, 2000h to 5FFFh as manufacturer's, all other objects as optional",
          source},
-        {"list-none", error, "an object is described but not listed", "add the object to the list of its kind",
-         source}};
+        {"list-none", error, "an object is described but not listed",
+         "list the object as mandatory, optional or manufacturer's object", source}};
     return rules;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for the lists of objects; list_rules.cpp contains their table.
+// Rules for the three lists of objects in an EDS. list_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,8 @@ class MappingCheck {
         }
         if (count > most_bits || count > described) {
             findings_.add("map-count", zero == nullptr ? object_.line() : zero->value_line(),
-                          fmt::format("{} maps {} object(s), but {} are described", object_.title(), count, described));
+                          fmt::format("{} maps {} object(s), but {} entries are described and at most 64 can be mapped",
+                                      object_.title(), count, described));
         }
         for (const EdsSheetEntry& entry : object_.entries) {
             if (entry.sub == 0) {
@@ -106,16 +107,17 @@ class MappingCheck {
         const bool never = is_rpdo_ ? access == "ro" || access == "const" : access == "wo";
         const bool otherwise = is_rpdo_ ? access == "rwr" : access == "rww";
         if (never) {
-            findings_.add(
-                "map-access", at.value_line(),
-                fmt::format("{} of a {} PDO maps {}, which is {}", at.title(), direction(), target.title(), access));
+            findings_.add("map-access", at.value_line(),
+                          fmt::format("{} of a {} PDO maps {}, whose access is {}", at.title(), direction(),
+                                      target.title(), access));
         } else if (otherwise) {
-            findings_.add(
-                "map-direction", at.value_line(),
-                fmt::format("{} of a {} PDO maps {}, which is {}", at.title(), direction(), target.title(), access));
+            findings_.add("map-direction", at.value_line(),
+                          fmt::format("{} of a {} PDO maps {}, whose access is {}", at.title(), direction(),
+                                      target.title(), access));
         } else if (access == "rw") {
-            findings_.add("map-no-direction", at.value_line(),
-                          fmt::format("{} maps {}, whose access rw names no direction", at.title(), target.title()));
+            findings_.add(
+                "map-no-direction", at.value_line(),
+                fmt::format("{} maps {}, whose access rw names no direction of the PDO", at.title(), target.title()));
         }
     }
 
@@ -136,8 +138,8 @@ class MappingCheck {
         }
         if (type->bits != length) {
             findings_.add("map-dummy-length", at.value_line(),
-                          fmt::format("{} maps a gap of {} bit(s) with {}, which has {} bit(s)", at.title(), length,
-                                      type->name, type->bits));
+                          fmt::format("{} maps a gap of {} bit(s) with the data type {}, which has {} bit(s)",
+                                      at.title(), length, type->name, type->bits));
         }
         const IniSection* usage = sheet_.section("DummyUsage");
         const IniValue* flag = usage == nullptr ? nullptr : usage->filled(fmt::format("Dummy{:04X}", index));
@@ -160,31 +162,34 @@ class MappingCheck {
 
 const std::vector<EdsRule>& mapping_rules() {
     static const std::vector<EdsRule> rules{
-        {"map-count", error, "more objects are mapped than described", "describe the entries, or lower sub-index 0",
-         source},
+        {"map-count", error, "more objects are mapped than mapping entries are described, or more than 64",
+         "lower sub-index 0, or describe the missing mapping entries", source},
         {"map-type", error, "a mapping entry is not UNSIGNED32", "write DataType 0x0007", source},
         {"map-too-long", error, "a PDO maps more than 64 bits", "map fewer objects", source},
-        {"map-empty", error, "a counted mapping entry is 0", "map an object, or lower sub-index 0", source},
-        {"map-unknown", error, "a mapped object is not described", "describe the object, or map another", source},
-        {"map-not-mappable", error, "an object without PDOMapping is mapped",
+        {"map-empty", error, "a mapping entry that sub-index 0 counts is 0", "map an object, or lower sub-index 0",
+         source},
+        {"map-unknown", error, "a mapped object is not described", "describe the object, or map another object",
+         source},
+        {"map-not-mappable", error, "an object without PDOMapping=1 is mapped",
          "write PDOMapping=1, or map another object", "CiA 306, PDOMapping"},
         {"map-length", error, "the mapped length differs from the data type",
-         "write the bits of the type into the last byte of the entry", source},
-        {"map-boolean-byte", warning, "a BOOLEAN is mapped with 8 bits", "map 1 bit, or use UNSIGNED8", source},
+         "write the length of the type in bits into the lowest byte of the mapping entry", source},
+        {"map-boolean-byte", warning, "a BOOLEAN is mapped with 8 bits",
+         "map 1 bit, or give the object the type UNSIGNED8", source},
         {"map-twice", warning, "a receive PDO maps an object twice", "map the object once: the last value wins",
          source},
         {"map-access", error, "the access of a mapped object forbids the direction of the PDO",
-         "map an object that can be written by a receive PDO, or read by a transmit PDO", access_source},
-        {"map-direction", error, "the access of a mapped object names the other direction",
+         "map a writable object into a receive PDO, a readable object into a transmit PDO", access_source},
+        {"map-direction", error, "the access of a mapped object names the opposite direction of the PDO",
          "write rww for a receive PDO, rwr for a transmit PDO", access_source},
-        {"map-no-direction", warning, "the default mapping has an object whose access names no direction",
+        {"map-no-direction", warning, "the default mapping has an object whose access names no direction of the PDO",
          "write rwr for a transmit PDO, rww for a receive PDO", access_source},
         {"map-dummy-transmit", error, "a transmit PDO maps a data type",
          "map an object: only a receive PDO may have gaps", "CiA 301, dummy mapping"},
-        {"map-dummy-length", error, "the length of a gap differs from its data type", "write the bits of the type",
-         "CiA 301, dummy mapping"},
-        {"map-dummy-usage", error, "a gap is mapped that [DummyUsage] does not allow",
-         "set the flag to 1, or map no gap", "CiA 306, [DummyUsage]"}};
+        {"map-dummy-length", error, "the length of a gap differs from its data type",
+         "write the length of the type in bits", "CiA 301, dummy mapping"},
+        {"map-dummy-usage", error, "a receive PDO has a gap whose data type [DummyUsage] does not allow",
+         "set the key Dummy… of the data type to 1, or map no gap", "CiA 306, [DummyUsage]"}};
     return rules;
 }
 

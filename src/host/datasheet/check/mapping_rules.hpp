@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for PDO mappings; mapping_rules.cpp contains their table.
+// Rules for PDO mappings in an EDS. mapping_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

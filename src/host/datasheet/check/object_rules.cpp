@@ -21,7 +21,7 @@ constexpr const char* source = "CiA 306, object sections";
 constexpr const char* compact_source = "CiA 306, CompactSubObj";
 constexpr const char* types_source = "CiA 306, ObjectType; CiA 301, object codes";
 
-constexpr std::size_t longest_name = 241;  // longest ParameterName of CiA 306
+constexpr std::size_t longest_name = 241;  // greatest length of a ParameterName in characters (CiA 306)
 
 class ObjectCheck {
   public:
@@ -36,7 +36,8 @@ class ObjectCheck {
         for (const auto& [index, object] : sheet_.objects()) {
             if (object.section == nullptr) {
                 findings_.add("sub-alone", object.line(),
-                              fmt::format("[{}] exists without [{:04X}]", object.subs.begin()->second->name, index));
+                              fmt::format("[{}] exists, but its object has no section [{:04X}]",
+                                          object.subs.begin()->second->name, index));
                 continue;
             }
             check_object(object);
@@ -107,9 +108,9 @@ class ObjectCheck {
             findings_.add("compact-single", compact->line,
                           fmt::format("{} is a single value with CompactSubObj", object.title()));
         } else if (*count != 0 && !object.subs.empty()) {
-            findings_.add(
-                "compact-subs", compact->line,
-                fmt::format("{} has CompactSubObj and [{}]", object.title(), object.subs.begin()->second->name));
+            findings_.add("compact-subs", compact->line,
+                          fmt::format("{} has both CompactSubObj and the section [{}]", object.title(),
+                                      object.subs.begin()->second->name));
         }
     }
 
@@ -123,7 +124,8 @@ class ObjectCheck {
             const IniValue* value = object.section->filled(key);
             if (value != nullptr) {
                 findings_.add("object-own-value", value->line,
-                              fmt::format("{} of [{}] belongs to no entry", key, object.section->name));
+                              fmt::format("{} in [{}] has no meaning, because sub-objects describe the entries", key,
+                                          object.section->name));
             }
         }
     }
@@ -169,7 +171,8 @@ class ObjectCheck {
         if (zero->access == "wo" || (communication && !counts && zero->access != "ro" && zero->access != "const" &&
                                      object.index != cia301::consumer_heartbeat_time && !zero->access.empty())) {
             findings_.add("sub0-access", zero->line_of("AccessType"),
-                          fmt::format("{} has the access {}", zero->title(), zero->access));
+                          fmt::format("{} has the access {}, which sub-index 0 of this object must not have",
+                                      zero->title(), zero->access));
         }
         const auto value = zero->number();
         if (zero->value == nullptr) {
@@ -198,7 +201,7 @@ class ObjectCheck {
             }
             if (entry.sub != ++due) {
                 findings_.add("array-gap", entry.section->line,
-                              fmt::format("{} is in the place of sub-index {:02X}", entry.title(), due));
+                              fmt::format("there is no sub-index {:02X} before {}", due, entry.title()));
                 due = entry.sub;
             }
             first = first == nullptr ? &entry : first;
@@ -210,7 +213,7 @@ class ObjectCheck {
         }
     }
 
-    /// Checks the name and the keys of every section of an object.
+    /// Checks ParameterName, ObjectType and the keys of every section that describes an object or a sub-object.
     void check_sections() {
         for (const auto& [name, section] : sheet_.ini().sections()) {
             const auto object = eds_object_name(name);
@@ -255,7 +258,7 @@ class ObjectCheck {
             const EdsSheetObject* object = sheet_.object(found->index);
             if (object == nullptr || object->compact == 0) {
                 findings_.add("compact-alone", section.line,
-                              fmt::format("[{}] exists without CompactSubObj", section.name));
+                              fmt::format("[{}] exists, but its object has no CompactSubObj", section.name));
                 continue;
             }
             std::size_t count = 0;
@@ -266,9 +269,9 @@ class ObjectCheck {
                 ++count;
                 const auto sub = eds_unsigned(key);
                 if (sub && (*sub == 0 || *sub > object->compact)) {
-                    findings_.add(
-                        "compact-beyond", value.line,
-                        fmt::format("[{}] has an entry {}; CompactSubObj is {}", section.name, *sub, object->compact));
+                    findings_.add("compact-beyond", value.line,
+                                  fmt::format("[{}] has an entry {}, but CompactSubObj is {}", section.name, *sub,
+                                              object->compact));
                 }
             }
             const IniValue* said = section.find("NrOfEntries");
@@ -297,51 +300,56 @@ const std::vector<EdsRule>& object_rules() {
         {"object-key-unknown", warning, "an object has a key that CiA 306 does not define", "correct or remove the key",
          source},
         {"object-type-missing", warning, "ObjectType is missing",
-         "add 0x7 for a single value, 0x8 for an ARRAY, 0x9 for a RECORD", types_source},
+         "add ObjectType: 0x7 for a single value, 0x8 for an ARRAY, 0x9 for a RECORD", types_source},
         {"object-type-unknown", error, "ObjectType is unknown", "write 0x2, 0x5, 0x6, 0x7, 0x8 or 0x9", types_source},
         {"object-type-place", error, "an object is described as a data type",
          "move the data type below 1000h, or write the ObjectType of an object", types_source},
-        {"object-data-type", error, "the index of a data type has no data type",
+        {"object-data-type", error, "the section of an index below 1000h describes no data type",
          "write ObjectType 0x5 (DEFTYPE) or 0x6 (DEFSTRUCT), or move the object to 1000h or above", types_source},
-        {"object-reserved", warning, "the index is reserved", "move the object", "CiA 301, object dictionary areas"},
+        {"object-reserved", warning, "an object has a reserved index", "move the object to another index",
+         "CiA 301, object dictionary areas"},
         {"object-flags", error, "ObjFlags is not a number from 0 to 3", "write 0 to 3", source},
         {"object-single-subs", error, "a single value has sub-objects",
-         "write ObjectType 0x8 or 0x9, or remove the sub-objects", types_source},
-        {"object-single-number", warning, "a single value has SubNumber", "remove the line", source},
+         "write ObjectType 0x8 (ARRAY) or 0x9 (RECORD), or remove the sub-objects", types_source},
+        {"object-single-number", warning, "a single value has SubNumber", "remove SubNumber", source},
         {"object-no-subs", error, "an ARRAY or RECORD has no sub-objects",
          "describe the sub-objects, or use CompactSubObj", source},
-        {"object-own-value", warning, "an ARRAY or RECORD has a value of its own beside its sub-objects",
-         "move the value to the sub-object", source},
-        {"sub-alone", error, "a sub-object exists without its object", "describe the object", source},
-        {"sub-object-type", error, "a sub-object is no single value", "write ObjectType 0x7, or 0x2 for a DOMAIN",
-         types_source},
+        {"object-own-value", warning,
+         "an ARRAY or RECORD with sub-objects has a default, limit, mapping or access of its own",
+         "move the key to the sections of the sub-objects", source},
+        {"sub-alone", error, "a sub-object is described, but not its object", "describe the object", source},
+        {"sub-object-type", error, "the ObjectType of a sub-object is not that of a single value",
+         "write ObjectType 0x7, or 0x2 for a DOMAIN", types_source},
         {"subnumber-missing", error, "an ARRAY or RECORD lacks SubNumber", "add the number of sub-objects", source},
-        {"subnumber", error, "SubNumber differs from the sub-objects that are described",
+        {"subnumber", error, "SubNumber differs from the number of sub-objects that are described",
          "write the number of sub-objects, sub-index 0 included", source},
         {"sub0-missing", error, "an ARRAY or RECORD lacks sub-index 0",
-         "describe it; its value is the highest sub-index", "CiA 301, sub-index 0"},
+         "describe sub-index 0, whose value is the highest sub-index", "CiA 301, sub-index 0"},
         {"sub0-type", error, "sub-index 0 is not UNSIGNED8", "write DataType 0x0005", "CiA 301, sub-index 0"},
-        {"sub0-access", warning, "sub-index 0 can be written", "write ro or const", "CiA 301, sub-index 0"},
+        {"sub0-access", warning, "sub-index 0 is write-only, or can be written although CiA 301 makes it read-only",
+         "write ro or const; rw is allowed in 1003h, 1016h, PDO mappings and objects from 2000h on",
+         "CiA 301, sub-index 0"},
         {"sub0-default-missing", warning, "sub-index 0 has no default",
-         "write the highest sub-index; in 1003h the number of errors, in a mapping the number of mapped objects",
+         "write the highest sub-index (in 1003h the number of errors, in a PDO mapping the number of mapped objects)",
          "CiA 301, sub-index 0"},
         {"sub0-value", error, "the default of sub-index 0 is not the highest sub-index", "write the highest sub-index",
          "CiA 301, sub-index 0"},
-        {"array-gap", error, "the sub-indices of an ARRAY have a gap", "describe every sub-index, or write a RECORD",
-         "CiA 301, ARRAY"},
-        {"array-types", error, "the entries of an ARRAY have several data types", "write one type, or a RECORD",
-         "CiA 301, ARRAY"},
+        {"array-gap", error, "the sub-indices of an ARRAY have a gap",
+         "describe every sub-index, or write ObjectType 0x9 (RECORD)", "CiA 301, ARRAY"},
+        {"array-types", error, "the entries of an ARRAY have several data types",
+         "write the same type in all entries, or ObjectType 0x9 (RECORD)", "CiA 301, ARRAY"},
         {"compact-count", error, "CompactSubObj is not a number from 0 to 254", "write the number of entries",
          compact_source},
-        {"compact-single", error, "a single value has CompactSubObj", "write ObjectType 0x8 or 0x9", compact_source},
-        {"compact-subs", warning, "an object has CompactSubObj and sub-sections", "describe the entries in one way",
+        {"compact-single", error, "a single value has CompactSubObj",
+         "write ObjectType 0x8 (ARRAY) or 0x9 (RECORD), or remove CompactSubObj", compact_source},
+        {"compact-subs", warning, "an object has CompactSubObj and sections of sub-objects",
+         "describe the entries either by CompactSubObj or by sections", compact_source},
+        {"compact-alone", error, "there is a section of names or values, but its object has no CompactSubObj",
+         "add CompactSubObj to the object", compact_source},
+        {"compact-beyond", error, "the number of a name or value is not from 1 to CompactSubObj", "correct the number",
          compact_source},
-        {"compact-alone", error, "names or values exist without CompactSubObj", "add CompactSubObj to the object",
-         compact_source},
-        {"compact-beyond", error, "a name or value is beyond CompactSubObj", "correct the number of the entry",
-         compact_source},
-        {"compact-entries", error, "NrOfEntries differs from the entries", "write the number of entries",
-         compact_source}};
+        {"compact-entries", error, "NrOfEntries is missing, or differs from the number of entries in its section",
+         "write the number of entries", compact_source}};
     return rules;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for objects; object_rules.cpp contains their table.
+// Rules for objects and their sub-objects in an EDS. object_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

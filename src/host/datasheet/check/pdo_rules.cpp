@@ -68,7 +68,7 @@ class PdoCheck {
         }
         if (is_extended(value->bits)) {
             findings_.add("pdo-cob-id-extended", entry->value_line(),
-                          fmt::format("{} has an identifier of 29 bits", entry->title()));
+                          fmt::format("{} is a COB-ID with an identifier of 29 bits", entry->title()));
             return;
         }
         for (unsigned node = 1; node <= 127; ++node) {
@@ -97,7 +97,7 @@ class PdoCheck {
         const bool remote = value->bits == 252 || value->bits == 253;
         if ((value->bits >= 241 && value->bits <= 251) || (is_rpdo_ && remote)) {
             findings_.add("pdo-transmission-reserved", entry->value_line(),
-                          fmt::format("{} is {}, which is reserved", entry->title(), value->bits));
+                          fmt::format("{} is {}, a reserved transmission type", entry->title(), value->bits));
         }
         const EdsSheetEntry* cob_id = object_.entry(1);
         const std::optional<EdsNumber> written = cob_id == nullptr ? std::nullopt : cob_id->number();
@@ -106,14 +106,14 @@ class PdoCheck {
         constexpr std::uint64_t no_remote = 0x40000000;
         if (!is_rpdo_ && remote && has_id && (id & no_remote) != 0) {
             findings_.add("pdo-transmission-remote", entry->value_line(),
-                          fmt::format("{} is {}, on request, but the COB-ID allows no remote frame", entry->title(),
-                                      value->bits));
+                          fmt::format("{} is {}: the PDO is sent on request, but its COB-ID allows no remote frame",
+                                      entry->title(), value->bits));
         }
         const bool synchronous = value->bits <= 240 || value->bits == 252;
         if (synchronous && has_id && !is_off(id) && sheet_.object(cia301::sync_cob_id) == nullptr) {
-            findings_.add(
-                "pdo-without-sync", entry->value_line(),
-                fmt::format("{} is {}, which waits for SYNC, but there is no 1005h", entry->title(), value->bits));
+            findings_.add("pdo-without-sync", entry->value_line(),
+                          fmt::format("{} is {}: the PDO waits for SYNC, but there is no 1005h (COB-ID SYNC)",
+                                      entry->title(), value->bits));
         }
     }
 
@@ -142,8 +142,8 @@ class PdoCheck {
         }
         const EdsSheetEntry* inhibit = object_.entry(3);
         const EdsSheetEntry* event = object_.entry(5);
-        const auto gap = inhibit == nullptr ? std::nullopt : inhibit->number();  // time in units of 100 us
-        const auto period = event == nullptr ? std::nullopt : event->number();   // time in ms
+        const auto gap = inhibit == nullptr ? std::nullopt : inhibit->number();  // inhibit time in units of 100 us
+        const auto period = event == nullptr ? std::nullopt : event->number();   // event timer in ms
         if (gap && period && period->bits != 0 && period->bits * 10 < gap->bits) {
             findings_.add(
                 "pdo-inhibit-event", event->value_line(),
@@ -168,7 +168,7 @@ void check_same(const EdsSheet& sheet, EdsFindings& findings) {
         const auto [first, is_new] = used.emplace(std::pair{value->bits & 0x1FFFFFFFU, value->node_id}, object.title());
         if (!is_new) {
             findings.add("pdo-cob-id-same", entry->value_line(),
-                         fmt::format("{} has the COB-ID of {}", entry->title(), first->second));
+                         fmt::format("{} has the same COB-ID as {}", entry->title(), first->second));
         }
     }
 }
@@ -181,28 +181,30 @@ const std::vector<EdsRule>& pdo_rules() {
          "describe the mapping, whose index is 200h higher", mapping_source},
         {"pdo-no-communication", error, "a PDO has a mapping, but no communication parameters",
          "describe the communication parameters, whose index is 200h lower", mapping_source},
-        {"pdo-record", error, "communication parameters are no RECORD", "write ObjectType 0x9", source},
-        {"pdo-entry-missing", error, "communication parameters lack COB-ID or transmission type", "describe the entry",
-         source},
-        {"pdo-sub-type", error, "a communication parameter has another type than CiA 301 gives",
-         "write the type of CiA 301", source},
-        {"pdo-sub-unknown", error, "a communication parameter is beyond sub-index 6", "remove the entry", source},
-        {"pdo-sub-reserved", warning, "sub-index 4 is reserved", "remove the entry", source},
+        {"pdo-record", error, "the communication parameters of a PDO are no RECORD", "write ObjectType 0x9", source},
+        {"pdo-entry-missing", error, "the communication parameters of a PDO lack COB-ID or transmission type",
+         "describe the missing entry", source},
+        {"pdo-sub-type", error, "a communication parameter of a PDO has another data type than in CiA 301",
+         "write the data type of CiA 301", source},
+        {"pdo-sub-unknown", error, "the communication parameters of a PDO have an entry beyond sub-index 6",
+         "remove the entry", source},
+        {"pdo-sub-reserved", warning, "the communication parameters of a PDO have sub-index 4, which is reserved",
+         "remove the entry", source},
         {"pdo-cob-id-extended", warning, "a PDO has an identifier of 29 bits by default",
          "write an identifier of 11 bits", source},
         {"pdo-cob-id-reserved", error, "the COB-ID of a PDO belongs to another service", "write another identifier",
          "CiA 301, restricted identifiers"},
         {"pdo-cob-id-default", warning, "one of the first four PDOs has another COB-ID than the pre-defined one",
          "write $NODEID and the pre-defined base, or set bit 31", "CiA 301, pre-defined connection set"},
-        {"pdo-cob-id-same", error, "two PDOs have one COB-ID",
+        {"pdo-cob-id-same", error, "two PDOs have the same COB-ID",
          "give each PDO its own COB-ID, or set bit 31 of one COB-ID", source},
-        {"pdo-transmission-reserved", error, "a transmission type is reserved",
+        {"pdo-transmission-reserved", error, "a PDO has a reserved transmission type",
          "write 0 to 240, 254 or 255; a transmit PDO may also have 252 or 253", source},
-        {"pdo-transmission-remote", warning, "a PDO on request allows no remote frame", "clear bit 30 of the COB-ID",
-         source},
-        {"pdo-without-sync", warning, "a synchronous PDO is in a device without SYNC",
+        {"pdo-transmission-remote", warning, "a PDO that is sent on request allows no remote frame",
+         "clear bit 30 of the COB-ID", source},
+        {"pdo-without-sync", warning, "a PDO is synchronous, but the device has no SYNC",
          "describe 1005h (COB-ID SYNC), or write transmission type 254 or 255", source},
-        {"pdo-rpdo-inhibit", warning, "a receive PDO has an inhibit time", "write 0", source},
+        {"pdo-rpdo-inhibit", warning, "a receive PDO has an inhibit time", "write the inhibit time 0", source},
         {"pdo-rpdo-sync-start", warning, "a receive PDO has a SYNC start value", "remove the entry", source},
         {"pdo-sync-start", error, "the SYNC start value is above 240", "write 0 to 240", source},
         {"pdo-inhibit-event", warning, "the event timer is shorter than the inhibit time",

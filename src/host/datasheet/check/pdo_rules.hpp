@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for PDO communication parameters; pdo_rules.cpp contains their table.
+// Rules for PDO communication parameters in an EDS. pdo_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the objects of the communication area without the PDOs: 1000h to 12FFh.
+// Checks the objects of the communication services other than PDO: 1000h to 12FFh.
 #include "host/datasheet/check/service_rules.hpp"
 
 #include <fmt/format.h>
@@ -72,11 +72,13 @@ class ServiceCheck {
                 }
                 const bool reads_only = one.access == "ro" || one.access == "const";
                 if (standard.access == StandardObject301::Access::read && !reads_only && !one.access.empty()) {
-                    findings_.add("standard-read-only", one.line_of("AccessType"),
-                                  fmt::format("{} is {}, but must be read-only", one.title(), one.access));
+                    findings_.add(
+                        "standard-read-only", one.line_of("AccessType"),
+                        fmt::format("{} has the access {}, but is read-only in CiA 301", one.title(), one.access));
                 } else if (standard.access == StandardObject301::Access::write && reads_only) {
-                    findings_.add("standard-writable", one.line_of("AccessType"),
-                                  fmt::format("{} is {}, but must be writable", one.title(), one.access));
+                    findings_.add(
+                        "standard-writable", one.line_of("AccessType"),
+                        fmt::format("{} has the access {}, but is writable in CiA 301", one.title(), one.access));
                 }
             }
         }
@@ -88,13 +90,13 @@ class ServiceCheck {
             return;
         }
         if (identity->entry(1) == nullptr) {
-            findings_.add("identity-vendor", identity->line(), "1018h has no vendor-ID, sub-index 1");
+            findings_.add("identity-vendor", identity->line(), "1018h (identity) has no sub-index 1, the vendor-ID");
         } else if (number(cia301::identity, 1) && plain(cia301::identity, 1) == 0) {
             add("identity-vendor-zero", cia301::identity, 1, "the vendor-ID, 1018h:01, is 0");
         }
         if (!identity->entries.empty() && identity->entries.back().sub > 4) {
             findings_.add("identity-sub", identity->entries.back().section->line,
-                          fmt::format("{} is beyond the serial number", identity->entries.back().title()));
+                          fmt::format("{} is beyond sub-index 4, the serial number", identity->entries.back().title()));
         }
     }
 
@@ -102,21 +104,22 @@ class ServiceCheck {
         if (number(cia301::error_list) && sheet_.object(cia301::error_list)->is_several() &&
             plain(cia301::error_list) != 0) {
             add("error-list-default", cia301::error_list, 0,
-                fmt::format("1003h:00 is {} by default", plain(cia301::error_list)));
+                fmt::format("1003h:00 (number of errors) is {} by default, not 0", plain(cia301::error_list)));
         }
         const EdsSheetEntry* count = entry(cia301::error_list);
         if (count != nullptr && !count->is_single && count->access != "rw" && !count->access.empty()) {
-            findings_.add("error-list-access", count->line_of("AccessType"),
-                          fmt::format("1003h:00 is {}, but a write of 0 must clear the list", count->access));
+            findings_.add(
+                "error-list-access", count->line_of("AccessType"),
+                fmt::format("1003h:00 has the access {}, but a write of 0 must clear the error list", count->access));
         }
         const auto cob_id = number(cia301::emcy_cob_id);
         if (cob_id && !is_off(cob_id->bits) && (!cob_id->node_id || (cob_id->bits & 0x7FFU) != 0x80)) {
             add("emcy-cob-id", cia301::emcy_cob_id, 0,
-                fmt::format("1014h is {}, not $NODEID+0x80", entry(cia301::emcy_cob_id)->value->text));
+                fmt::format("1014h (COB-ID EMCY) is {}, not $NODEID+0x80", entry(cia301::emcy_cob_id)->value->text));
         }
         if (entry(cia301::emcy_inhibit_time) != nullptr && entry(cia301::emcy_cob_id) == nullptr) {
             findings_.add("emcy-inhibit-alone", entry(cia301::emcy_inhibit_time)->section->line,
-                          "there is 1015h, but no 1014h");
+                          "there is 1015h (inhibit time EMCY), but no 1014h (COB-ID EMCY)");
         }
         const EdsSheetObject* behaviour = sheet_.object(cia301::error_behaviour);
         for (std::size_t i = 0; behaviour != nullptr && i < behaviour->entries.size(); ++i) {
@@ -134,26 +137,27 @@ class ServiceCheck {
         const auto cob_id = number(cia301::sync_cob_id);
         if (cob_id && (cob_id->node_id || (cob_id->bits & 0x1FFFFFFFU) != 0x80)) {
             add("sync-cob-id", cia301::sync_cob_id, 0,
-                fmt::format("1005h is {}, not 0x80", entry(cia301::sync_cob_id)->value->text));
+                fmt::format("1005h (COB-ID SYNC) is {}, not 0x80", entry(cia301::sync_cob_id)->value->text));
         }
         if (cob_id && (cob_id->bits & producer) != 0 && entry(cia301::sync_period) == nullptr) {
-            add("sync-producer", cia301::sync_cob_id, 0, "1005h produces SYNC, but there is no 1006h");
+            add("sync-producer", cia301::sync_cob_id, 0,
+                "bit 30 of 1005h makes the device a SYNC producer, but there is no 1006h (communication cycle period)");
         }
         for (const unsigned index : {cia301::sync_period, cia301::sync_window, cia301::sync_counter_overflow}) {
             if (entry(index) != nullptr && entry(cia301::sync_cob_id) == nullptr) {
                 findings_.add("sync-alone", entry(index)->section->line,
-                              fmt::format("there is {}, but no 1005h", eds_index_text(index)));
+                              fmt::format("there is {}, but no 1005h (COB-ID SYNC)", eds_index_text(index)));
             }
         }
         const std::uint64_t overflow = plain(cia301::sync_counter_overflow);
         if (overflow == 1 || overflow > 240) {
             add("sync-counter", cia301::sync_counter_overflow, 0,
-                fmt::format("1019h is {}, not 0 or 2 to 240", overflow));
+                fmt::format("1019h (SYNC counter overflow) is {}, not 0 or 2 to 240", overflow));
         }
         const auto time = number(cia301::time_cob_id);
         if (time && (time->node_id || (time->bits & 0x1FFFFFFFU) != 0x100)) {
             add("time-cob-id", cia301::time_cob_id, 0,
-                fmt::format("1012h is {}, not 0x100", entry(cia301::time_cob_id)->value->text));
+                fmt::format("1012h (COB-ID TIME) is {}, not 0x100", entry(cia301::time_cob_id)->value->text));
         }
     }
 
@@ -168,13 +172,14 @@ class ServiceCheck {
                                       eds_index_text(guard ? cia301::life_time_factor : cia301::guard_time)));
         }
         if (!heartbeat && !(guard && factor)) {
-            findings_.add("error-control-missing", 1, "there is neither 1017h nor 100Ch with 100Dh");
+            findings_.add("error-control-missing", 1,
+                          "there is neither 1017h (heartbeat) nor 100Ch with 100Dh (node guarding)");
         }
         if (plain(cia301::producer_heartbeat_time) != 0 && plain(cia301::guard_time) != 0 &&
             plain(cia301::life_time_factor) != 0) {
             add("heartbeat-guarding", cia301::producer_heartbeat_time, 0,
-                fmt::format("1017h is {} and 100Ch {} by default", plain(cia301::producer_heartbeat_time),
-                            plain(cia301::guard_time)));
+                fmt::format("1017h (heartbeat) is {} ms and 100Ch (guard time) is {} ms by default",
+                            plain(cia301::producer_heartbeat_time), plain(cia301::guard_time)));
         }
     }
 
@@ -191,13 +196,14 @@ class ServiceCheck {
             const std::uint64_t time = value->bits & 0xFFFFU;
             if (value->bits > 0xFFFFFFU || node > 127 || (node == 0 && time != 0)) {
                 findings_.add("heartbeat-consumer", one.value_line(),
-                              fmt::format("{} is 0x{:08X}, but bits 24 to 31 must be 0, bits 16 to 23 a node-ID",
+                              fmt::format("{} is 0x{:08X}, but bits 24 to 31 must be 0 and bits 16 to 23 a node-ID",
                                           one.title(), value->bits));
             } else if (time != 0) {
                 const auto [first, is_new] = nodes.emplace(node, one.title());
                 if (!is_new) {
                     findings_.add("heartbeat-consumer-twice", one.value_line(),
-                                  fmt::format("{} watches node {}, as {} does", one.title(), node, first->second));
+                                  fmt::format("{} monitors node {}, which {} already monitors", one.title(), node,
+                                              first->second));
                 }
             }
         }
@@ -211,9 +217,10 @@ class ServiceCheck {
                 const auto value = one.number();
                 const std::uint64_t most = index == cia301::store_parameters ? 3 : 1;
                 if (one.sub != 0 && value && value->bits > most) {
-                    findings_.add("storage-default", one.value_line(),
-                                  fmt::format("{} is 0x{:X}, but a read returns the capability, 0 to {}", one.title(),
-                                              value->bits, most));
+                    findings_.add(
+                        "storage-default", one.value_line(),
+                        fmt::format("{} is 0x{:X}, but a read returns what the device supports, a number from 0 to {}",
+                                    one.title(), value->bits, most));
                 }
             }
         }
@@ -246,8 +253,9 @@ class ServiceCheck {
                 }
                 if (one != nullptr && at->first == cia301::sdo_server_parameter && one->access != "ro" &&
                     one->access != "const" && !one->access.empty()) {
-                    findings_.add("sdo-default-access", one->line_of("AccessType"),
-                                  fmt::format("{} has the access {}", one->title(), one->access));
+                    findings_.add(
+                        "sdo-default-access", one->line_of("AccessType"),
+                        fmt::format("{} has the access {}, but must be read-only", one->title(), one->access));
                 }
             }
         }
@@ -261,13 +269,13 @@ class ServiceCheck {
 
 const std::vector<EdsRule>& service_rules() {
     static const std::vector<EdsRule> rules{
-        {"standard-object-type", error, "an object of CiA 301 has another ObjectType",
+        {"standard-object-type", error, "an object of the communication area has another ObjectType than in CiA 301",
          "write the ObjectType of CiA 301", standard_source},
-        {"standard-type", error, "an object of CiA 301 has another data type", "write the data type of CiA 301",
+        {"standard-type", error, "an object of the communication area has another data type than in CiA 301",
+         "write the data type of CiA 301", standard_source},
+        {"standard-read-only", error, "an object that is read-only in CiA 301 can be written", "write ro or const",
          standard_source},
-        {"standard-read-only", error, "an object of CiA 301 that can only be read can be written", "write ro or const",
-         standard_source},
-        {"standard-writable", error, "an object of CiA 301 that must be writable cannot be written", "write rw",
+        {"standard-writable", error, "an object that is writable in CiA 301 cannot be written", "write rw",
          standard_source},
         {"identity-vendor", error, "1018h (identity) has no vendor-ID", "describe sub-index 1",
          "CiA 301, object 1018h"},
@@ -279,13 +287,13 @@ const std::vector<EdsRule>& service_rules() {
          "CiA 301, object 1003h"},
         {"error-list-access", error, "1003h:00 (number of errors) cannot be cleared", "write rw",
          "CiA 301, object 1003h"},
-        {"emcy-cob-id", warning, "1014h (COB-ID EMCY) is not the pre-defined one", "write $NODEID+0x80",
+        {"emcy-cob-id", warning, "1014h (COB-ID EMCY) differs from the pre-defined COB-ID", "write $NODEID+0x80",
          "CiA 301, object 1014h"},
         {"emcy-inhibit-alone", warning, "1015h (inhibit time EMCY) exists without 1014h (COB-ID EMCY)",
          "describe 1014h", "CiA 301, object 1015h"},
         {"error-behaviour", error, "1029h:01 (communication error) is above 2",
          "write 0 (pre-operational), 1 (no change) or 2 (stopped)", "CiA 301, object 1029h"},
-        {"sync-cob-id", warning, "1005h (COB-ID SYNC) is not the pre-defined one", "write 0x80",
+        {"sync-cob-id", warning, "1005h (COB-ID SYNC) differs from the pre-defined COB-ID", "write 0x80",
          "CiA 301, object 1005h"},
         {"sync-producer", error, "a SYNC producer has no 1006h (communication cycle period)", "describe 1006h",
          "CiA 301, object 1006h"},
@@ -293,8 +301,8 @@ const std::vector<EdsRule>& service_rules() {
          "CiA 301, object 1005h"},
         {"sync-counter", error, "1019h (SYNC counter overflow) is 1 or above 240", "write 0, or 2 to 240",
          "CiA 301, object 1019h"},
-        {"time-cob-id", warning, "1012h (COB-ID TIME) is not the pre-defined one",
-         "write 0x100, and set bits 30 and 31 as needed", "CiA 301, object 1012h"},
+        {"time-cob-id", warning, "1012h (COB-ID TIME) differs from the pre-defined COB-ID",
+         "write 0x100, and set bit 30 (producer) and bit 31 (consumer) as needed", "CiA 301, object 1012h"},
         {"guarding-half", error, "one of 100Ch (guard time) and 100Dh (life time factor) is missing",
          "describe both objects", "CiA 301, objects 100Ch and 100Dh"},
         {"error-control-missing", error, "the device has neither heartbeat nor node guarding",
@@ -303,19 +311,21 @@ const std::vector<EdsRule>& service_rules() {
          "write 0 for one of the two: the heartbeat switches guarding off", "CiA 301, error control services"},
         {"heartbeat-consumer", error, "an entry of 1016h (consumer heartbeat time) has no node-ID from 1 to 127",
          "write node-ID and time in ms as 0x00NNTTTT", "CiA 301, object 1016h"},
-        {"heartbeat-consumer-twice", error, "1016h (consumer heartbeat time) watches a node twice",
+        {"heartbeat-consumer-twice", error, "two entries of 1016h (consumer heartbeat time) monitor the same node",
          "write each node-ID once", "CiA 301, object 1016h"},
-        {"storage-default", warning, "the default of 1010h or 1011h is no capability",
-         "write the capability that a read returns: 1 means on command", "CiA 301, objects 1010h and 1011h"},
+        {"storage-default", warning,
+         "the default of 1010h (store) or 1011h (restore) is no value that a read can return",
+         "write the value that a read returns: 1 means that the device stores or restores on command",
+         "CiA 301, objects 1010h and 1011h"},
         {"sdo-record", error, "the parameters of an SDO server are no RECORD", "write ObjectType 0x9",
          "CiA 301, objects 1200h to 127Fh"},
         {"sdo-entry-missing", error, "an SDO server lacks a COB-ID", "describe sub-indices 1 and 2",
          "CiA 301, objects 1200h to 127Fh"},
-        {"sdo-default-cob-id", error, "the first SDO server has other COB-IDs than the pre-defined ones",
-         "write $NODEID+0x600 and $NODEID+0x580", "CiA 301, object 1200h"},
+        {"sdo-default-cob-id", error, "the COB-IDs of the first SDO server differ from the pre-defined COB-IDs",
+         "write $NODEID+0x600 into sub-index 1 and $NODEID+0x580 into sub-index 2", "CiA 301, object 1200h"},
         {"sdo-default-access", warning, "the COB-IDs of the first SDO server can be written", "write ro or const",
          "CiA 301, object 1200h"},
-        {"sdo-further-cob-id", error, "a further SDO server has an identifier of another service",
+        {"sdo-further-cob-id", error, "an SDO server after the first has an identifier of another service",
          "write another identifier, or set bit 31", "CiA 301, restricted identifiers"}};
     return rules;
 }

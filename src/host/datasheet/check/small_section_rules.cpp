@@ -47,7 +47,7 @@ void check_comments(const EdsSheet& sheet, EdsFindings& findings) {
     const std::string right = fmt::format("Lines={}", lines.size());
     const IniValue* said = section->find("Lines");
     if (said == nullptr) {
-        findings.add("comments-lines-missing", section->line, "[Comments] has no Lines",
+        findings.add("comments-lines-missing", section->line, "[Comments] has no key Lines",
                      insert_after_line(section->line, right));
     } else if (eds_unsigned(said->text) != lines.size()) {
         findings.add("comments-count", said->line,
@@ -104,20 +104,21 @@ void check_dcf(const EdsSheet& sheet, EdsFindings& findings) {
         return;
     }
     if (!sheet.is_dcf()) {
-        findings.add("dcf-section", section->line, "[DeviceComissioning] is in an EDS");
+        findings.add("dcf-section", section->line,
+                     "[DeviceComissioning] is in an EDS, but belongs in a device configuration file");
     }
     const IniValue* node = section->filled("NodeID");
     const auto number = node == nullptr ? std::nullopt : eds_unsigned(node->text);
     if (!number || *number < 1 || *number > 127) {
         findings.add("dcf-node-id", node == nullptr ? section->line : node->line,
-                     node == nullptr ? "there is no NodeID"
+                     node == nullptr ? "[DeviceComissioning] has no NodeID"
                                      : fmt::format("NodeID {} is not a number from 1 to 127", node->text));
     }
     const IniValue* rate = section->filled("Baudrate");
     const auto bits = rate == nullptr ? std::nullopt : eds_unsigned(rate->text);
     if (!bits || std::find(rates.begin(), rates.end(), *bits) == rates.end()) {
         findings.add("dcf-bit-rate", rate == nullptr ? section->line : rate->line,
-                     rate == nullptr ? "there is no Baudrate"
+                     rate == nullptr ? "[DeviceComissioning] has no Baudrate"
                                      : fmt::format("Baudrate {} is no bit rate of CiA 301 in kbit/s", rate->text));
     }
 }
@@ -130,7 +131,9 @@ void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
     for (const auto& [name, section] : sheet.ini().sections()) {
         for (const auto& [key, value] : section.values) {
             if (eds_object_name(name) && is_dcf_key(key)) {
-                findings.add("dcf-key", value.line, fmt::format("{} is in an EDS", sheet.line(value.line).name));
+                findings.add("dcf-key", value.line,
+                             fmt::format("key {} is in an EDS, but belongs in a device configuration file",
+                                         sheet.line(value.line).name));
             }
         }
     }
@@ -140,7 +143,8 @@ void check_dcf_keys(const EdsSheet& sheet, EdsFindings& findings) {
 
 const std::vector<EdsRule>& small_section_rules() {
     static const std::vector<EdsRule> rules{
-        {"comments-lines-missing", error, "[Comments] lacks Lines", "add the number of comment lines", comments_source},
+        {"comments-lines-missing", error, "[Comments] lacks the key Lines", "add the number of comment lines",
+         comments_source},
         {"comments-count", error, "Lines differs from the number of comment lines", "write the number of comment lines",
          comments_source},
         {"comments-gap", warning, "the comment lines are not numbered from 1 without gap",
@@ -148,7 +152,7 @@ const std::vector<EdsRule>& small_section_rules() {
         {"comments-key-unknown", warning, "[Comments] has a key that is no comment line",
          "write comments as Line1, Line2 …", comments_source},
         {"dummy-missing", warning, "a device with receive PDOs lacks [DummyUsage]",
-         "add the data types that can be mapped as gaps", dummy_source},
+         "add the section, with the data types that can be mapped as gaps", dummy_source},
         {"dummy-key", warning, "a key of [DummyUsage] names no data type of fixed length",
          "write Dummy0001 to Dummy0007", dummy_source},
         {"dummy-flag", error, "a value of [DummyUsage] is neither 0 nor 1", "write 0 or 1", dummy_source},
@@ -159,9 +163,9 @@ const std::vector<EdsRule>& small_section_rules() {
         {"dcf-node-id", error, "a device configuration file has no node-ID from 1 to 127", "write the node-ID",
          dcf_source},
         {"dcf-bit-rate", error, "a device configuration file has no bit rate of CiA 301",
-         "write 10, 20, 50, 125, 250, 500, 800 or 1000", dcf_source},
+         "write 10, 20, 50, 125, 250, 500, 800 or 1000 (kbit/s)", dcf_source},
         {"dcf-key", warning, "an EDS has a key of a device configuration file",
-         "write the value as DefaultValue, or save the file as .dcf", dcf_source}};
+         "remove the key (write a ParameterValue as DefaultValue), or save the file as .dcf", dcf_source}};
     return rules;
 }
 

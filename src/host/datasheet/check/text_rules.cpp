@@ -17,7 +17,7 @@ namespace {
 constexpr auto error = EdsSeverity::error;
 constexpr auto warning = EdsSeverity::warning;
 constexpr const char* format = "CiA 306, format of the file";
-constexpr std::size_t longest_line = 255;  // longest line of CiA 306
+constexpr std::size_t longest_line = 255;  // greatest length of a line in characters (CiA 306)
 
 class TextCheck {
   public:
@@ -63,7 +63,7 @@ class TextCheck {
                 edits.push_back({EdsEdit::Kind::crlf, i, {}});
             }
         }
-        findings_.add("text-line-ends", first, fmt::format("{} of {} lines end with CR LF", crlf, lines.size()),
+        findings_.add("text-line-ends", first, fmt::format("only {} of {} lines end with CR LF", crlf, lines.size()),
                       std::move(edits));
     }
 
@@ -108,7 +108,8 @@ class TextCheck {
                            object->kind == EdsObjectName::Kind::name || object->kind == EdsObjectName::Kind::value;
         if (object && object->kind == EdsObjectName::Kind::sub && line.name.size() > 8 && line.name[7] == '0') {
             const std::string plain = fmt::format("{:04X}sub{:X}", object->index, object->sub);
-            findings_.add("section-sub-zeros", number_, fmt::format("[{}] has leading zeros", line.name),
+            findings_.add("section-sub-zeros", number_,
+                          fmt::format("the sub-index in [{}] has leading zeros", line.name),
                           named && sheet_.ini().find(plain) == nullptr ? replace_line(number_, "[" + plain + "]")
                                                                        : std::vector<EdsEdit>{});
         } else if (known.empty()) {
@@ -122,14 +123,14 @@ class TextCheck {
     void check_key(const EdsLine& line) {
         if (section_.empty()) {
             findings_.add("text-before-section", number_,
-                          fmt::format("{} is before the first section", line.name.substr(0, 40)));
+                          fmt::format("key {} is before the first section", line.name.substr(0, 40)));
             return;
         }
         const auto [first, is_new] = keys_.emplace(lower_case(line.name), Key{number_, line.behind});
         if (!is_new) {
             const bool same = first->second.value == line.behind;
             findings_.add("key-duplicate", number_,
-                          fmt::format("{} is already in line {}", line.name, first->second.line),
+                          fmt::format("key {} is already in line {}", line.name, first->second.line),
                           same ? erase_line(number_) : std::vector<EdsEdit>{});
         }
         const std::string known = known_key(section_, line.name);
@@ -147,7 +148,7 @@ class TextCheck {
     const EdsSheet& sheet_;
     EdsFindings& findings_;
     unsigned number_{0};
-    bool skips_{false};  ///< whether the present line is in an invalid section
+    bool skips_{false};  ///< whether the present line is in a section whose first line is invalid
     std::string section_;
     std::map<std::string, unsigned> sections_;
     std::map<std::string, Key> keys_;
@@ -157,8 +158,10 @@ class TextCheck {
 
 const std::vector<EdsRule>& text_rules() {
     static const std::vector<EdsRule> rules{
-        {"text-byte-order-mark", warning, "a byte order mark begins the file", "save the file as ASCII", format},
-        {"text-line-ends", warning, "lines end in two ways", "end every line with CR LF", format},
+        {"text-byte-order-mark", warning, "the file begins with a UTF-8 byte order mark",
+         "save the file as ASCII text, without the mark", format},
+        {"text-line-ends", warning, "some lines end with CR LF, others with LF alone", "end every line with CR LF",
+         format},
         {"text-long-line", warning, "a line is longer than 255 characters", "shorten the line", format},
         {"text-not-ascii", warning, "a character is beyond ASCII", "write ASCII characters instead", format},
         {"text-control", error, "a control character is in a line", "remove the character", format},
@@ -169,14 +172,15 @@ const std::vector<EdsRule>& text_rules() {
         {"text-behind-section", warning, "text follows the name of a section",
          "remove the text, or begin it with a semicolon", format},
         {"section-duplicate", error, "a section occurs twice", "join the two sections, or rename one", format},
-        {"section-unknown", warning, "CiA 306 has no such section", "correct the name, or remove the section", format},
-        {"section-case", warning, "the name of a section is spelled in another case",
-         "write the name as CiA 306 does; some tools compare the case", format},
-        {"section-sub-zeros", warning, "a sub-index has leading zeros", "write the sub-index without leading zeros",
-         "CiA 306, object sections"},
+        {"section-unknown", warning, "a section is unknown in CiA 306", "correct the name, or remove the section",
+         format},
+        {"section-case", warning, "the name of a section differs from CiA 306 in upper and lower case",
+         "write the name as CiA 306 does; some tools distinguish upper and lower case", format},
+        {"section-sub-zeros", warning, "the sub-index in the name of a section has leading zeros",
+         "write the sub-index without leading zeros", "CiA 306, object sections"},
         {"key-duplicate", error, "a key occurs twice in a section", "keep one of the two lines", format},
-        {"key-case", warning, "a key is spelled in another case",
-         "write the name as CiA 306 does; some tools compare the case", format}};
+        {"key-case", warning, "the name of a key differs from CiA 306 in upper and lower case",
+         "write the name as CiA 306 does; some tools distinguish upper and lower case", format}};
     return rules;
 }
 

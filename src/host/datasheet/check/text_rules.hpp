@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for the text of a sheet; text_rules.cpp contains their table.
+// Rules for the spelling of lines, sections and keys in an EDS. text_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>

@@ -141,7 +141,8 @@ class ValueCheck {
     void check_whole_default(std::string_view text) {
         const auto term = split_node_id(text);
         if (!term) {
-            add("default-node-id-form", fmt::format("default {} of {} is no sum with $NODEID", text, entry_.title()));
+            add("default-node-id-form",
+                fmt::format("default {} of {} contains $, but is no sum with $NODEID", text, entry_.title()));
             return;
         }
         const auto number = whole(term->rest);
@@ -150,7 +151,8 @@ class ValueCheck {
             return;
         }
         if (!fitted(*number, type_, is_hexadecimal(term->rest))) {
-            add("default-outside-type", fmt::format("default {} of {} is no {}", text, entry_.title(), type_.name));
+            add("default-outside-type",
+                fmt::format("default {} of {} does not fit {}", text, entry_.title(), type_.name));
         }
         if (!term->has_node_id) {
             check_spelling(*entry_.value);
@@ -183,13 +185,13 @@ class ValueCheck {
         if (type_.is_whole() && digits && text.size() > sign + 1 && text[sign] == '0' &&
             text.find_first_not_of('0', sign) != std::string::npos) {
             findings_.add("number-octal", value.line,
-                          fmt::format("{} of {} begins with 0 and is octal", value.text, entry_.title()));
+                          fmt::format("the number {} of {} begins with 0, so it is octal", value.text, entry_.title()));
         }
         const auto last = text.find_last_not_of("ul");
         if (type_.is_whole() && last != std::string::npos && last + 1 < text.size() && whole(text)) {
             const EdsLine& line = sheet_.line(value.line);
             findings_.add("number-suffix", value.line,
-                          fmt::format("{} of {} has a suffix of the C language", value.text, entry_.title()),
+                          fmt::format("the number {} of {} has a suffix of the C language", value.text, entry_.title()),
                           replace_line(value.line, line.name + "=" + without_blanks(value.text).substr(0, last + 1)));
         }
     }
@@ -226,7 +228,7 @@ class ValueCheck {
         const auto value = fitted(*number, type_, is_hexadecimal(given->text));
         if (!value) {
             findings_.add("limit-outside-type", given->line,
-                          fmt::format("{} {} of {} is no {}", key, given->text, entry_.title(), type_.name));
+                          fmt::format("{} {} of {} does not fit {}", key, given->text, entry_.title(), type_.name));
         }
         return term->has_node_id ? std::nullopt : value;
     }
@@ -257,28 +259,32 @@ const std::vector<EdsRule>& value_rules() {
     static const std::vector<EdsRule> rules{
         {"default-no-number", error, "a default is not a number",
          "write a decimal number, or 0x and hexadecimal digits", default_source},
-        {"default-outside-type", error, "a default does not fit its type", "correct the value or the type",
+        {"default-outside-type", error, "a default does not fit its data type", "correct the value or the type",
          default_source},
         {"default-boolean", error, "the default of a BOOLEAN is neither 0 nor 1", "write 0 or 1", default_source},
-        {"default-real", error, "the default of a real is neither a number nor the bits of one",
+        {"default-real", error, "the default of a real number is neither a decimal number nor its bits",
          "write a decimal number, or the bits of IEEE 754 as 0x and hexadecimal digits", default_source},
         {"default-octets", error, "the default of an OCTET_STRING does not consist of pairs of hexadecimal digits",
          "write two hexadecimal digits for each octet", default_source},
-        {"default-quotes", warning, "a text is in quotation marks",
+        {"default-quotes", warning, "the default of a text is in quotation marks",
          "remove the quotation marks: they are part of the value", default_source},
-        {"default-node-id-form", error, "$NODEID is not part of a sum", "write $NODEID+0x…", "CiA 306, $NODEID"},
-        {"default-node-id-order", warning, "$NODEID is not at the beginning", "write $NODEID+0x…", "CiA 306, $NODEID"},
-        {"default-node-id-case", warning, "$NODEID is spelled in another case", "write $NODEID", "CiA 306, $NODEID"},
-        {"default-outside-limits", error, "a default is outside of its limits", "correct the default or the limits",
-         limit_source},
-        {"number-octal", warning, "a number begins with 0", "remove the leading zeros, unless the number is octal",
-         number_source},
+        {"default-node-id-form", error, "a default with $ is no sum of $NODEID and a number", "write $NODEID+0x…",
+         "CiA 306, $NODEID"},
+        {"default-node-id-order", warning, "$NODEID is not at the beginning of a sum", "write $NODEID+0x…",
+         "CiA 306, $NODEID"},
+        {"default-node-id-case", warning, "$NODEID is not in capital letters", "write $NODEID", "CiA 306, $NODEID"},
+        {"default-outside-limits", error, "a default is outside the limits of its entry",
+         "correct the default or the limits", limit_source},
+        {"number-octal", warning, "a number begins with 0, so it is octal",
+         "remove the leading zeros, unless you mean an octal number", number_source},
         {"number-suffix", warning, "a number has a suffix of the C language", "remove the suffix", number_source},
         {"limit-no-number", error, "a limit is not a number", "write a decimal number, or 0x and hexadecimal digits",
          limit_source},
-        {"limit-outside-type", error, "a limit does not fit the type", "correct the limit or the type", limit_source},
+        {"limit-outside-type", error, "a limit does not fit its data type", "correct the limit or the type",
+         limit_source},
         {"limit-order", error, "LowLimit is above HighLimit", "exchange or correct the two limits", limit_source},
-        {"limit-type", warning, "a type without order has a limit", "remove the limit", limit_source}};
+        {"limit-type", warning, "an entry has a limit, but its data type is no number", "remove the limit",
+         limit_source}};
     return rules;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for values; value_rules.cpp contains their table.
+// Rules for defaults and limits in an EDS. value_rules.cpp contains the table of these rules.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace canproof::host {
 
-/// Returns the rules for values.
+/// Returns the rules for defaults and limits.
 const std::vector<EdsRule>& value_rules();
 /// Checks the sheet against these rules and adds each violation to `findings`.
 void check_value(const EdsSheet& sheet, EdsFindings& findings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each marked line is an include against the layers.
+// Each line marked `flagged` is an include that violates the layers.
 #pragma once
 
 #include "devices/cbx-ao412/firmware/voltage_output.hpp"  // flagged

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file in a device's folder without the device's name is a block.
+// A file in a device's folder is a block of the device if its name does not begin with the device's name.
 #pragma once
 
 #include "devices/ax130751/firmware/relay.hpp"  // flagged

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file that carries the device's name is the device.
+// A file in a device's folder is part of the device itself if its name begins with the device's name.
 #pragma once
 
 #include "devices/ax130751/firmware/relay.hpp"  // flagged

@@ -72,7 +72,7 @@ void Device::after_write(const EntryRef&, const Instant) {}
 void Device::put_factory_values(const ParameterGroup) {}
 
 void Device::restart(const Instant) {
-    counter_.restart(inputs_.count_input);  // 2010h has its default, 0
+    counter_.restart(inputs_.count_input);  // the counter (2010h) has its default, 0
 }
 
 void Device::booted(const Instant now) {
