@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A range end without a limit.
+/// One end of a range of values, without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {

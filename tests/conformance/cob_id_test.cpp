@@ -55,7 +55,7 @@ TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
     ASSERT_TRUE(unit.save());
     unit.move_to(9);
     EXPECT_EQ(cob_id(), as_shipped + 6);
-    ASSERT_TRUE(unit.save(3));  // saves another group while the node-ID is 9
+    ASSERT_TRUE(unit.save(3));  // saves another parameter group (1010h:3) while the node-ID is 9
     unit.move_to(4);
     EXPECT_EQ(cob_id(), as_shipped + 1);
     ASSERT_TRUE(unit.save(2));

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and an EMCY service of its own; each of two channels has two errors.
+/// A dictionary with a list of active errors, and an EMCY service of its own. Each of two channels has one error.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;

@@ -70,7 +70,7 @@ TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes)
     EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
 }
 
-// 7.9.4 lists 5000h beside 6110h: two separate failures
+// Section 7.9.4 of the manual lists 5000h (hardware) and 6110h (software) as two separate failures.
 TEST_F(Errors, HardwareAndSoftwareFailureAreReportedSeparatelyAs5000hAnd6110h) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
@@ -190,7 +190,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // 1003h (error list) is empty
 }
 
 TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
@@ -201,7 +201,8 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // The messages are 8120h, the end of 8110h and the end of 8120h. 1001h is 00h by then, and 1003h has two entries.
+    // The messages are 8120h, the end of 8110h and the end of 8120h. By then 1001h (error register) is 00h, and 1003h
+    // (error list) has two entries.
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
@@ -251,7 +252,7 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
     // Error passive (8120h) and overrun (8110h) occurred while nothing could be sent. Their messages are sent first;
-    // 1003h then has two entries. 8140h follows as the third entry, and then the end of 8120h.
+    // 1003h (error list) then has two entries. 8140h (recovered from bus-off) is the third; the end of 8120h follows.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
@@ -276,7 +277,7 @@ TEST_F(Errors, EachValueOfTheSignalIsAStateOfTheController) {
     EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
     EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first entry of 1003h
     EXPECT_TRUE(can_state(3).empty());                          // bus-off
-    // The recovery is the second entry; then error passive has ended.
+    // The recovery (8140h) is the second entry of 1003h (error list). The end of error passive follows.
     EXPECT_EQ(can_state(0), (Frames{"083#4081110200000000", "083#0000000200000000"}));
 }
 

@@ -287,7 +287,7 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
 
 TEST_F(ErrorControlService, Object100EhRefusesRestrictedIdentifiersExceptForErrorControl) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
-    // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
+    // Refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with bit 29 or 31.
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
@@ -369,7 +369,7 @@ TEST_F(ErrorControlService, EachErrorLeadsToPreOperationalAlsoWhileAnotherErrorL
     send("731#05");
     pass(200);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    send("000#0103");  // the master starts the module although its producer is silent
+    send("000#0103");  // the master starts the node although the monitored producer is silent
     send("703#R1");
     pass(99);
     EXPECT_EQ(device->state(), NmtState::operational);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Life guarding that runs or has failed, when its objects or the node change (CiA 301, 7.2.8.2.2.1; CAN-CBX-AO412,
-// 7.9.10, 7.9.11), node 3.
+// Tests how life guarding that has failed reacts to new times, and running life guarding to a reset (CiA 301,
+// 7.2.8.2.2.1; CAN-CBX-AO412, 7.9.10, 7.9.11), node 3.
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -119,7 +119,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     configure();
-    talk({{"7E5#1500000000000000", {}}});  // still pending after reset communication
+    talk({{"7E5#1500000000000000", {}}});  // the bit rate is still pending after reset communication
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
@@ -130,7 +130,7 @@ TEST_F(Lss, NodeIsSilentForBothSwitchDelaysAndSwitchesTheBitRateBetweenThem) {
           {"7E5#0401000000000000", {}},
           {"7E5#1300030000000000", {"7E4#1300000000000000"}}});
     EXPECT_EQ(pass(65), (Frames{"30:705#7F", "60:705#7F"}));
-    talk({{"7E5#1564000000000000", {}}});  // 100 ms; heartbeats are due at 25, 55, 85, 115, 145, 175, 205
+    talk({{"7E5#1564000000000000", {}}});  // switch delay: 100 ms; heartbeats are due at 25, 55, … 205 ms
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(pass(1), Frames{});

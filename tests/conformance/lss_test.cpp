@@ -176,7 +176,7 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     for (const Row& row : rows) {
         EXPECT_EQ(send(row.request), row.operational) << "operational: " << row.request;
     }
-    // Selection in LSS configuration has no effect afterwards.
+    // The selection frames that were sent in LSS configuration have no effect afterwards.
     send("7E5#0400");
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }

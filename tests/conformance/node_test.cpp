@@ -168,7 +168,7 @@ TEST_F(NodeService, NoTpdoIsSentWithoutANodeId) {
 
 TEST_F(NodeService, HeartbeatProducerThatFailsASecondTimeIsReportedAgain) {
     verifies<req::CO_HB_004>();
-    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     lose_producer();
     EXPECT_EQ(send("710#05"), Frames{"085#0000000100000000"});
     EXPECT_EQ(pass(99), Frames{});
@@ -201,7 +201,8 @@ TEST_F(NodeService, HeartbeatProducerNoLongerMonitoredHasNoDeadline) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID under which the communication was saved.
+/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID that applied when the
+/// communication parameters were saved.
 TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
     verifies<req::CO_PDO_035, req::CO_STORE_003>();
     const std::string saved_communication = "585#6010100200000000";

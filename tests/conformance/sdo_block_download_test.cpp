@@ -172,7 +172,7 @@ TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
                     {"605#C600220003000000", {"585#8000220012000706"}},  // three bytes for an INTEGER16
                     {"605#C600240001000100", {"585#8000240012000706"}},  // the size is 65,537 bytes
                     {"605#C6002400FFFFFFFF", {"585#8000240012000706"}},
-                    {"605#C601240004000000", {"585#8001240005000405"}},  // no memory to collect it
+                    {"605#C601240004000000", {"585#8001240005000405"}},  // the entry has no memory for the data
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -219,7 +219,7 @@ TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
                     {"605#0141414141414141", {"585#8000230012000706"}},
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
-    // the same with 64 KiB of memory: 9,363 pairs are 65,541 bytes
+    // the same pairs with 2400h, a DOMAIN of 64 KiB: 9,363 pairs are 65,541 bytes
     ASSERT_EQ(send("605#C400240000000000"), (Frames{"585#A40024007F000000"}));
     for (int pair = 0; pair < 9363; ++pair) {
         ASSERT_TRUE(send("605#0141414141414141").empty());

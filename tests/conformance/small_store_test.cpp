@@ -165,7 +165,7 @@ TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     set_value("55667788");
     faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // undoes the write of that byte, so the old set is still marked valid
+    faulty.sound.bytes()[3] = 'S';  // undoes the write of the old set's marker, so that set is still marked valid
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }

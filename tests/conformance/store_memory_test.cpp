@@ -216,7 +216,7 @@ TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
     }
     power_on_with(faulty);
     faulty.fail_read(0);
-    write("603#2310100273617665");  // new communication parameters, the others are copied from the old bank
+    write("603#2310100273617665");  // saves the communication parameters and copies the other groups from the old bank
     const std::size_t of_save = faulty.reads;
     const auto sound = faulty.sound.bytes();
     for (std::size_t n = 1; n <= of_save; ++n) {

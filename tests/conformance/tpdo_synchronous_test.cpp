@@ -209,7 +209,7 @@ TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
     verifies<req::CO_PDO_045, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
-    send("605#2B0018050A000000");  // no event timer in this type
+    send("605#2B0018050A000000");  // TPDOs of this type have no event timer
     talk(*this, {
                     {"000#0105", {}},
                     {"605#2F01200111000000", {"585#6001200100000000"}},

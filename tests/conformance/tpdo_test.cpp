@@ -143,7 +143,7 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});       // maps 1001h
     send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
-    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     send("000#0105");
     send("710#05");
     EXPECT_EQ(pass(100), (Frames{"100:085#3081110100000000", "100:385#11"}));

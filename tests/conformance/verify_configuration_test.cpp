@@ -17,7 +17,7 @@ namespace {
 class VerifyConfiguration : public testing::Test, public SlaveBench {
   protected:
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<SlaveBench&>(*this), table); }
-    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a tool does.
+    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a configuration tool does.
     void leave_date_and_time() {
         talk({{"605#2320100130750000", {"585#6020100100000000"}}, {"605#23201002002E9302", {"585#6020100200000000"}}});
     }
@@ -101,8 +101,8 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
 
-// Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
-// AX060805 4.2.12
+// 1020h:1 has day, month and year, 1020h:2 hour and minute, with a hexadecimal digit for each decimal digit (AX130751
+// 3.2.12, AX188001 3.2.12, AX060805 4.2.12).
 TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOf1017h) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {

@@ -149,7 +149,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
 
 TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
-    // Only a copy of a slot gives equal numbers. Slots have 20 bytes each, at the end of the memory.
+    // Only a copy of a slot gives equal sequence numbers. Slots have 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     auto& bytes = memory.bytes();

@@ -78,8 +78,8 @@ class SmallDictionary {
 
 }  // namespace
 
-// The image has A000h + index, flash has F010h and F011h. From 2000h, 2001h and 2002h on the image has at least eight
-// bytes, from 2003h on two.
+// Each object in the image has the value A000h + index; those in flash have F010h and F011h. At 2000h, 2001h and 2002h,
+// at least eight bytes of the image are left; at 2003h, two.
 TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;

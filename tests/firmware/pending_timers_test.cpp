@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests activities that are pending for 100 ms, of the services that all devices share. 40 ms after its start, each
-// event happens that can end, keep or restart it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
+// Tests the timers of the services that all devices share, each set to 100 ms. In each case, one event happens 40 ms
+// after the start of the timer and keeps, ends or restarts it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Case {
     Frames later;                    ///< frames sent within 300 ms of the event
 };
 
-/// Performs each case on a newly booted slave: the frames in `arms` start the activity, and the event follows.
+/// Performs each case on a newly booted slave: the frames in `arms` start the timer, and the event follows.
 void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases) {
     for (const Case& one : cases) {
         SlaveBench bench;

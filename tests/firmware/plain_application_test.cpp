@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that implements only what it must: the default answers of Application and LssApplication, and of a node and
-// a dictionary used directly.
+// Tests the default answers of Application and LssApplication, with a device that implements only what it must. Also
+// tests a node and a dictionary that are called directly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class PlainApplication final : public Application {
     std::array<std::uint8_t, 4> memory_{};
 };
 
-/// The slave's dictionary and services under that application, as node 5.
+/// The dictionary and services of the conformance slave with a PlainApplication, as node 5.
 class PlainNode {
   public:
     PlainNode(NonVolatileMemory& memory, TransmitQueue& queue)

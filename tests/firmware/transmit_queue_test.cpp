@@ -158,7 +158,7 @@ TEST(TransmitQueueOrder, DataFrameInThePlaceOfAnEarlierRemoteFrameIsADataFrame) 
     Frame other = data_frame(0x80, 0);
     other.extended = true;
     other.remote = true;
-    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place contains this frame once
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place of the queue has contained this frame
         ASSERT_TRUE(queue.push(other));
         queue.pop();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that each fault of the zoo has exactly the effect of its entry. An exchange with the correct slave and one
-// with the wrong slave differ by the frames of the entry.
+// Checks that each fault of the zoo has exactly the effect that its table entry lists. An exchange with the correct
+// slave and the same exchange with the wrong slave must differ by the listed frames only.
 #include <gtest/gtest.h>
 
 #include <algorithm>

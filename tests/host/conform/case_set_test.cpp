@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of conformance cases: it covers the public transcript number by number, names requirements and risks, and
-// each case applies to some slave.
+// The set of conformance cases: it covers each number of the public transcript of a CANopen conformance run, names
+// requirements and risks, and each case applies to some slave.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const std::vector<Case>& cases() {
     return built_in_cases().cases;
 }
 
-/// Returns the numbers of the public transcript by its groups.
+/// Returns the test numbers of the public transcript of a conformance run, by its groups.
 std::vector<std::string> public_numbers() {
     struct Row {
         const char* group;

@@ -138,7 +138,7 @@ class DbcReader {
         return message.signals[name];
     }
 
-    /// Reads VAL_ 5 Name 1 "one" 2 "two" ; of any length.
+    /// Reads the names of values, with any number of them: VAL_ 5 Name 1 "one" 2 "two" ;
     void read_words(const std::string& line) {
         std::istringstream in{line.substr(5)};
         std::string id;

@@ -59,7 +59,7 @@ class Running:
         try:
             self.process.stdin.write("".join(frame + "\n" for frame in frames).encode())
         except BrokenPipeError:
-            pass  # it has ended: its remaining output is read
+            pass  # the program has ended: its remaining output is read
 
     def kill_after(self, seconds):
         self.deadline = time.monotonic() + seconds

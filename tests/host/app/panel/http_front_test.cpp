@@ -24,7 +24,7 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 12000;  // reached only in a broken test
+constexpr int most_looks = 12000;  // reached only when the expected event never happens
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {

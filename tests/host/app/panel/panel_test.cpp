@@ -34,9 +34,9 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
-    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 = 0: the fault is reported without a delay
+    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 (delay of the error) = 0
     bench.run_until(1100);
-    // The default of 4020h:1 is 250.0 °C.
+    // The default of 4020h:1 (high shutdown threshold) is 250.0 °C.
     ASSERT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 300.0), 200);
     bench.run_until(2000);
 
@@ -47,7 +47,7 @@ TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     EXPECT_EQ(device.at("error_register"), 1);
     EXPECT_EQ(device.at("lamps").at("error"), "on");
     const nlohmann::json frames = frames_of(bench, "EMCY");
-    ASSERT_EQ(frames.size(), 2U);  // the temperature is also above the high warning limit
+    ASSERT_EQ(frames.size(), 2U);  // one of them is for the high warning limit
     EXPECT_EQ(frames.at(1).at("id"), "082");
     EXPECT_EQ(frames.at(1).at("from"), "ax188001@2");
 

@@ -32,7 +32,7 @@ class ExhibitFolder : public ::testing::Test {
     }
     ~ExhibitFolder() override { std::filesystem::remove_all(root_); }
     void write(const std::string& name, const std::string& text) const { std::ofstream{root_ / name} << text; }
-    /// Returns the message for this description.
+    /// Returns the error message for an exhibit.json with this text, or the title of a valid exhibit.
     std::string told(const std::string& text) const {
         write("fuzz/exhibit.json", text);
         try {

@@ -90,7 +90,7 @@ TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
     clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
     clock.compare(Instant{}, [] { return 5095000 * ns; });
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
-    // 40 ms more: the tolerance is 50 ms and the time of the comparison.
+    // Now the offset differs by 40 ms; the tolerance is 50 ms plus the time that the comparison takes.
     clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
     clock.compare(Instant{}, [] { return 5060000 * ns; });
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
@@ -99,7 +99,7 @@ TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
 TEST(ArrivalClock, ChangeOfTheRealTimeClockAboveTheToleranceIsFollowed) {
     ArrivalClock clock = compared({1000}, 5000000);
     clock.use(clock_of({2000}));
-    clock.compare(Instant{}, [] { return 5051000 * ns; });  // 50 ms more than 1 ms later: within the tolerance
+    clock.compare(Instant{}, [] { return 5051000 * ns; });  // 51 ms in 1 ms of the run: 50 ms are tolerated
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{1000});
     clock.compare(Instant{}, [] { return 5051001 * ns; });
     EXPECT_EQ(clock.at(5051001 * ns, Instant{}), Instant{2000});
