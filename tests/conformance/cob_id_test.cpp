@@ -76,7 +76,7 @@ TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
     }
 }
 
-TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAnotherGroup) {
+TEST_P(CobIdOfTheDevice, StoredCobIdEqualToTheDefaultOfANewNodeIdIsKeptWhenTheNodeIdChanges) {
     verifies<req::CO_PDO_060, req::CO_STORE_011>();
     set_cob_id(as_shipped + 6);  // the default COB-ID of node 9
     ASSERT_TRUE(unit.save(2));

@@ -86,7 +86,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
+TEST_F(ActiveList, WaitingMessagesOfDifferentErrorsAreKeptApart) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
@@ -153,7 +153,7 @@ TEST_F(ActiveList, ErrorWithoutACodeIsIgnored) {
     EXPECT_EQ(objects.read(0x1001, 0), 0U);
 }
 
-TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
+TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsFetched) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});

@@ -27,7 +27,7 @@ class Errors : public CbxTest {
 
 }  // namespace
 
-TEST_F(Errors, EmcyMessageHoldsCodeErrorRegisterAndCount) {
+TEST_F(Errors, EmcyMessageContainsCodeErrorRegisterAndNumberOfListedErrors) {
     verifies<req::CO_EMCY_001, req::AO4_ERR_001, req::AO4_T_ERRORS, req::AO4_OD_1014>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
@@ -134,7 +134,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
     }
 }
 
-TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
+TEST_F(Errors, RewritingTheSameEmcyCobIdKeepsWaitingMessages) {
     verifies<req::CO_EMCY_020>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -143,7 +143,7 @@ TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
     EXPECT_EQ(pass(10), (Frames{"10:083#2081110200000000"}));
 }
 
-TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
+TEST_F(Errors, Bit31OfTheEmcyCobIdSwitchesMessagesOff) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_034>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
@@ -221,7 +221,7 @@ TEST_F(Errors, ErrorPassiveInStoppedIsReportedAfterStopped) {
     EXPECT_EQ(send("000#8003"), (Frames{"083#2081110100000000"}));
 }
 
-TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
+TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
@@ -272,7 +272,7 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 
-TEST_F(Errors, EachValueOfTheSignalIsAStateOfTheController) {
+TEST_F(Errors, EachValueOfTheCanStateSignalIsAStateOfTheController) {
     verifies<req::CO_E_CAN_STATE>();
     EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
     EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first entry of 1003h

@@ -175,7 +175,7 @@ TEST_F(Lss, FramesReceivedDuringTheSwitchDelaysHaveNoEffect) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
+TEST_F(Lss, NewBitRateIsActivatedAtOnceWhenTheSwitchDelayIsZero) {
     verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}},
@@ -184,7 +184,7 @@ TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, ActivationWithoutANewBitRateKeepsTheSwitchDelays) {
+TEST_F(Lss, ActivateBitTimingWithoutANewBitRateHasItsSwitchDelaysToo) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1505000000000000", {}}});
@@ -195,7 +195,7 @@ TEST_F(Lss, ActivationWithoutANewBitRateKeepsTheSwitchDelays) {
     EXPECT_EQ(bit_rate(), 125000U);
 }
 
-TEST_F(Lss, WaitingFramesAreDroppedAtActivation) {
+TEST_F(Lss, WaitingFramesAreDroppedWhenANewBitRateIsActivated) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
@@ -217,7 +217,7 @@ TEST_F(Lss, ErrorDuringTheSwitchDelaysIsReportedAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // error 8110h; 1001h (error register) is 11h
 }
 
-TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
+TEST_F(Lss, ErrorLateInTheSwitchDelaysIsReportedAtTheirEnd) {
     verifies<req::CO_LSS_015, req::CO_EMCY_001>();
     configure();
     talk({{"7E5#150A000000000000", {}}});

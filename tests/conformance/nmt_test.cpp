@@ -77,7 +77,7 @@ TEST_F(Nmt, CommandDuringBusOffIsIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-TEST_F(Nmt, ResetCommunicationRestores1017hAndResetNodeAlso6411h) {
+TEST_F(Nmt, ResetCommunicationRestoresTheHeartbeatTimeAndResetNodeAlsoTheOutputValues) {
     verifies<req::CO_NMT_005, req::CO_NMT_006>();
     write("603#2B171000E8030000");  // 1017h producer heartbeat time: 1000 ms
     write("603#2B116401B33E0000");  // writes 3EB3h to 6411h:1

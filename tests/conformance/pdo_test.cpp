@@ -130,7 +130,7 @@ TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
     EXPECT_EQ(send("603#4001140200000000"), (Frames{"583#4F011402FF000000"}));
 }
 
-TEST_F(Pdo, RemappingIsAcceptedInItsOrderOnly) {
+TEST_F(Pdo, RemappingIsAcceptedInThePrescribedOrderOnly) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // refused: RPDO2 is still valid
     disable_rpdo2();

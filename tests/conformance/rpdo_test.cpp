@@ -278,7 +278,7 @@ TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
+TEST_F(Rpdo, RpdoTimeOutChangesTheStateAsACommunicationError) {
     verifies<req::CO_PDO_032>();
     send("605#2B00140532000000");
     const int before = device->communication_errors();

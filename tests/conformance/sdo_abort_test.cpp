@@ -176,7 +176,7 @@ TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
     EXPECT_EQ(provoked.size() + never_sent.size(), all.size());
 }
 
-TEST_F(SdoAbort, NoSingleRequestCausesACodeThatIsNeverSent) {
+TEST_F(SdoAbort, NoSingleRequestCausesAnAbortCodeListedAsNeverSent) {
     verifies<req::CO_SDO_036>();
     // Sends every first byte to many objects of the slave and to absent ones, each with three values.
     std::set<std::uint32_t> seen;

@@ -35,7 +35,7 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
 }
 
 /// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
-TEST_F(SdoBlock, AnnouncedSizeCountsForItsOwnDownloadOnly) {
+TEST_F(SdoBlock, AnnouncedSizeAppliesToItsOwnDownloadOnly) {
     verifies<req::CO_SDO_060>();
     using Transfer = std::vector<Exchange>;
     const std::vector<Transfer> with_size{
@@ -208,7 +208,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
                 });
 }
 
-TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
+TEST_F(SdoBlock, BlocksOfOnlyTheFirstAndTheLastSegmentDoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
     // each pair is a sub-block in which only the first segment has the expected number
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
@@ -272,7 +272,7 @@ TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, AnnouncedSizeCountsWithAllItsBytes) {
+TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes, one more than the memory has

@@ -151,7 +151,7 @@ TEST_F(SdoBlock, BlockSizesOtherThan1To127AreRefused) {
                 });
 }
 
-TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
+TEST_F(SdoBlock, ValuesUpToTheProtocolSwitchThresholdAreUploadedWithoutBlocks) {
     verifies<req::CO_SDO_031>();
     hold(nine);
     talk(*this, {
@@ -267,7 +267,7 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
 }
 
 /// The program calls the server only after the time-out. The client is not late, so the upload is not aborted.
-TEST_F(SdoBlock, UploadContinuesWhenALateCallFindsRoomInTheQueue) {
+TEST_F(SdoBlock, BlockUploadContinuesWhenTheQueueIsEmptiedOnlyAfterTheTimeOut) {
     verifies<req::CO_SDO_014, req::CO_SDO_039>();
     hold(counting(140));  // 20 segments
     send("605#A40024007F000000");
@@ -278,7 +278,7 @@ TEST_F(SdoBlock, UploadContinuesWhenALateCallFindsRoomInTheQueue) {
     EXPECT_EQ(sent().size(), 8U);
 }
 
-TEST_F(SdoBlock, UploadContinuesInTheCallThatAppliesAnNmtCommand) {
+TEST_F(SdoBlock, BlockUploadContinuesAfterAnNmtCommand) {
     verifies<req::CO_SDO_039>();
     hold(counting(140));
     send("605#A40024007F000000");

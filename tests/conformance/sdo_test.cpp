@@ -247,7 +247,7 @@ TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
                 });
 }
 
-TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
+TEST_F(SlaveSdo, DomainWithMemoryOfOneByteAcceptsOneByteAndNoMore) {
     verifies<req::CO_SDO_033>();
     device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
     device->lend(program_index, 0, 1);

@@ -196,7 +196,7 @@ TEST_F(Store, MemoryThatIsTooSmallIsReportedAtPowerOnAndRefusesASave) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
+TEST_F(Store, FailedReadGivesDefaultsAndAnErrorAtPowerOnAndRefusesASave) {
     verifies<req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);

@@ -115,7 +115,7 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
     }
 }
 
-TEST_F(Tpdo, FirstSyncCountsWithoutASyncStartValue) {
+TEST_F(Tpdo, TpdoIsSentFromTheFirstSyncOnWithoutASyncStartValue) {
     verifies<req::CO_PDO_019, req::CO_PDO_014>();
     send("605#2F1910000A000000");  // 1019h synchronous counter overflow value: counter 1 … 10
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));

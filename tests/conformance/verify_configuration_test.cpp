@@ -29,7 +29,7 @@ class VerifyConfiguration : public testing::Test, public SlaveBench {
 
 }  // namespace
 
-TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
+TEST_F(VerifyConfiguration, DateAndTimeWrittenByAConfigurationToolAreKept) {
     verifies<req::CO_VERIFY_001, req::CO_VERIFY_004>();
     talk(zero);
     leave_date_and_time();
@@ -55,7 +55,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     }
 }
 
-TEST_F(VerifyConfiguration, ChangedTextClearsDateAndTimeAndTheSameTextDoesNot) {
+TEST_F(VerifyConfiguration, ChangeOfAStoredTextClearsDateAndTimeAndARewriteOfItDoesNot) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
@@ -103,7 +103,7 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
 
 // 1020h:1 has day, month and year, 1020h:2 hour and minute, with a hexadecimal digit for each decimal digit (AX130751
 // 3.2.12, AX188001 3.2.12, AX060805 4.2.12).
-TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOf1017h) {
+TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOfTheHeartbeatTime) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);

@@ -112,7 +112,7 @@ TEST(DictionaryCheck, ObjectWithoutSubindex0IsRefused) {
     EXPECT_FALSE(second_without.sound());
 }
 
-TEST(DictionaryCheck, ValuesOutsideTheirPoolAreRefused) {
+TEST(DictionaryCheck, ValuesOutsideTheirPartOfTheMemoryAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;
     flash.entries[0].offset = 1U;

@@ -124,7 +124,7 @@ TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     }
 }
 
-TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
+TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedStoreLeavesTheDamageReported) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     for (const int stores : {1, 2}) {
         for (std::size_t cut = 0; cut <= 23; ++cut) {

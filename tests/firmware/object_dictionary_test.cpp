@@ -65,7 +65,7 @@ std::pair<std::size_t, std::size_t> pdos_with(const std::uint16_t index) {
 }
 
 // CiA 301, Table 40: the communication parameters of RPDO1 are 1400h, those of TPDO1 are 1800h.
-TEST(ObjectDictionary, HighestPdoOfADirectionIsItsNumberOfPdos) {
+TEST(ObjectDictionary, NumberOfPdosOfADirectionIsItsHighestPdoNumber) {
     test::shows_rule("a dictionary that is compiled is sound");
     using Counts = std::pair<std::size_t, std::size_t>;
     EXPECT_EQ(pdos_with(0x13FFU), (Counts{0U, 0U}));

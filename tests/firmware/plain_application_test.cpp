@@ -164,7 +164,7 @@ TEST_F(ByHand, PutDoesNotOverwriteAConstantEntry) {
     EXPECT_EQ(objects.value(name).size(), 17U);
 }
 
-TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
+TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnlessObject1029hKeepsTheState) {
     verifies<req::CO_NMT_011, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {

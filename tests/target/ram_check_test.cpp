@@ -120,7 +120,7 @@ TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
     }
 }
 
-TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
+TEST(RamCheck, InterruptsAreMaskedDuringTheTestOfASliceOnly) {
     verifies<req::CO_SELF_001, req::CO_SELF_013>();
     RamModel ram{word_count};
     RamCheck check{{ram.words(), 0, 0}};
@@ -143,7 +143,7 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
     core_model() = CoreModel{};
 }
 
-TEST(RamCheck, MarchRunsOnAStackOutsideOfItsSlice) {
+TEST(RamCheck, MarchTestRunsOnAStackOutsideTheTestedSlice) {
     verifies<req::CO_SELF_001>();
     RamModel ram{word_count};
     core_model() = CoreModel{};

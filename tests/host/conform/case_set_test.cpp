@@ -135,7 +135,7 @@ Part slave_with_heartbeat() {
 
 }  // namespace
 
-TEST(ConformCases, EachNumberOfThePublicTranscriptIsInExactlyOneCase) {
+TEST(ConformCases, EachTestNumberOfThePublicConformanceTranscriptIsInExactlyOneCase) {
     std::map<std::string, int> found;
     for (const Case& one : cases()) {
         for (const std::string& number : one.numbers) {
@@ -150,7 +150,7 @@ TEST(ConformCases, EachNumberOfThePublicTranscriptIsInExactlyOneCase) {
     EXPECT_EQ(found.size(), wanted.size()) << "a number that the transcript does not have";
 }
 
-TEST(ConformCases, AtLeast100CasesAreOutsideThePublicTranscript) {
+TEST(ConformCases, AtLeast100CasesAreNotInThePublicConformanceTranscript) {
     const auto own = std::count_if(cases().begin(), cases().end(), [](const Case& one) { return one.numbers.empty(); });
     EXPECT_GE(own, 100);
     EXPECT_GE(cases().size(), 227U);

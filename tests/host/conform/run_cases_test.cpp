@@ -56,7 +56,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
+TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
     const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
     EXPECT_EQ(returned.verdict, Verdict::failed);
     ASSERT_EQ(returned.left.size(), 1U);
@@ -69,7 +69,7 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchTakesNoFramesFromTheRestoreSteps) {
+TEST(ConformRun, WatchLeavesFramesToTheRestoreSteps) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -99,7 +99,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_EQ(report.results[1].why, "the slave stopped answering in some");
 }
 
-TEST(ConformRun, LoopVariableOfAProcedureEndsWithAReturnFromTheLoop) {
+TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
     VirtualTarget target{sound_slave(), 5};

@@ -182,7 +182,7 @@ TEST_F(HttpFrontEnd, RangeHeadersAreIgnored) {
     }
 }
 
-TEST(FrontThatEnds, EndOfTheServerDoesNotWaitForClients) {
+TEST(FrontThatEnds, ServerEndsWithoutWaitingForItsClients) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
     TcpClient slow{front->port()};
     slow.say("GET /");

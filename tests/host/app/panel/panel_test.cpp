@@ -31,7 +31,7 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 
 }  // namespace
 
-TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
+TEST(Panel, PanelShowsEmcyFrameAndErrorLampAboveTheShutdownTemperature) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
     ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 (delay of the error) = 0
@@ -159,7 +159,7 @@ TEST(Panel, RequestOfAForeignPageChangesNothing) {
     EXPECT_EQ(frames_of(bench, "NMT").size(), 0U);
 }
 
-TEST(Panel, FullBusRefusesFrames_AndTakesThemAgainLater) {
+TEST(Panel, FramesAreRefusedWhileTheBusQueueIsFull_AndAcceptedLater) {
     PanelBench bench{{"cbx-ao412@3"}};
     int refused = 0;
     for (int i = 0; i < 5000 && refused == 0; ++i) {

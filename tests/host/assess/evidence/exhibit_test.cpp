@@ -45,7 +45,7 @@ class ExhibitFolder : public ::testing::Test {
     std::filesystem::path root_;
 };
 
-TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
+TEST_F(ExhibitFolder, EvidenceExhibitIsReadWithItsFiles) {
     // Paths are compared as text: GoogleTest would print them as nested lists.
     ASSERT_EQ(exhibit_folders(root_).size(), 1U);
     EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
@@ -60,7 +60,7 @@ TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
     EXPECT_THAT(found.data, ElementsAre("fuzz/data/a"));
 }
 
-TEST_F(ExhibitFolder, ExhibitWithAnInvalidDescriptionIsRefused) {
+TEST_F(ExhibitFolder, EvidenceExhibitWithAnInvalidDescriptionIsRefused) {
     EXPECT_THAT(told(R"({"title": "x", "state": "fine", "says": ""})"), HasSubstr("state `fine` is neither"));
     EXPECT_THAT(told(R"({"title": "x"})"), HasSubstr("it needs title, state and says"));
     EXPECT_THAT(told("nothing"), HasSubstr("exhibit.json"));

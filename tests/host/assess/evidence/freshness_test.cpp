@@ -100,7 +100,7 @@ TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
     fs::remove_all(root);
 }
 
-TEST(Freshness, ExhibitIsStaleAfterAChangeOfAFileThatItsToolReads) {
+TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_exhibits";
     // the exhibits that are out of date after a change of this file; all others stay up to date

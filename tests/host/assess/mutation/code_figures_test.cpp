@@ -51,7 +51,7 @@ class CodeFiguresTrial : public testing::Test {
 
 }  // namespace
 
-TEST_F(CodeFiguresTrial, FiguresAreAddedUpByLayerAndSuite) {
+TEST_F(CodeFiguresTrial, MutationFiguresAreAddedUpByCodeLayerAndKindOfTest) {
     const LayerTable found = table();
     EXPECT_THAT(found.text, HasSubstr("| base | 5 | 4 (80.0 %) | 1 | 1 | 1 | 1 | 1 | 0 |\n"));
     EXPECT_THAT(found.text, HasSubstr("| box | 1 | 0 (0.0 %) | 0 | 0 | 0 | 0 | 0 | 1 |\n"));
@@ -60,7 +60,7 @@ TEST_F(CodeFiguresTrial, FiguresAreAddedUpByLayerAndSuite) {
     EXPECT_THAT(found.unjudged, IsEmpty());
 }
 
-TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
+TEST_F(CodeFiguresTrial, LaterMutationRunReplacesTheFiguresOfItsFilesOnly) {
     note_figures(figures, {{{5, relay, "g, line 1", "f"}, "Box.One", true, nullptr, "tests/devices/box/box_test.cpp"}},
                  folder / "");
     const LayerTable found = table();
@@ -69,7 +69,7 @@ TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndACommentOrALinkKeepsThem) {
+TEST_F(CodeFiguresTrial, ChangedCodeLosesItsMutationFiguresAndANewCommentOrLinkKeepsThem) {
     write(relay, "static_assert(implements<req::A> && implements<req::B>);\nint  g() { return 3; }  // three\n");
     EXPECT_THAT(table().unjudged, IsEmpty());
     write(relay, "int g() { return 4; }\n");
@@ -79,7 +79,7 @@ TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndACommentOrALinkKeepsThem) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, OtherNumberOfMutantsOrANewFileIsNotJudged) {
+TEST_F(CodeFiguresTrial, FileThatIsNewOrHasAnotherNumberOfMutantsIsListedAsUnjudged) {
     mutants.pop_back();
     mutants.push_back({6, "src/firmware/base/new.hpp", "", ""});
     mutants.push_back({7, crc, "", ""});
@@ -88,14 +88,14 @@ TEST_F(CodeFiguresTrial, OtherNumberOfMutantsOrANewFileIsNotJudged) {
     EXPECT_THAT(table().text, Not(HasSubstr("all")));
 }
 
-TEST_F(CodeFiguresTrial, RemovedFileLosesItsLine) {
+TEST_F(CodeFiguresTrial, RemovedFileLosesItsMutationFigures) {
     std::filesystem::remove(folder / relay);
     note_figures(figures, {}, folder / "");
     EXPECT_EQ(figures.count(relay), 0U);
     EXPECT_EQ(figures.count(crc), 1U);
 }
 
-TEST_F(CodeFiguresTrial, CodeFiguresAreReadBack) {
+TEST_F(CodeFiguresTrial, MutationFiguresAreReadBackAsWritten) {
     const auto file = folder / "code_figures.csv";
     EXPECT_TRUE(read_code_figures(file).empty());
     const std::string text = write_code_figures(figures);

@@ -189,7 +189,7 @@ TEST_F(AuditOfASmallRegister, UnreviewedOrChangedHazardIsSuspect) {
     EXPECT_THAT(audit().suspects, ElementsAre("D-H-001: changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionIsSuspect) {
+TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionOfASectionIsSuspect) {
     part().reviews.erase("M:1");
     content.manuals[0].sections[2].reason = "a drawing of the cables";
     EXPECT_THAT(audit().suspects, ElementsAre("M:1 (rules): its disposition: never reviewed",

@@ -75,7 +75,7 @@ TEST(ArrivalClock, MissingTimestampIsRecognisedWhenTheRunIsAheadOfTheRealTime) {
     EXPECT_EQ(clock.at(1, Instant{7}), Instant{500});  // 1 ns is 0 us of the real time
 }
 
-TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
+TEST(ArrivalClock, MoreExactClockComparisonReplacesALessExactOne) {
     // Each comparison of the first call takes 20 ms: the offset is known within 10 ms.
     ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
@@ -84,7 +84,7 @@ TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
 }
 
-TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
+TEST(ArrivalClock, ClockComparisonThatIsNoMoreExactChangesNothingWithinTheTolerance) {
     ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
     // Again each comparison takes 20 ms. The middle of the first is 110 ms of the run, 5 ms more than before.
     clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));

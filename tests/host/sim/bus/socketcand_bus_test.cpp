@@ -204,7 +204,7 @@ TEST_F(SocketcandServer, ClientWithAResetConnectionIsRemoved) {
     EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
 }
 
-TEST_F(SocketcandServer, NoticesOfItsBusAreForwarded) {
+TEST_F(SocketcandServer, ServerForwardsTheNoticesOfTheBus) {
     node.rate = 1000000;
     bus.advance(now);
     node.rate = 500000;
