@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 29-bit identifiers (CiA 301, 7.2): a frame with a 29-bit identifier reaches no service, even when the value is that of
-// the service's 11-bit identifier.
+// 29-bit identifiers (CiA 301, 7.2): a frame with a 29-bit identifier reaches no service, even when it has the value of
+// the 11-bit identifier of the service.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"

@@ -193,7 +193,7 @@ TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
 
 TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
     verifies<req::CO_SDO_010>();
-    // 2300h takes 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
+    // 2300h accepts 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
     // much
     talk(*this, {
                     {"605#C400230000000000", {"585#A40023007F000000"}},

@@ -41,7 +41,7 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
     static constexpr std::size_t bank_size = 24;
     static constexpr const char* saved = "585#6010100100000000";
     static constexpr const char* hardware_error = "585#8010100100000606";
-    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one entry in 1003h
+    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one listed error
 };
 
 }  // namespace

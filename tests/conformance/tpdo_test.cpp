@@ -172,7 +172,7 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
 TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
     verifies<req::CO_PDO_053>();
     talk(*this, {
-                    // 1802h:1 COB-ID of TPDO3: valid, although 1A02h:0 is 0
+                    // 1802h:1 COB-ID of TPDO3: valid, although 1A02h:0 (number of mapped objects) is 0
                     {"605#2302180185030000", {"585#6002180100000000"}},
                     {"000#0105", {"185#0000"}},
                     {"385#R8", {}},

@@ -75,7 +75,7 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
           {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 (error behaviour) = 3: refused, too high
           {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h (device type) cannot be written
           {"605#2310100173617665", {"585#6010100100000000"}},    // 1010h:1 saves all parameters
-          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 1020h:1 (verify configuration) is read
+          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 2000h:1 is read
     talk(kept);
     send("080#01");  // a SYNC of wrong length is listed in 1003h (error list); the list is no configuration
     talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});
@@ -132,7 +132,7 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOfT
     }
 }
 
-// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate the content of 1020h
+// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not use the values of 1020h
 TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005, req::AO4_OD_1020>();
     CbxBench bench;

@@ -112,7 +112,7 @@ TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
 TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     verifies<req::CO_SDO_016>();
     device->give(0x2207, Service::device);
-    // the requests write 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
+    // The requests write objects of the node (1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2) and 2207h of the device.
     for (const char* request :
          {"605#2305100080000000", "605#2314100085000000", "605#2B0C100001000000", "605#2316100100000000",
           "605#2B17100000000000", "605#2F00140201000000", "605#2307220001020304"}) {

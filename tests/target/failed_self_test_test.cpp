@@ -89,7 +89,7 @@ struct ChangingDevice {
 TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
     verifies<req::CO_SELF_001, req::CO_SELF_008>();
     chips_.ram.set_defect({RamModel::Fault::stuck, {40, 7}, true, {0, 0}, false});
-    // 64 words in slices of four that share one: 21 slices, one in every third pass
+    // 64 words in slices of four, each sharing one word with the next: 21 slices, one in every third pass of the loop
     expect_safe_state(SelfTest::ram, 63);
 }
 

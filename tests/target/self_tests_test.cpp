@@ -53,7 +53,7 @@ struct ClockCheckBench {
     int run(int passes, double us = 50) {
         for (int i = 0; i < passes; ++i) {
             model.pass(us);
-            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the same clock
+            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the timer's clock
             if (!check.step(now)) {
                 return i;
             }

@@ -94,7 +94,7 @@ TEST(ZynqBitTiming, RateOfAnotherTableIsWithinItsLimit) {
     }
 }
 
-// 3 kbit/s: 8000 clocks a bit are 25 quanta by 320, more than BRPR holds; bxCAN could.
+// At 3 kbit/s, a bit has 8000 clocks: 25 quanta with a prescaler of 320. BRPR cannot have this value; bxCAN can.
 TEST(ZynqBitTiming, RateBelowThePrescalersRangeKeepsTheNodeOffTheBus) {
     verifies<req::CO_ZCAN_002>();
     EXPECT_FALSE(zynqmp::bit_timing(clock_hz, 3000).ok());

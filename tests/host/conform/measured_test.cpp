@@ -109,7 +109,7 @@ TEST(ConformBusUse, FullBusHasALoadOf100PerCent) {
     ConformReport report;
     report.bit_rate = 125000;
     report.time = milliseconds(3000);
-    // Each frame takes bits x 8 us. The frame that ends just after a second begins has most of its bits before it.
+    // Each frame takes bits x 8 us. A frame that ends just after the start of a second has most bits before it.
     for (std::uint64_t end = bits * 8U; end < 3000000U; end += bits * 8U) {
         report.bus_use.add({Instant{end}, frame, true});
     }

@@ -24,7 +24,7 @@ class Broken(Exception):
 class Device:
     name: str  # the name for `canproof run`
     node: int
-    objects: tuple  # index, sub-index: numbers of 16 bit that 1010h:1 stores
+    objects: tuple  # index, sub-index: numbers of 16 bit that a save (1010h:1) stores
     kinds: tuple  # kinds of stores
     shipped: int  # factory node-ID, which applies when the LSS store is damaged (CO-LSS-065)
 

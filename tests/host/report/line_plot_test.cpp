@@ -85,10 +85,10 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndCurvesDifferWithoutColour) {
         has_grouped_tick = has_grouped_tick || word == "2,500,000";
     }
     ASSERT_EQ(places.size(), 18U);
-    EXPECT_EQ(places[6].first, places[0].first);  // six in one row
+    EXPECT_EQ(places[6].first, places[0].first);  // six legend entries in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // all 18 differ in width or dashes
+    EXPECT_EQ(looks.size(), 18U);  // all 18 curves differ in width or dashes
     EXPECT_TRUE(has_grouped_tick);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests which mutants make a test count for an item. Shell scripts take the place of the programs of tests.
+// Tests when a test is recorded as noticing a mutant of an item. Shell scripts take the place of the test programs.
 #include "host/assess/mutation/kill_judge.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation that is split over several machines: the merged shards give the same report as one machine.
+// Mutation testing that is split over several machines: the merged shards give the same report as one machine.
 #include "host/assess/mutation/mutation_shard.hpp"
 
 #include <gmock/gmock.h>

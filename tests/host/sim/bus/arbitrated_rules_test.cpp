@@ -44,7 +44,7 @@ class AnsweringNode final : public PlainNode {
     }
 };
 
-/// A bus on which a gateway can break off its frames: each is an error of the nodes that receive.
+/// A bus on which a gateway can break off its frames. Each broken frame is an error for the nodes that receive it.
 class ErrorBench {
   public:
     explicit ErrorBench(const BusFaultRates& faults = {}) : bus{"inproc", 125000, faults} { bus.attach(node); }
