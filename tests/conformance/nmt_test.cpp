@@ -101,7 +101,8 @@ TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_E_NMT_STATE, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC
     write("603#2306100010270000");  // 1006h communication cycle period: 10 ms
-    // pre-operational: SDO, SYNC, EMCY, error control; no PDO. Bit 7 of each second state is the toggle bit.
+    // pre-operational: SDO, SYNC, EMCY, error control; no PDO. Bit 7, the toggle bit, is set in every
+    // second answer.
     EXPECT_EQ(send("703#R"), (Frames{"703#7F"}));
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));

@@ -256,7 +256,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     EXPECT_TRUE(pass(1000).empty());
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
-    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, not a reception
+    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: error 8210h; it does not count as received
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 

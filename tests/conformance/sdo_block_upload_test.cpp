@@ -227,8 +227,7 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     std::size_t sub_blocks = 0;
     while (from < all) {
         const bool last = all - from <= 7 * 127;
-        const Bytes bytes =
-            piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: segment 127 is not the last
+        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: segment 127 is not the last
         Frames expected;
         for (unsigned sequence = 1; sequence <= 127 && (sequence - 1) * 7 < bytes.size(); ++sequence) {
             expected.push_back(block_segment("585", sequence, bytes, (sequence - 1) * 7));

@@ -148,7 +148,7 @@ TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
 
 TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // invalidate, header, value, CRC, commit
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // the writes: invalidate, header, value, CRC, commit
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);

@@ -122,7 +122,7 @@ TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
 }
 
-TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
+TEST_F(Store, StoredSetOfAnotherFormatOrDictionaryCountsAsCorrupt) {
     verifies<req::AO4_STORE_005>();
     set_values("3412");
     write("603#2310100173617665");
@@ -138,7 +138,7 @@ TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
     }
 }
 
-TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
+TEST_F(Store, ErasedMemoryContainsNoStoredSetAndADamagedHeaderIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), blank);

@@ -130,7 +130,7 @@ TEST(Watchdog, StartDoesNotWaitForAStoppedOscillator) {
     EXPECT_TRUE(model.is_running());
 }
 
-TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfBothParts) {
+TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfItsVectorsAndCode) {
     verifies<req::CO_IMAGE_001>();
     // CRC-32/ISO-HDLC of "123456789" is CBF43926h.
     const std::array<std::uint8_t, 4> vectors{'1', '2', '3', '4'};

@@ -161,7 +161,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
 
 TEST_F(FailedSelfTest, FrameThatAppearsInTheQueueIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
-    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // PDO1, which the device has not queued
+    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());
     expect_safe_state(SelfTest::state, 0);
 }

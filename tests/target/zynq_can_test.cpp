@@ -85,7 +85,7 @@ TEST(ZynqBitTiming, EveryRateOfLssIsExactInTheRegisters) {
 }
 
 // 666.667 kbit/s (36 clocks) and one third of 500 kbit/s (144 clocks) are rates of other manuals.
-TEST(ZynqBitTiming, RateOfAnotherTableIsWithinItsLimit) {
+TEST(ZynqBitTiming, BitRateOfOtherManualsIsWithinItsTolerance) {
     verifies<req::CO_ZCAN_001>();
     for (const std::uint32_t rate : {666667U, 166667U}) {
         const auto found = zynqmp::bit_timing(clock_hz, rate);

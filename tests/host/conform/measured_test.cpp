@@ -96,7 +96,7 @@ TEST(ConformBusUse, LoadOfARunBelowOneSecondIsThatOfTheWholeRun) {
     ConformReport report;
     report.bit_rate = 125000;
     report.time = milliseconds(500);
-    report.bus_use.add({Instant{900000}, frame, true});  // at both sides of a full second of the clock
+    report.bus_use.add({Instant{900000}, frame, true});  // one frame on each side of a full second
     report.bus_use.add({Instant{1100000}, frame, true});
     // The load of two frames in half a second: bits / (125000 bit/s x 0.5 s)
     EXPECT_DOUBLE_EQ(*report.mean_load(), 100.0 * 2.0 * (frame_bits(frame) + 3U) / 62500.0);

@@ -177,7 +177,7 @@ TEST_F(RunningDevice, LssStoresItsNodeIdAcrossAPowerCycle) {
 }
 
 TEST_F(RunningDevice, DomainStoresAndReturnsAProgram) {
-    EXPECT_THAT(send("605#2100200009000000").front(), HasSubstr("585#80"));  // 2000h is no domain of nine bytes
+    EXPECT_THAT(send("605#2100200009000000").front(), HasSubstr("585#80"));  // 2000h has two bytes, not nine
     EXPECT_THAT(send("605#2102200009000000"), ElementsAre("585#6002200000000000"));
     EXPECT_THAT(send("605#0001020304050607"), ElementsAre("585#2000000000000000"));
     EXPECT_THAT(send("605#1B08090000000000"), ElementsAre("585#3000000000000000"));

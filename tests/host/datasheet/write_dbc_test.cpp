@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 struct Signal {
-    std::string multiplex;  ///< empty, M or m with a number
+    std::string multiplex;  ///< empty, "M" for the multiplexer, or "m" and a value of it
     unsigned start{0};
     unsigned length{0};
     bool is_signed{false};

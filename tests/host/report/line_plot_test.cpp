@@ -52,7 +52,7 @@ TEST(LinePlot, PlotContainsItsTitleAxisTextsAndCurves) {
     for (const auto& path : document.child("svg").children("path")) {
         paths.emplace_back(path.attribute("d").value());
     }
-    // The plot area extends from 84, 360 to 940, 44.
+    // The plot area extends from the point (84, 360) to (940, 44).
     EXPECT_EQ(paths, (std::vector<std::string>{"M84.0 360.0L940.0 44.0", "M84.0 296.8L940.0 296.8"}));
 }
 
@@ -113,7 +113,7 @@ TEST(Breakable, NameIsDividedBetweenItsWords) {
 }
 
 TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
-    // The axes extend half a unit on each side of the only point, so that it lies in the middle: 84 to 940, 360 to 44.
+    // The axes extend half a unit on each side of the only point, so that it lies in the middle of the plot area.
     const auto flat = parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
     EXPECT_STREQ(flat.child("svg").child("path").attribute("d").value(), "M512.0 202.0");
     EXPECT_EQ(texts(flat).front(), "flat");

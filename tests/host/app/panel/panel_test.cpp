@@ -123,7 +123,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {
 
 TEST(Panel, NodeIdOfADeviceMayBeOmittedWhenItsNameIsUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
-    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request of the README
+    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request in the README of the panel
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
     EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"cbx-ao412","signal":"supply","value":24})").body,
                 HasSubstr("cbx-ao412@3, cbx-ao412@4"));
@@ -209,7 +209,7 @@ TEST(Panel, ReplayOfPanelActionsGivesTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, StimuliContainTheNameOfTheirDeviceWhenThereAreSeveral) {
+TEST(Panel, StimuliContainTheDeviceNameInARunWithSeveralDevices) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");

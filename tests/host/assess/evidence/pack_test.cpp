@@ -29,7 +29,7 @@ pugi::xml_document parsed_file(const std::string& text) {
 TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndItsSubclaimsHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
-    input_.evidence.verdicts.erase("D-A-002");  // D-A-002 has no verdict: a gap
+    input_.evidence.verdicts.erase("D-A-002");  // no test result for D-A-002: a gap
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_EQ(state_of("C"), "✗ open");
 }

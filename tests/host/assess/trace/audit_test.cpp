@@ -228,7 +228,7 @@ TEST_F(AuditOfASmallRegister, FilterBySectionIncludesItsSubsections) {
     EXPECT_FALSE(takes({"", "", "open"}));
 }
 
-TEST_F(AuditOfASmallRegister, FilterAddsTheManualToASectionWithoutOne) {
+TEST_F(AuditOfASmallRegister, SectionFilterWithoutAManualGetsTheManualOfTheDevice) {
     const std::vector<PartAudit> all{audit()};
     EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");

@@ -73,7 +73,7 @@ class Kills : public testing::Test {
 
 }  // namespace
 
-TEST_F(Kills, ItemIsShownWhenATestNoticesOneOfItsMutants) {
+TEST_F(Kills, ItemCountsAsCheckedWhenATestNoticesOneOfItsMutants) {
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.unnoticed, ElementsAre("B"));

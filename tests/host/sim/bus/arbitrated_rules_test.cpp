@@ -74,7 +74,7 @@ class ErrorBench {
     Instant now{};
 };
 
-/// Returns the outcome of these votes on a bus with `present`, in bit/s.
+/// Returns the bit rate, in bit/s, of a bus that had `present` before these votes.
 std::uint32_t vote_on(const std::map<std::uint32_t, int>& votes, std::uint32_t present) {
     BitRateVote vote;
     for (const auto& [rate, count] : votes) {

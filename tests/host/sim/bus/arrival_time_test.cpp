@@ -159,7 +159,7 @@ TEST_F(SocketCan, PauseBetweenTheReadingsOfTwoClocksDoesNotMakeFramesEarlier) {
     Instant clock{1000000};  // 1 s of the run at 5 s of the real time
     bus->use_clock([&] { return clock; });
     step(0);
-    // The run reads 1.001 s, then loses the processor for 114 ms. The frame arrives after 100 ms of them.
+    // The run reads 1.001 s, then loses the processor for 114 ms. The frame arrives 100 ms after the reading.
     clock = Instant{1115000};
     system.realtime_us = 5115000;
     system.arrive(monitor, "705#05", 5101000);
