@@ -12,7 +12,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A range end without a limit.
+/// One end of a range of values, without a limit.
 constexpr Limit no_end{LimitKind::none, 0, 0};
 
 constexpr Limit end_at(const std::uint32_t bits) {
@@ -58,7 +58,7 @@ TEST_F(AlteredDictionary, LongestErrorListHolds254Errors) {
     EXPECT_EQ(send("080#01"), Frames{"085#408211FE00000000"});
 }
 
-TEST_F(AlteredDictionary, SubIndex5Of1016hMonitorsNoNode) {
+TEST_F(AlteredDictionary, SubIndex5OfConsumerHeartbeatTimeMonitorsNoNode) {
     verifies<req::CO_HB_002, req::CO_HB_004>();
     entry(0x1016, 4).subindex = 5;
     power_on();
@@ -70,7 +70,7 @@ TEST_F(AlteredDictionary, SubIndex5Of1016hMonitorsNoNode) {
     EXPECT_EQ(pass(1000), Frames{"100:085#3081110100000000"});
 }
 
-TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedEvenWithoutALimitOfItsEntry) {
+TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedEvenWhenItsEntryHasNoLimit) {
     verifies<req::CO_PDO_024>();
     entry(0x1802, 6).limit = no_limit;
     power_on();
@@ -78,7 +78,7 @@ TEST_F(AlteredDictionary, SyncStartValueAbove240IsRefusedEvenWithoutALimitOfItsE
     EXPECT_EQ(send("605#2F021806F0000000"), Frames{"585#6002180600000000"});
 }
 
-TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedEvenWithoutALimitOfItsEntry) {
+TEST_F(AlteredDictionary, SyncCounterOverflowAbove240IsRefusedEvenWhenItsEntryHasNoLimit) {
     verifies<req::CO_SYNC_007>();
     entry(0x1019, 0).limit = no_limit;
     power_on();
@@ -226,7 +226,7 @@ TEST_F(AlteredDictionary, MappingEntry65DoesNotOverwriteTheNextPdo) {
     EXPECT_EQ(send("605#4000210400000000"), Frames{"585#4B00210477880000"});
 }
 
-TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
+TEST_F(AlteredDictionary, PdoValueRefusedByTheServiceOfItsObjectDiscardsTheWholePdo) {
     verifies<req::CO_PDO_005, req::CO_SYNC_007>();
     ship(0x1600, 1, 0x10190008);  // 1019h (SYNC counter overflow), in which 1 is reserved
     ship(0x1600, 2, 0x20000108);
@@ -240,7 +240,7 @@ TEST_F(AlteredDictionary, ValueRefusedByItsServiceDiscardsTheWholePdo) {
     EXPECT_EQ(send("605#4000200100000000"), Frames{"585#4F00200155000000"});
 }
 
-TEST_F(AlteredDictionary, PdoLinesCountsAtMost64EntriesOfAMappingObject) {
+TEST_F(AlteredDictionary, AtMost64EntriesOfAMappingObjectAreCounted) {
     shows_rule("work is bounded");
     EXPECT_EQ(pdo_lines(description.rows.tables()), 8U);
     entry(0x1A03, 8).subindex = 64;
@@ -283,7 +283,7 @@ TEST_F(AlteredDictionary, ExpeditedDownloadLongerThanTheDomainIsRefused) {
     EXPECT_EQ(send("605#4000240000000000"), Frames{"585#4B00240001020000"});
 }
 
-TEST_F(AlteredDictionary, EntryAssignedToAServiceOfOtherIndicesIsReadAndWrittenNormally) {
+TEST_F(AlteredDictionary, EntryWronglyAssignedToTheLssOrPdoServiceIsReadAndWrittenNormally) {
     verifies<req::CO_SDO_016>();
     for (const Service service : {Service::lss, Service::pdo}) {
         entry(0x2207, 0).service = service;
@@ -294,7 +294,7 @@ TEST_F(AlteredDictionary, EntryAssignedToAServiceOfOtherIndicesIsReadAndWrittenN
 }
 
 // 2302h has 72 bytes, more than the 64 of the server itself.
-TEST_F(AlteredDictionary, EntryLongerThanTheServerBufferUsesTheMemoryOfTheDevice) {
+TEST_F(AlteredDictionary, DownloadLongerThanTheSdoServerBufferUsesMemoryOfTheDevice) {
     verifies<req::CO_SDO_004, req::CO_SDO_043, req::CO_SDO_034>();
     power_on();
     EXPECT_EQ(send("605#2102230048000000"), Frames{"585#8002230005000405"});
@@ -309,7 +309,7 @@ TEST_F(AlteredDictionary, EntryLongerThanTheServerBufferUsesTheMemoryOfTheDevice
     EXPECT_EQ(send("605#6000000000000000"), Frames{"585#0041424344454647"});
 }
 
-TEST_F(AlteredDictionary, ServerBufferTakesValuesUpTo64Bytes) {
+TEST_F(AlteredDictionary, SdoServerBufferAcceptsValuesUpTo64Bytes) {
     verifies<req::CO_SDO_002, req::CO_SDO_004>();
     entry(0x2302, 0).size = 64;  // text "A value of …"
     power_on();
@@ -337,7 +337,7 @@ TEST_F(AlteredDictionary, BlockDownloadThatFillsItsMemoryMayEndWithAnEmptySegmen
     EXPECT_EQ(send("605#7000000000000000"), Frames{"585#1108090A0B0C0D0E"});
 }
 
-TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheSameWatchMarkTriggersNoTpdo) {
+TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheHashOfAMappedValueTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     ASSERT_EQ(watch_mark(0x2001, 3), watch_mark(0x2003, 1));
     ship(0x1A00, 0, 1);
@@ -348,7 +348,7 @@ TEST_F(AlteredDictionary, ChangeOfAnUnmappedValueWithTheSameWatchMarkTriggersNoT
     EXPECT_EQ(send("605#2F01200311000000"), (Frames{"185#11", "585#6001200300000000"}));
 }
 
-TEST_F(AlteredDictionary, EntryThatFitsTheServerBufferNeedsNoMemoryOfTheDevice) {
+TEST_F(AlteredDictionary, DownloadThatFitsTheSdoServerBufferNeedsNoMemoryOfTheDevice) {
     verifies<req::CO_SDO_004, req::CO_SDO_043>();
     power_on();
     device->lend(0x2207, 0, 2);

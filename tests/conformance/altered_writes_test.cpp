@@ -12,8 +12,8 @@ namespace canproof::test {
 
 class AlteredWrites : public testing::Test, public AlteredSlaveBench {};
 
-// A row of limits has a number, which is no length: row 2 does not allow two bytes.
-TEST_F(AlteredWrites, NumberOfAnotherLengthIsRefusedWhateverTheRowOfItsLimits) {
+/// The number of a row of limits is not a length: with row 2, a download of two bytes is refused as well.
+TEST_F(AlteredWrites, DownloadOfWrongLengthIsRefusedWhicheverTableRowHasTheLimitsOfTheEntry) {
     verifies<req::CO_SDO_010>();
     description.rows.limits.resize(std::max<std::size_t>(description.rows.limits.size(), 5));
     std::uint16_t row = 2;

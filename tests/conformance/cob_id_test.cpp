@@ -55,7 +55,7 @@ TEST_P(CobIdOfTheDevice, DefaultCobIdFollowsTheNodeIdEvenWhenStored) {
     ASSERT_TRUE(unit.save());
     unit.move_to(9);
     EXPECT_EQ(cob_id(), as_shipped + 6);
-    ASSERT_TRUE(unit.save(3));  // saves another group while the node-ID is 9
+    ASSERT_TRUE(unit.save(3));  // saves another parameter group (1010h:3) while the node-ID is 9
     unit.move_to(4);
     EXPECT_EQ(cob_id(), as_shipped + 1);
     ASSERT_TRUE(unit.save(2));
@@ -76,7 +76,7 @@ TEST_P(CobIdOfTheDevice, ChangedCobIdIsKeptOnceStored) {
     }
 }
 
-TEST_P(CobIdOfTheDevice, CobIdSetToAnotherNodesDefaultIsKeptWhenThatNodeSavesAnotherGroup) {
+TEST_P(CobIdOfTheDevice, StoredCobIdEqualToTheDefaultOfANewNodeIdIsKeptWhenTheNodeIdChanges) {
     verifies<req::CO_PDO_060, req::CO_STORE_011>();
     set_cob_id(as_shipped + 6);  // the default COB-ID of node 9
     ASSERT_TRUE(unit.save(2));

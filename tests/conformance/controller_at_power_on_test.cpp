@@ -26,8 +26,8 @@ TEST_F(ControllerAtPowerOn, ErrorFoundDuringBusOffIsReportedAfterBusOff) {
     can_state = 3;
     EXPECT_EQ(start_damaged(), Frames{});
     EXPECT_EQ(pass(1000), Frames{});
-    // 6300h and error passive (8120h) wait, both in the list and in 1001h; 8140h follows as the third error in the
-    // list, and last the end of 8120h.
+    // The messages of 6300h (damaged data) and 8120h (error passive) wait; 1003h (error list) has both errors, and
+    // 1001h (error register) shows them. 8140h (recovered from bus-off) is the third error; the end of 8120h is last.
     EXPECT_EQ(recover(),
               (Frames{"085#0063110200000000", "085#2081110200000000", "085#4081110300000000", "085#0000010300000000"}));
     EXPECT_EQ(pass(1000), Frames{});
@@ -63,7 +63,7 @@ TEST_F(ControllerAtPowerOn, StoringTheLssConfigurationAgainEndsTheErrorOfDamaged
     EXPECT_EQ(send("000#8105"), (Frames{"705#00"}));
 }
 
-/// The same device is switched off while it is bus-off, and switched on with a working bus.
+/// A device is switched off while it is bus-off, and switched on again with a working bus.
 TEST_F(ControllerAtPowerOn, PowerOnClearsTheBusOffOfThePreviousPowerCycle) {
     verifies<req::CO_EMCY_017>();
     device->node().set_controller(3, true, now);

@@ -9,7 +9,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A dictionary with the list and an EMCY service of its own; each of two channels has two errors.
+/// A dictionary with a list of active errors, and an EMCY service of its own. Each of two channels has one error.
 class ActiveList : public testing::Test {
   protected:
     static constexpr ErrorId channel_1 = ErrorId::first_of_device;
@@ -86,7 +86,7 @@ TEST_F(ActiveList, ErrorsOfOneCodeAreDistinguishedByTheirChannel) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x0002F001}));
 }
 
-TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
+TEST_F(ActiveList, WaitingMessagesOfDifferentErrorsAreKeptApart) {
     verifies<req::CO_EMCY_006, req::CO_EMCY_022>();
     emcy.enable(false, Instant{});
     emcy.set(channel_1, true, Instant{});
@@ -95,7 +95,7 @@ TEST_F(ActiveList, WaitingMessagesAreDistinguishedByTheirError) {
     emcy.set(channel_1, true, Instant{});  // withdraws the waiting message about the end of this error
     EXPECT_TRUE(sent().empty());
     emcy.enable(true, Instant{});
-    // both errors are active, so 1001h is 81h
+    // both errors are active, so 1001h (error register) is 81h
     EXPECT_EQ(sent(), (Frames{"085#01F0810100000000", "085#11F0810210000000"}));
 }
 
@@ -107,7 +107,7 @@ TEST_F(ActiveList, SentMessageIsNotSentAgain) {
         emcy.set(channel_1, false, Instant{});
         emcy.enable(true, Instant{});
         EXPECT_EQ(sent(), (Frames{"085#01F0000100000000", "085#0000000000000000"}))
-            << round;  // the error has ended: 1001h reads 00h
+            << round;  // the error has ended: 1001h (error register) reads 00h
     }
 }
 
@@ -117,7 +117,7 @@ TEST_F(ActiveList, ErrorReportedTwiceWhileItsMessageWaitsIsSentOnce) {
     emcy.report(channel_1, Instant{});
     emcy.report(channel_1, Instant{});
     emcy.enable(true, Instant{});
-    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // the error is not active: 1001h reads 00h
+    EXPECT_EQ(sent(), Frames{"085#01F0000100000000"});  // the error is not active: 1001h (error register) is 00h
 }
 
 TEST_F(ActiveList, ResetCommunicationKeepsTheListOfActiveErrors) {
@@ -153,7 +153,7 @@ TEST_F(ActiveList, ErrorWithoutACodeIsIgnored) {
     EXPECT_EQ(objects.read(0x1001, 0), 0U);
 }
 
-TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsTaken) {
+TEST_F(ActiveList, ChangeOfTheErrorRegisterStaysPendingUntilItIsFetched) {
     verifies<req::CO_EMCY_001>();
     emcy.take_register_change();
     emcy.set(channel_1, true, Instant{});
@@ -166,7 +166,7 @@ TEST_F(ActiveList, ErrorWithBitsAlreadySetLeavesTheErrorRegisterUnchanged) {
     verifies<req::CO_EMCY_001, req::CO_EMCY_012, req::CO_EMCY_025>();
     emcy.set(channel_1, true, Instant{});
     emcy.take_register_change();
-    emcy.set(channel_2, true, Instant{});  // 1001h is 81h, as after the first error
+    emcy.set(channel_2, true, Instant{});  // 1001h (error register) is 81h, as after the first error
     EXPECT_FALSE(emcy.take_register_change());
     emcy.set(channel_1, false, Instant{});
     EXPECT_FALSE(emcy.take_register_change());
@@ -216,7 +216,7 @@ TEST_F(ActiveList, MessageThatAFullQueueRefusesIsSentAMillisecondLater) {
     EXPECT_EQ(sent(), Frames{"085#01F0810100000000"});
 }
 
-/// 1014h as loaded from a stored set: messages are disabled.
+/// 1014h (COB-ID EMCY) as loaded from a stored set: messages are disabled.
 TEST_F(ActiveList, WaitingMessagesAreDroppedWhenAResetDisablesEmcy) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_011>();
     emcy.enable(false, Instant{});

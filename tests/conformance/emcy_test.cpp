@@ -27,7 +27,7 @@ class Errors : public CbxTest {
 
 }  // namespace
 
-TEST_F(Errors, EmcyMessageHoldsCodeErrorRegisterAndCount) {
+TEST_F(Errors, EmcyMessageContainsCodeErrorRegisterAndNumberOfListedErrors) {
     verifies<req::CO_EMCY_001, req::AO4_ERR_001, req::AO4_T_ERRORS, req::AO4_OD_1014>();
     EXPECT_EQ(overrun(true), (Frames{"083#1081110100000000"}));
     EXPECT_EQ(can_state(2), (Frames{"083#2081110200000000"}));
@@ -70,7 +70,7 @@ TEST_F(Errors, OverrunErrorPassiveSoftwareFailureAndSyncLengthHaveTheirOwnCodes)
     EXPECT_EQ(send("080#0102"), (Frames{"083#4082110400000000"}));
 }
 
-// 7.9.4 lists 5000h beside 6110h: two separate failures
+// Section 7.9.4 of the manual lists 5000h (hardware) and 6110h (software) as two separate failures.
 TEST_F(Errors, HardwareAndSoftwareFailureAreReportedSeparatelyAs5000hAnd6110h) {
     verifies<req::AO4_ERR_010, req::AO4_ERR_018, req::AO4_T_ERRORS, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
@@ -134,7 +134,7 @@ TEST_F(Errors, WritingZeroEmptiesAFullErrorListCompletely) {
     }
 }
 
-TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
+TEST_F(Errors, RewritingTheSameEmcyCobIdKeepsWaitingMessages) {
     verifies<req::CO_EMCY_020>();
     write("603#2B15100064000000");  // 1015h inhibit time EMCY: 100 * 100 us = 10 ms
     EXPECT_EQ(overrun(true).size(), 1U);
@@ -143,7 +143,7 @@ TEST_F(Errors, RewritingTheSameIdentifierTo1014hKeepsWaitingMessages) {
     EXPECT_EQ(pass(10), (Frames{"10:083#2081110200000000"}));
 }
 
-TEST_F(Errors, Bit31Of1014hSwitchesMessagesOff) {
+TEST_F(Errors, Bit31OfTheEmcyCobIdSwitchesMessagesOff) {
     verifies<req::CO_EMCY_002, req::CO_EMCY_019, req::CO_EMCY_034>();
     write("603#2314100083000080");
     EXPECT_TRUE(overrun(true).empty());
@@ -190,7 +190,7 @@ TEST_F(Errors, ResetCommunicationEndsTheEmcyInhibitTime) {
     write("603#2B151000E8030000");  // 1015h inhibit time EMCY: 1000 * 100 us = 100 ms
     EXPECT_EQ(overrun(true).size(), 1U);
     EXPECT_TRUE(can_state(2).empty());
-    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // the list is empty
+    EXPECT_EQ(send("000#8203"), (Frames{"703#00", "083#2081110000000000"}));  // 1003h (error list) is empty
 }
 
 TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
@@ -201,7 +201,8 @@ TEST_F(Errors, DelayedMessageCarriesTheErrorRegisterOfItsTransmissionTime) {
     EXPECT_TRUE(overrun(false).empty());
     EXPECT_TRUE(can_state(0).empty());
     EXPECT_EQ(error_register(), "00");
-    // The messages are 8120h, the end of 8110h and the end of 8120h. 1001h is 00h by then, and 1003h has two entries.
+    // The messages are 8120h, the end of 8110h and the end of 8120h. By then 1001h (error register) is 00h, and 1003h
+    // (error list) has two entries.
     EXPECT_EQ(pass(30), (Frames{"10:083#2081000200000000", "20:083#0000000200000000", "30:083#0000000200000000"}));
 }
 
@@ -220,7 +221,7 @@ TEST_F(Errors, ErrorPassiveInStoppedIsReportedAfterStopped) {
     EXPECT_EQ(send("000#8003"), (Frames{"083#2081110100000000"}));
 }
 
-TEST_F(Errors, IdentifierOf1014hIsLockedWhileValid) {
+TEST_F(Errors, EmcyIdentifierIsLockedWhileTheCobIdIsValid) {
     verifies<req::CO_EMCY_005, req::CO_EMCY_021>();
     write("603#2314100083000000");  // the same identifier changes nothing
     EXPECT_EQ(send("603#2314100084000000"), (Frames{"583#8014100022000008"}));
@@ -251,7 +252,7 @@ TEST_F(Errors, RecoveryFromBusOffIsReportedOnce) {
     EXPECT_TRUE(overrun(true).empty());
     EXPECT_TRUE(send("603#4001100000000000").empty());
     // Error passive (8120h) and overrun (8110h) occurred while nothing could be sent. Their messages are sent first;
-    // 1003h then has two entries. 8140h follows as the third entry, and then the end of 8120h.
+    // 1003h (error list) then has two entries. 8140h (recovered from bus-off) is the third; the end of 8120h follows.
     EXPECT_EQ(can_state(0),
               (Frames{"083#2081110200000000", "083#1081110200000000", "083#4081110300000000", "083#0000110300000000"}));
     EXPECT_EQ(listed(1), "40810000");
@@ -271,12 +272,12 @@ TEST_F(Errors, NothingIsSentInBusOff) {
     EXPECT_EQ(pass(100), (Frames{"50:080#", "100:080#", "100:703#7F"}));
 }
 
-TEST_F(Errors, EachValueOfTheSignalIsAStateOfTheController) {
+TEST_F(Errors, EachValueOfTheCanStateSignalIsAStateOfTheController) {
     verifies<req::CO_E_CAN_STATE>();
     EXPECT_TRUE(can_state(1).empty());                          // the warning limit is no error
-    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first entry of 1003h
+    EXPECT_EQ(can_state(2), (Frames{"083#2081110100000000"}));  // error passive, the first listed error
     EXPECT_TRUE(can_state(3).empty());                          // bus-off
-    // The recovery is the second entry; then error passive has ended.
+    // The recovery (8140h) is the second entry of 1003h (error list). The end of error passive follows.
     EXPECT_EQ(can_state(0), (Frames{"083#4081110200000000", "083#0000000200000000"}));
 }
 

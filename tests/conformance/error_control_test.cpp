@@ -133,7 +133,7 @@ TEST_F(ErrorControlService, HeartbeatOfAnotherNodeOrLengthIsIgnored) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, IncompleteEntriesOf1016hMonitorNoNode) {
+TEST_F(ErrorControlService, ConsumerHeartbeatEntryWithoutTimeOrNodeIdMonitorsNoNode) {
     verifies<req::CO_HB_003>();
     for (const char* entry : {"00003100", "C8000000"}) {
         write(std::string{"603#23161001"} + entry);
@@ -143,7 +143,7 @@ TEST_F(ErrorControlService, IncompleteEntriesOf1016hMonitorNoNode) {
     }
 }
 
-TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
+TEST_F(SlaveErrorControl, ProducerInTwoActiveConsumerHeartbeatEntriesIsRefused) {
     verifies<req::CO_HB_002, req::CO_HB_003>();
     // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
@@ -153,7 +153,7 @@ TEST_F(SlaveErrorControl, ProducerInTwoActiveEntriesOf1016hIsRefused) {
     EXPECT_EQ(send("605#23161001C8003100"), (Frames{"585#6016100100000000"}));
 }
 
-TEST_F(SlaveErrorControl, EntryOf1016hWithAnImpossibleNodeIdMonitorsNoNode) {
+TEST_F(SlaveErrorControl, ConsumerHeartbeatEntryWithAnImpossibleNodeIdMonitorsNoNode) {
     verifies<req::CO_HB_003>();
     // 1016h:1 consumer heartbeat time: node 128
     EXPECT_EQ(send("605#23161001C8008000"), (Frames{"585#6016100100000000"}));
@@ -170,7 +170,7 @@ TEST_F(ErrorControlService, ResetCommunicationEndsTheMonitoringOfHeartbeats) {
     EXPECT_TRUE(pass(1000).empty());
 }
 
-TEST_F(ErrorControlService, RewritingAnEntryOf1016hEndsItsHeartbeatError) {
+TEST_F(ErrorControlService, RewritingAConsumerHeartbeatEntryEndsItsHeartbeatError) {
     verifies<req::CO_HB_004>();
     write("603#23161001C8003100");  // 1016h:1 consumer heartbeat time: node 31h, 200 ms
     send("731#05");
@@ -263,7 +263,7 @@ TEST_F(ErrorControlService, HeartbeatProducerIgnoresGuardingRequests) {
     EXPECT_EQ(pass(600), (Frames{"500:703#7F"}));
 }
 
-TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheIdentifierOf100Eh) {
+TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheNodeGuardingIdentifier) {
     verifies<req::CO_GUARD_004, req::AO4_GUARD_001, req::AO4_OD_100E>();
     write("603#230E100020070000");  // 100Eh node guarding identifier: 720h
     EXPECT_EQ(send("720#R1"), (Frames{"720#7F"}));
@@ -274,7 +274,7 @@ TEST_F(ErrorControlService, GuardingHeartbeatAndBootUpUseTheIdentifierOf100Eh) {
     EXPECT_EQ(power_on(), (Frames{"720#00"}));
 }
 
-TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
+TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithoutObject100Eh) {
     verifies<req::CO_GUARD_004, req::CO_K_GUARDING_ID>();
     EXPECT_EQ(send("605#400E100000000000"), (Frames{"585#800E100000000206"}));  // no such object
     EXPECT_EQ(send("705#R1"), (Frames{"705#7F"}));
@@ -285,9 +285,9 @@ TEST_F(SlaveErrorControl, ErrorControlIdentifierIs700hPlusNodeIdWithout100Eh) {
     EXPECT_EQ(power_on(), (Frames{"72A#00"}));
 }
 
-TEST_F(ErrorControlService, Object100EhRefusesRestrictedIdentifiersExceptForErrorControl) {
+TEST_F(ErrorControlService, RestrictedNodeGuardingIdentifiersAreRefusedExceptThoseOfErrorControl) {
     verifies<req::CO_GUARD_005, req::AO4_GUARD_002, req::AO4_GUARD_005>();
-    // 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, bits 29 and 31
+    // Refused: 000h NMT, 001h, 583h and 603h SDO, 6E0h, 780h, 7E5h LSS, 800h, and each value with bit 29 or 31.
     for (const char* value : {"00000000", "01000000", "83050000", "03060000", "E0060000", "80070000", "E5070000",
                               "00080000", "03070020", "03070080", "85010020", "85010080"}) {
         EXPECT_EQ(send(std::string{"603#230E1000"} + value), (Frames{"583#800E100030000906"})) << value;
@@ -341,7 +341,7 @@ NmtState state_after_bus_off(const std::string& reaction) {
 
 }  // namespace
 
-TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
+TEST(ErrorBehaviour, HeartbeatErrorChangesTheNmtStateAsObject1029hRequires) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_GUARD_004, req::AO4_OD_1029>();
     EXPECT_EQ(state_after_error("01", "00"), "7F");  // 1029h:1 = 0: from operational to pre-operational
     EXPECT_EQ(state_after_error("01", "01"), "05");  // 1029h:1 = 1: no change of state
@@ -351,7 +351,7 @@ TEST(ErrorBehaviour, HeartbeatErrorChangesTheStateBy1029h) {
     EXPECT_EQ(state_after_error("80", "02"), "04");
 }
 
-TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheStateBy1029h) {
+TEST(ErrorBehaviour, GuardingErrorAndBusOffChangeTheNmtStateAsObject1029hRequires) {
     verifies<req::CO_NMT_007, req::AO4_GUARD_003, req::AO4_OD_1029>();
     for (const auto state_after : {state_after_guarding_error, state_after_bus_off}) {
         EXPECT_EQ(state_after("00"), NmtState::pre_operational);
@@ -369,7 +369,7 @@ TEST_F(ErrorControlService, EachErrorLeadsToPreOperationalAlsoWhileAnotherErrorL
     send("731#05");
     pass(200);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    send("000#0103");  // the master starts the module although its producer is silent
+    send("000#0103");  // the master starts the node although the monitored producer is silent
     send("703#R1");
     pass(99);
     EXPECT_EQ(device->state(), NmtState::operational);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 29-bit identifiers (CiA 301, 7.2): a frame whose 29-bit identifier is the number of a service does not reach it.
+// 29-bit identifiers (CiA 301, 7.2): a frame with a 29-bit identifier reaches no service, even when it has the value of
+// the 11-bit identifier of the service.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -16,7 +17,7 @@ class IdentifierFormat : public CbxTest {
         CbxTest::SetUp();
         send("000#0103");
     }
-    /// Sends a frame with the same identifier, but in 29 bits.
+    /// Sends `frame` with its identifier in the 29-bit format.
     Frames send_as_29_bits(const std::string& frame) { return send("00000" + frame); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The greatest value of each time of a node (CiA 301, 7.5.2): a time that lost a bit on its way would end too early.
+// The greatest value of each time of a node (CiA 301, 7.5.2): if a high bit were lost, the time would end too early.
 #include "generated/canopen/requirements.hpp"
 #include "tests/conformance/tpdo_cases.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
@@ -16,7 +16,7 @@ using LongestTimes = CbxTest;
 using LongestTimesOfTpdos = Tpdo;
 using LongestTimesOfRpdos = Rpdo;
 
-constexpr std::uint64_t longest_ms = 65535;  // of an UNSIGNED16
+constexpr std::uint64_t longest_ms = 65535;  // the greatest UNSIGNED16
 
 }  // namespace
 

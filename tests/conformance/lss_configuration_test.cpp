@@ -119,7 +119,7 @@ TEST_F(Lss, OnlyActivateBitTimingChangesTheBitRate) {
     EXPECT_EQ(pass(1000), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     configure();
-    talk({{"7E5#1500000000000000", {}}});  // still pending after reset communication
+    talk({{"7E5#1500000000000000", {}}});  // the bit rate is still pending after reset communication
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
@@ -130,7 +130,7 @@ TEST_F(Lss, NodeIsSilentForBothSwitchDelaysAndSwitchesTheBitRateBetweenThem) {
           {"7E5#0401000000000000", {}},
           {"7E5#1300030000000000", {"7E4#1300000000000000"}}});
     EXPECT_EQ(pass(65), (Frames{"30:705#7F", "60:705#7F"}));
-    talk({{"7E5#1564000000000000", {}}});  // 100 ms; heartbeats are due at 25, 55, 85, 115, 145, 175, 205
+    talk({{"7E5#1564000000000000", {}}});  // switch delay: 100 ms; heartbeats are due at 25, 55, … 205 ms
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(bit_rate(), 125000U);
     EXPECT_EQ(pass(1), Frames{});
@@ -175,7 +175,7 @@ TEST_F(Lss, FramesReceivedDuringTheSwitchDelaysHaveNoEffect) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
+TEST_F(Lss, NewBitRateIsActivatedAtOnceWhenTheSwitchDelayIsZero) {
     verifies<req::CO_LSS_014, req::CO_LSS_073, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1300030000000000", {"7E4#1300000000000000"}},
@@ -184,7 +184,7 @@ TEST_F(Lss, ActivationWithoutDelayIsDoneAtOnce) {
     EXPECT_EQ(bit_rate(), 250000U);
 }
 
-TEST_F(Lss, ActivationWithoutANewBitRateKeepsTheSwitchDelays) {
+TEST_F(Lss, ActivateBitTimingWithoutANewBitRateHasItsSwitchDelaysToo) {
     verifies<req::CO_LSS_014, req::CO_LSS_015>();
     configure();
     talk({{"7E5#1505000000000000", {}}});
@@ -195,7 +195,7 @@ TEST_F(Lss, ActivationWithoutANewBitRateKeepsTheSwitchDelays) {
     EXPECT_EQ(bit_rate(), 125000U);
 }
 
-TEST_F(Lss, WaitingFramesAreDroppedAtActivation) {
+TEST_F(Lss, WaitingFramesAreDroppedWhenANewBitRateIsActivated) {
     verifies<req::CO_LSS_015>();
     configure();
     for (const char* frame : {"7E5#1300030000000000", "7E5#1501000000000000"}) {
@@ -217,7 +217,7 @@ TEST_F(Lss, ErrorDuringTheSwitchDelaysIsReportedAfterThem) {
     EXPECT_EQ(told[0].substr(0, 12), "1:085#108111");  // error 8110h; 1001h (error register) is 11h
 }
 
-TEST_F(Lss, ErrorAtTheEndOfTheSwitchDelaysIsReportedWithTheirEnd) {
+TEST_F(Lss, ErrorLateInTheSwitchDelaysIsReportedAtTheirEnd) {
     verifies<req::CO_LSS_015, req::CO_EMCY_001>();
     configure();
     talk({{"7E5#150A000000000000", {}}});

@@ -312,7 +312,7 @@ TEST_F(Unconfigured, FastscanIgnoresInvalidParameters) {
           {"7E5#515F000000FF0000", {}},
           {"7E5#515F000000000400", {}},  // position of a fifth number
           {"7E5#515F00000000FF00", {}},
-          {"7E5#515F000000000004", {}},  // a fifth number next
+          {"7E5#515F000000000004", {}},  // a fifth number as the next one
           {"7E5#515F0000000000FF", {}},
           {"7E5#515F0000001F0004", {}},
           {"7E5#515F000000010000", yes},

@@ -176,7 +176,7 @@ TEST_F(Lss, EachLssServiceWorksInItsStatesOnly) {
     for (const Row& row : rows) {
         EXPECT_EQ(send(row.request), row.operational) << "operational: " << row.request;
     }
-    // Selection in LSS configuration has no effect afterwards.
+    // The selection frames that were sent in LSS configuration have no effect afterwards.
     send("7E5#0400");
     EXPECT_TRUE(send("7E5#4321112620000000").empty());
 }
@@ -239,7 +239,7 @@ TEST_F(Lss, SwitchStateGlobalWorksInOperational) {
 // -- frames -----------------------------------------------------------------------------------------------------------
 
 // Requests with too few bytes, with just enough, with more and with all eight bytes.
-TEST_F(Lss, RequestNeedsTheBytesOfItsServiceAndOnly8ByteRequestsGet8ByteAnswers) {
+TEST_F(Lss, RequestNeedsAllBytesOfItsServiceAndOnlyARequestOf8BytesGetsAnAnswerOf8Bytes) {
     verifies<req::CO_LSS_060, req::CO_LSS_080, req::CO_LSS_061, req::CO_LSS_081, req::CO_T_LSS>();
     configure();
     talk({{"7E5#", {}},

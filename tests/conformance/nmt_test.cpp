@@ -77,7 +77,7 @@ TEST_F(Nmt, CommandDuringBusOffIsIgnored) {
     EXPECT_EQ(state(), "pre-operational");
 }
 
-TEST_F(Nmt, ResetCommunicationRestores1017hAndResetNodeAlso6411h) {
+TEST_F(Nmt, ResetCommunicationRestoresTheHeartbeatTimeAndResetNodeAlsoTheOutputValues) {
     verifies<req::CO_NMT_005, req::CO_NMT_006>();
     write("603#2B171000E8030000");  // 1017h producer heartbeat time: 1000 ms
     write("603#2B116401B33E0000");  // writes 3EB3h to 6411h:1
@@ -101,7 +101,8 @@ TEST_F(Nmt, SdoSyncEmcyAndRpdoWorkInTheirNmtStatesOnly) {
     verifies<req::CO_T_SERVICES, req::CO_E_NMT_STATE, req::CO_SDO_017, req::CO_SDO_045>();
     write("603#2305100080000040");  // 1005h COB-ID SYNC: the node produces SYNC
     write("603#2306100010270000");  // 1006h communication cycle period: 10 ms
-    // pre-operational: SDO, SYNC, EMCY, error control; no PDO. Bit 7 of each second state is the toggle bit.
+    // pre-operational: SDO, SYNC, EMCY, error control; no PDO. Bit 7, the toggle bit, is set in every
+    // second answer.
     EXPECT_EQ(send("703#R"), (Frames{"703#7F"}));
     EXPECT_EQ(pass(10), (Frames{"10:080#"}));
     EXPECT_EQ(send("603#4001100000000000"), (Frames{"583#4F01100000000000"}));

@@ -54,7 +54,7 @@ TEST_F(NodeService, HeartbeatErrorLeadsToPreOperationalAlsoAfterResetNode) {
     }
 }
 
-TEST_F(NodeService, EachCommunicationErrorChangesTheStateBy1029hAlsoWhileAnotherLasts) {
+TEST_F(NodeService, EachCommunicationErrorChangesTheStateAsObject1029hRequiresEvenWhileAnotherErrorLasts) {
     verifies<req::CO_NMT_007>();
     send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
     send("605#2B0C100032000000");  // 100Ch guard time: 50 ms
@@ -94,7 +94,7 @@ TEST_F(NodeService, LastingCommunicationErrorChangesTheStateOnce) {
     EXPECT_EQ(state(), NmtState::operational);
 }
 
-TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhen1029hIs2) {
+TEST_F(NodeService, BusOffAtPowerOnLeadsToStoppedWhenObject1029hRequiresStopped) {
     verifies<req::CO_NMT_007>();
     send("605#2F29100102000000");  // 1029h:1 error behaviour: stopped
     EXPECT_EQ(send("605#2310100173617665"), Frames{"585#6010100100000000"});
@@ -168,14 +168,14 @@ TEST_F(NodeService, NoTpdoIsSentWithoutANodeId) {
 
 TEST_F(NodeService, HeartbeatProducerThatFailsASecondTimeIsReportedAgain) {
     verifies<req::CO_HB_004>();
-    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     lose_producer();
     EXPECT_EQ(send("710#05"), Frames{"085#0000000100000000"});
     EXPECT_EQ(pass(99), Frames{});
     EXPECT_EQ(pass(1), Frames{"1:085#3081110200000000"});
 }
 
-TEST_F(NodeService, WriteToOneEntryOf1016hKeepsTheOthersMonitored) {
+TEST_F(NodeService, WriteToOneConsumerHeartbeatEntryKeepsTheOtherProducersMonitored) {
     verifies<req::CO_HB_002, req::CO_HB_004, req::CO_HB_003>();
     send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
     send("605#2316100264001100");  // 1016h:2 consumer heartbeat time: node 11h, 100 ms
@@ -201,8 +201,9 @@ TEST_F(NodeService, HeartbeatProducerNoLongerMonitoredHasNoDeadline) {
     EXPECT_EQ(device->next_deadline().us, never.us);
 }
 
-/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID under which the communication was saved.
-TEST_F(SlaveNode, StoredIdentifiersFollowTheNodeIdAfterSavesOfOtherGroups) {
+/// The default of 1401h:1 is 300h + node-ID. Each save keeps the node-ID that applied when the
+/// communication parameters were saved.
+TEST_F(SlaveNode, StoredDefaultCobIdsFollowTheNodeIdAfterSavesOfOtherParameterGroups) {
     verifies<req::CO_PDO_035, req::CO_STORE_003>();
     const std::string saved_communication = "585#6010100200000000";
     EXPECT_EQ(send("605#2310100273617665"), Frames{saved_communication});

@@ -11,9 +11,10 @@ namespace canproof::test {
 
 class PdoChange : public testing::Test, public AlteredSlaveBench {};
 
-TEST_F(PdoChange, ChangeOfAnEntryWithTheLowestWatchMarkTriggersItsTpdo) {
+TEST_F(PdoChange, ChangeOfAMappedValueWithTheLowestHashBitTriggersItsTpdo) {
     verifies<req::CO_PDO_015>();
-    // the bit is (index + index / 16 + sub-index) modulo 64: 2001h + 200h + 63 gives bit 0
+    // The watch mark of an entry is a hash of one bit, with the number (index + index / 16 + sub-index) modulo 64. Here
+    // 2001h + 200h + 63 gives bit 0.
     ASSERT_EQ(watch_mark(0x2001, 63), 1U);
     extend(0x2001, 63);
     ship(0x1A00, 0, 1);
@@ -23,7 +24,7 @@ TEST_F(PdoChange, ChangeOfAnEntryWithTheLowestWatchMarkTriggersItsTpdo) {
     EXPECT_EQ(send("605#2F01203F11000000"), (Frames{"185#11", "585#6001203F00000000"}));
 }
 
-TEST_F(PdoChange, DownloadThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
+TEST_F(PdoChange, SdoDownloadOfAnUnchangedValueTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     entry(0x2001, 1).service = Service::device;
     ship(0x1A00, 0, 1);
@@ -35,7 +36,7 @@ TEST_F(PdoChange, DownloadThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
     EXPECT_EQ(send("605#2F01200112000000"), (Frames{"185#12", "585#6001200100000000"}));
 }
 
-TEST_F(PdoChange, RpdoThatRepeatsAValueOfTheDeviceTriggersNoTpdo) {
+TEST_F(PdoChange, RpdoWithAnUnchangedValueTriggersNoTpdo) {
     verifies<req::CO_PDO_015>();
     EntryRow& row = entry(0x2206, 0);  // 64 bits
     row.rights = static_cast<std::uint8_t>(row.rights | rights::rpdo | rights::tpdo);

@@ -130,11 +130,11 @@ TEST_F(Pdo, ReservedTransmissionTypesAreRefused) {
     EXPECT_EQ(send("603#4001140200000000"), (Frames{"583#4F011402FF000000"}));
 }
 
-TEST_F(Pdo, RemappingIsAcceptedInItsOrderOnly) {
+TEST_F(Pdo, RemappingIsAcceptedInThePrescribedOrderOnly) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     EXPECT_EQ(send("603#2F01160000000000"), (Frames{"583#8001160022000008"}));  // refused: RPDO2 is still valid
     disable_rpdo2();
-    EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // refused: 1601h:0 is still 4
+    EXPECT_EQ(send("603#2301160110021164"), (Frames{"583#8001160122000008"}));  // refused: the count 1601h:0 is still 4
     write("603#2F01160000000000");
     write("603#2301160110041164");  // maps 6411h:4
     write("603#2301160210031164");  // maps 6411h:3

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Both, Remapping, testing::Values(receive, transmit),
 
 // -- The procedure ----------------------------------------------------------------------------------------------------
 
-TEST_P(Remapping, RemappingStepsInTheirOrderAreAccepted) {
+TEST_P(Remapping, RemappingStepsInThePrescribedOrderAreAccepted) {
     verifies<req::CO_PDO_009, req::CO_PDO_056>();
     hold({
         {parameter("01"), not_valid(), ""},  // a) destroy
@@ -287,7 +287,7 @@ TEST_P(Remapping, EventTimerCanChangeWhileThePdoIsValid) {
 
 class StartValue : public testing::Test, public SlaveBench {};
 
-TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndEndsAt240) {
+TEST_F(StartValue, SyncStartValueIsLockedWhileThePdoIsValidAndIsAtMost240) {
     verifies<req::CO_PDO_024, req::CO_PDO_058>();
     talk(*this, {
                     {"605#2F00180601000000", {"585#8000180622000008"}},

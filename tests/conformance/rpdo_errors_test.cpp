@@ -30,7 +30,7 @@ TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheValueErrorOfAnother) {
 
 TEST_F(Rpdo, ParameterWriteOfOneRpdoKeepsTheTimeOutOfAnother) {
     verifies<req::CO_PDO_021, req::CO_PDO_039>();
-    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("205#1122");
     EXPECT_EQ(pass(10), (Frames{"10:085#5082110100000000"}));
@@ -57,7 +57,7 @@ TEST_F(Rpdo, SynchronousRpdoIsMonitoredFromItsReceptionOn) {
     send("605#2B0014050A000000");  // 1400h:5 event timer of RPDO1: 10 ms
     send("205#1122");
     EXPECT_TRUE(pass(9).empty());
-    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // no SYNC was received
+    EXPECT_EQ(pass(1), (Frames{"1:085#5082110100000000"}));  // although no SYNC was received
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 

@@ -16,14 +16,14 @@ class MovingLimit : public testing::Test, public AlteredSlaveBench {};
 TEST_F(Rpdo, RefusedRpdoDoesNotRestartTheEventTimer) {
     verifies<req::CO_PDO_033, req::CO_PDO_034, req::CO_PDO_021>();
     send("605#2F29100101000000");                // 1029h:1 (error behaviour) = 1: no change of state
-    map_rpdo3({"10000022"});                     // maps 2200h, which takes -100 … 100
+    map_rpdo3({"10000022"});                     // maps 2200h, which accepts -100 … 100
     send("605#2B02140532000000");                // 1402h:5 event timer of RPDO3: 50 ms
     EXPECT_TRUE(send("405#6500").size() == 1U);  // the value 101 is refused with error 8200h
     EXPECT_TRUE(pass(1000).empty());             // no valid RPDO3 has started the monitoring
     EXPECT_EQ(send("405#6400"), (Frames{"085#0000000100000000"}));
     EXPECT_TRUE(pass(40).empty());
     EXPECT_EQ(send("405#6500"), (Frames{"085#0082110200000000"}));
-    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the valid one: 8250h
+    EXPECT_EQ(pass(60), (Frames{"10:085#5082110300000000"}));  // 50 ms after the valid RPDO: time-out 8250h
     EXPECT_TRUE(send("405#9BFF").empty());                     // refused: the time-out continues
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
     // 99 is accepted, which ends the error
@@ -38,10 +38,10 @@ TEST_F(Rpdo, RefusedRpdoDoesNotReplaceOneThatWaitsForTheSync) {
                     {"605#2F02140201000000", {"585#6002140200000000"}},  // 1402h:2 transmission type of RPDO3: 1
                     {"405#3200", {}},                                    // the value 50 waits for a SYNC
                     {"405#6500", {"085#0082110100000000"}},              // 101: reported on reception
-                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h has its default
+                    {"605#4000220000000000", {"585#4B00220007000000"}},  // 2200h still has its default
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220032000000"}},
-                    {"605#4001100000000000", {"585#4F01100011000000"}},  // the latest one was refused
+                    {"605#4001100000000000", {"585#4F01100011000000"}},  // the latest RPDO3 was refused
                     {"405#3300", {"085#0000000100000000"}},
                     {"080#", {}},
                     {"605#4000220000000000", {"585#4B00220033000000"}},

@@ -53,7 +53,7 @@ TEST_F(RemoteRpdo, AnsweringRpdoIsSilentWhileBit30OfItsCobIdIsSet) {
                 });
 }
 
-TEST_F(RemoteRpdo, OtherRpdoDoesNotAnswer) {
+TEST_F(RemoteRpdo, RpdoNotConfiguredToAnswerIgnoresRemoteFrames) {
     verifies<req::CO_PDO_063>();
     talk(*this, {{"205#R8", {}}, {"205#R2", {}}});
 }

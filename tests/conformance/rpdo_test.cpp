@@ -245,10 +245,10 @@ TEST_F(Rpdo, TwoRpdosWithOneIdentifierEachSetTheirMappedObjects) {
 TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     verifies<req::CO_PDO_021, req::CO_PDO_066, req::CO_PDO_067>();
     talk(*this, {
-                    {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 = 1: no change of state
+                    {"605#2F29100101000000", {"585#6029100100000000"}},  // 1029h:1 error behaviour: no change of state
                     {"605#2B00140532000000", {"585#6000140500000000"}},  // 1400h:5 event timer of RPDO1: 50 ms
                 });
-    EXPECT_TRUE(pass(1000).empty());  // the first reception starts it
+    EXPECT_TRUE(pass(1000).empty());  // only the first reception starts the monitoring
     EXPECT_TRUE(send("205#1122").empty());
     EXPECT_TRUE(pass(49).empty());
     EXPECT_TRUE(send("205#1122").empty());
@@ -256,7 +256,7 @@ TEST_F(Rpdo, MissingRpdoIsAnErrorUntilTheNextReception) {
     EXPECT_TRUE(pass(1000).empty());
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
     EXPECT_EQ(pass(60), (Frames{"50:085#5082110200000000"}));
-    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: 8210h, not a reception
+    EXPECT_TRUE(send("205#11").size() == 1U);  // too short: error 8210h; it does not count as received
     EXPECT_EQ(send("605#4001100000000000"), (Frames{"585#4F01100011000000"}));
 }
 
@@ -278,7 +278,7 @@ TEST_F(Rpdo, LeavingOperationalEndsTheMonitoringAndKeepsTheError) {
     EXPECT_EQ(send("205#1122"), (Frames{"085#0000000100000000"}));
 }
 
-TEST_F(Rpdo, TimeOutChangesTheStateBy1029hAsACommunicationError) {
+TEST_F(Rpdo, RpdoTimeOutChangesTheStateAsACommunicationError) {
     verifies<req::CO_PDO_032>();
     send("605#2B00140532000000");
     const int before = device->communication_errors();
@@ -347,7 +347,7 @@ TEST_F(Rpdo, ParameterWriteEndsTheTimeOutErrorAndDropsWaitingValues) {
     send("605#2F00140201000000");
     send("605#2F00200100000000");
     send("205#3344");
-    send("605#2F00140200000000");  // type 1 becomes 0 while values wait
+    send("605#2F00140200000000");  // the transmission type changes from 1 to 0 while values wait
     send("080#");
     EXPECT_EQ(send("605#4000200100000000"), (Frames{"585#4F00200100000000"}));
 }

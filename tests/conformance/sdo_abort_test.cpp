@@ -18,7 +18,7 @@ namespace {
 
 class SdoAbort : public testing::Test, public SlaveBench {};
 
-/// One abort code: the requests that cause it. Their last answer is the abort.
+/// One abort code, and the requests that cause it. The last answer to them is the abort.
 struct Case {
     std::uint32_t code;
     std::string when;
@@ -111,7 +111,7 @@ const std::vector<Case> cases{
     {0x08000024, "a DOMAIN that holds nothing", {{"605#4000240000000000", {"585#8000240024000008"}}}},
 };
 
-/// Codes that no service of the protocol layer sends (CO-SDO-036).
+/// Abort codes that no service of the protocol layer sends (CO-SDO-036).
 const std::map<std::uint32_t, std::string> never_sent{
     {0x06040047, "general internal incompatibility: no part of the slave can be incompatible with another"},
     {0x06090036, "maximum below minimum: a limit that is another object gets the code of a limit"},
@@ -176,9 +176,9 @@ TEST_F(SdoAbort, TestedAndNeverSentCodesAreTogetherAllCodesOfCiA301) {
     EXPECT_EQ(provoked.size() + never_sent.size(), all.size());
 }
 
-TEST_F(SdoAbort, NoSingleRequestCausesACodeThatIsNeverSent) {
+TEST_F(SdoAbort, NoSingleRequestCausesAnAbortCodeListedAsNeverSent) {
     verifies<req::CO_SDO_036>();
-    // Every first byte, on many objects of the slave and on absent ones, with three values.
+    // Sends every first byte to many objects of the slave and to absent ones, each with three values.
     std::set<std::uint32_t> seen;
     const auto ask = [&](const std::string& request) {
         for (const auto& answer : send(request)) {

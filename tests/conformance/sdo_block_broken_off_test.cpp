@@ -205,7 +205,7 @@ TEST_F(SdoBlock, StoppedAndResetEndABlockTransfer) {
                     {"000#0205", {}},
                     {"605#8238390000000000", {}},
                     {"000#8005", {}},
-                    {"605#8238390000000000", {}},  // ccs 4: an abort without a transfer
+                    {"605#8238390000000000", {}},  // outside a transfer, 82h is an abort request (80h)
                     {"605#D5C3310000000000", {stray}},
                     {"605#C600240009000000", {"585#A40024007F000000"}},
                     {"605#0131323334353637", {}},

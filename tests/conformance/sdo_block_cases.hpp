@@ -10,7 +10,7 @@
 namespace canproof::test {
 
 inline const Bytes nine{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-inline const std::string stray = "585#8000000001000405";  // 05040001h, without an object
+inline const std::string stray = "585#8000000001000405";  // abort 05040001h (invalid command), which names no object
 
 class SdoBlock : public testing::Test, public SlaveBench {
   protected:

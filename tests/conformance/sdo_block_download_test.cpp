@@ -35,7 +35,7 @@ TEST_F(SdoBlock, DownloadWithoutSizeIsAccepted) {
 }
 
 /// 2100h:1 is an INTEGER16, 2000h:1 an UNSIGNED8. The first download announces two bytes; the next announces nothing.
-TEST_F(SdoBlock, AnnouncedSizeCountsForItsOwnDownloadOnly) {
+TEST_F(SdoBlock, AnnouncedSizeAppliesToItsOwnDownloadOnly) {
     verifies<req::CO_SDO_060>();
     using Transfer = std::vector<Exchange>;
     const std::vector<Transfer> with_size{
@@ -172,7 +172,7 @@ TEST_F(SdoBlock, BlockDownloadThatCannotSucceedIsRefusedAtItsInitiate) {
                     {"605#C600220003000000", {"585#8000220012000706"}},  // three bytes for an INTEGER16
                     {"605#C600240001000100", {"585#8000240012000706"}},  // the size is 65,537 bytes
                     {"605#C6002400FFFFFFFF", {"585#8000240012000706"}},
-                    {"605#C601240004000000", {"585#8001240005000405"}},  // no memory to collect it
+                    {"605#C601240004000000", {"585#8001240005000405"}},  // the entry has no memory for the data
                     {"605#0131323334353637", {stray}},
                 });
 }
@@ -193,7 +193,7 @@ TEST_F(SdoBlock, DownloadOfAnotherLengthThanAnnouncedIsRefused) {
 
 TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
     verifies<req::CO_SDO_010>();
-    // 2300h takes 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
+    // 2300h accepts 40 bytes: five segments are 35 bytes, a sixth may be the last with 2 unused bytes, a seventh is too
     // much
     talk(*this, {
                     {"605#C400230000000000", {"585#A40023007F000000"}},
@@ -208,7 +208,7 @@ TEST_F(SdoBlock, DownloadLongerThanTheEntryIsRefusedWhileItArrives) {
                 });
 }
 
-TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
+TEST_F(SdoBlock, BlocksOfOnlyTheFirstAndTheLastSegmentDoNotOverrunTheMemory) {
     verifies<req::CO_SDO_010, req::CO_SDO_026, req::CO_SDO_050>();
     // each pair is a sub-block in which only the first segment has the expected number
     talk(*this, {{"605#C400230000000000", {"585#A40023007F000000"}}});
@@ -219,7 +219,7 @@ TEST_F(SdoBlock, PairsOfSegments1And127DoNotOverrunTheMemory) {
                     {"605#0141414141414141", {"585#8000230012000706"}},
                     {"605#4000230000000000", {"585#4700230061626300"}},
                 });
-    // the same with 64 KiB of memory: 9,363 pairs are 65,541 bytes
+    // the same pairs with 2400h, a DOMAIN of 64 KiB: 9,363 pairs are 65,541 bytes
     ASSERT_EQ(send("605#C400240000000000"), (Frames{"585#A40024007F000000"}));
     for (int pair = 0; pair < 9363; ++pair) {
         ASSERT_TRUE(send("605#0141414141414141").empty());
@@ -272,7 +272,7 @@ TEST_F(SdoBlock, DeviceMayRefuseADownloadedDomain) {
     EXPECT_EQ(held(), Bytes{7});
 }
 
-TEST_F(SdoBlock, AnnouncedSizeCountsWithAllItsBytes) {
+TEST_F(SdoBlock, AllFourBytesOfTheAnnouncedSizeAreEvaluated) {
     verifies<req::CO_SDO_010>();
     talk(*this, {
                     {"605#2100240001000100", {"585#8000240012000706"}},  // 10001h bytes, one more than the memory has

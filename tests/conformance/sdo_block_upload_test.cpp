@@ -41,7 +41,7 @@ TEST_F(SdoBlock, UploadToAClientWithoutCrcEndsWithZeroAsCrc) {
     talk(*this, {
                     {"605#A00024007F000000", {"585#C600240009000000"}},
                     {"605#A300000000000000", {"585#0131323334353637", "585#8238390000000000"}},
-                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // with CRC: C331h, see above
+                    {"605#A2027F0000000000", {"585#D500000000000000"}},  // a CRC would be C3h 31h (31C3h)
                     {"605#A100000000000000", {}},
                 });
     talk(*this, {
@@ -151,11 +151,11 @@ TEST_F(SdoBlock, BlockSizesOtherThan1To127AreRefused) {
                 });
 }
 
-TEST_F(SdoBlock, ValuesUpToTheThresholdSwitchToAPlainUpload) {
+TEST_F(SdoBlock, ValuesUpToTheProtocolSwitchThresholdAreUploadedWithoutBlocks) {
     verifies<req::CO_SDO_031>();
     hold(nine);
     talk(*this, {
-                    // threshold 9: not more than nine bytes
+                    // protocol switch threshold 9: a value of nine bytes is uploaded without blocks
                     {"605#A40024007F090000", {"585#4100240009000000"}},
                     {"605#6000000000000000", {"585#0031323334353637"}},
                     {"605#7000000000000000", {"585#1B38390000000000"}},
@@ -209,8 +209,8 @@ TEST_F(SdoBlock, BlockUploadOfAnUnreadableEntryIsRefusedAtOnce) {
 TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     verifies<req::CO_SDO_021, req::CO_SDO_048, req::CO_SDO_032, req::CO_SDO_039, req::CO_K_SDO_BLOCK_SIZE,
              req::CO_K_SDO_BLOCK_QUEUED>();
-    // One piece at a time: the microcontroller has no memory for the whole value in addition to those of the slave and
-    // the answers.
+    // The test makes the value piece by piece: the microcontroller has no memory for the whole value in addition to
+    // those of the slave and the answers.
     const auto piece = [](std::size_t from, std::size_t size) {
         Bytes bytes(size);
         for (std::size_t i = 0; i < size; ++i) {
@@ -227,8 +227,7 @@ TEST_F(SdoBlock, SixtyFourKibibytesAreUploadedCompletely) {
     std::size_t sub_blocks = 0;
     while (from < all) {
         const bool last = all - from <= 7 * 127;
-        const Bytes bytes =
-            piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: block_segment marks the last
+        const Bytes bytes = piece(from, last ? all - from : 7 * 127 + 1);  // one byte more: segment 127 is not the last
         Frames expected;
         for (unsigned sequence = 1; sequence <= 127 && (sequence - 1) * 7 < bytes.size(); ++sequence) {
             expected.push_back(block_segment("585", sequence, bytes, (sequence - 1) * 7));
@@ -266,8 +265,8 @@ TEST_F(SdoBlock, AtMostEightUploadSegmentsWaitInTheQueue) {
     EXPECT_EQ(pass(1), (Frames{"1:585#8000240000000405"}));
 }
 
-/// The client waits for segments: it is not the one that is late.
-TEST_F(SdoBlock, UploadContinuesWhenALateCallFindsRoomInTheQueue) {
+/// The program calls the server only after the time-out. The client is not late, so the upload is not aborted.
+TEST_F(SdoBlock, BlockUploadContinuesWhenTheQueueIsEmptiedOnlyAfterTheTimeOut) {
     verifies<req::CO_SDO_014, req::CO_SDO_039>();
     hold(counting(140));  // 20 segments
     send("605#A40024007F000000");
@@ -278,7 +277,7 @@ TEST_F(SdoBlock, UploadContinuesWhenALateCallFindsRoomInTheQueue) {
     EXPECT_EQ(sent().size(), 8U);
 }
 
-TEST_F(SdoBlock, UploadContinuesInTheCallThatAppliesAnNmtCommand) {
+TEST_F(SdoBlock, BlockUploadContinuesAfterAnNmtCommand) {
     verifies<req::CO_SDO_039>();
     hold(counting(140));
     send("605#A40024007F000000");

@@ -247,7 +247,7 @@ TEST_F(SlaveSdo, UploadOfAnEmptyStringIsOneSegmentWithoutData) {
                 });
 }
 
-TEST_F(SlaveSdo, DomainMemoryOfOneByteTakesOneByte) {
+TEST_F(SlaveSdo, DomainWithMemoryOfOneByteAcceptsOneByteAndNoMore) {
     verifies<req::CO_SDO_033>();
     device = std::make_unique<host::GenericDevice>(slave(), memory, queue);
     device->lend(program_index, 0, 1);
@@ -373,14 +373,14 @@ TEST_F(SlaveSdo, ShortFrameIsNotCompletedFromThePreviousFrame) {
 TEST_F(SlaveSdo, UnusedBitsOfARequestAreIgnored) {
     verifies<req::CO_SDO_035>();
     talk(*this, {
-                    {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with all five bits set
+                    {"605#5F00100000000000", {"585#4300100078563412"}},  // 40h with its five unused bits set
                     {"605#40001000FFFFFFFF", {"585#4300100078563412"}},
                     {"605#3F01220008000000", {"585#6001220000000000"}},  // command 2Fh with bit 4 set
-                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // bytes beyond the one of the value
+                    {"605#2F0122000299AA55", {"585#6001220000000000"}},  // the bytes after the value are not 0
                     {"605#4001220000000000", {"585#4F01220002000000"}},
                     {"605#4008100000000000", {"585#4108100011000000"}},
                     {"605#6FFFFFFFFFFFFFFF", {"585#00436F6E666F726D"}},
-                    {"605#9F08100000000000", {}},  // abort with all five bits set
+                    {"605#9F08100000000000", {}},  // abort (80h) with its five unused bits set
                     {"605#7000000000000000", {"585#8000000001000405"}},
                 });
 }

@@ -41,7 +41,7 @@ class SmallStore : public testing::Test, public AlteredSlaveBench {
     static constexpr std::size_t bank_size = 24;
     static constexpr const char* saved = "585#6010100100000000";
     static constexpr const char* hardware_error = "585#8010100100000606";
-    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one entry in 1003h
+    static constexpr const char* corrupt = "085#0063010100000000";  // 6300h, generic error, one listed error
 };
 
 }  // namespace
@@ -148,7 +148,7 @@ TEST_F(SmallStore, ResetCommunicationLoadsAllStoredValuesOrNone) {
 
 TEST_F(SmallStore, FailedWriteIsReportedEvenWhenItsBytesArrived) {
     verifies<req::CO_STORE_005>();
-    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // invalidate, header, value, CRC, commit
+    for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {  // the writes: invalidate, header, value, CRC, commit
         FaultyMemory faulty{2 * bank_size};
         power_on_with(faulty);
         faulty.fail_write(n);
@@ -165,7 +165,7 @@ TEST_F(SmallStore, NewSetIsLoadedWhenTheOldSetCannotBeInvalidated) {
     set_value("55667788");
     faulty.fail_write(6);  // the last write: the new set is committed
     EXPECT_EQ(save(), saved);
-    faulty.sound.bytes()[3] = 'S';  // undoes the write of that byte, so the old set is still marked valid
+    faulty.sound.bytes()[3] = 'S';  // undoes the write of the old set's marker, so that set is still marked valid
     EXPECT_EQ(power_on_with(faulty), Frames{"705#00"});
     EXPECT_EQ(value(), "55667788");
 }

@@ -41,14 +41,14 @@ class Store : public CbxTest {
     static constexpr const char* saved = "583#6010100100000000";
     static constexpr const char* hardware_error = "583#8010100100000606";
 
-    /// Returns the start of the second bank, which is the size of one bank: each begins with "COP" and its marker.
+    /// Returns the size of a bank, which is the offset of the second bank. Each bank begins with "COP" and a marker.
     std::size_t bank_size() {
         const std::array<std::uint8_t, 3> magic{'C', 'O', 'P'};
         const auto& bytes = memory.bytes();
         return static_cast<std::size_t>(std::search(bytes.begin() + 4, bytes.end(), magic.begin(), magic.end()) -
                                         bytes.begin());
     }
-    /// Commits the bank of `size` bytes at `at` with another number in its header and a matching CRC-32.
+    /// Marks the bank of `size` bytes at `at` as committed and puts `number` at `offset` of it, with a matching CRC-32.
     void set_header(std::size_t at, std::size_t size, std::size_t offset, std::uint32_t number) {
         memory.bytes()[at + 3] = 'S';
         put(at + offset, number);

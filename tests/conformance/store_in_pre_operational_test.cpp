@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave that saves in pre-operational only.
+// Tests a slave that saves parameters in pre-operational only.
 #include <gtest/gtest.h>
 
 #include "generated/canopen/requirements.hpp"

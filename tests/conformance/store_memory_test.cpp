@@ -122,7 +122,7 @@ TEST_F(Store, CorruptSetGivesDefaultsAndIsReported) {
     EXPECT_EQ(send("603#4003100200000000"), (Frames{"583#4303100200600000"}));
 }
 
-TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
+TEST_F(Store, StoredSetOfAnotherFormatOrDictionaryCountsAsCorrupt) {
     verifies<req::AO4_STORE_005>();
     set_values("3412");
     write("603#2310100173617665");
@@ -138,7 +138,7 @@ TEST_F(Store, SetOfAnotherFormatOrDictionaryIsCorrupt) {
     }
 }
 
-TEST_F(Store, ErasedMemoryHoldsNoSetAndADamagedHeaderIsCorrupt) {
+TEST_F(Store, ErasedMemoryContainsNoStoredSetAndADamagedHeaderIsCorrupt) {
     verifies<req::AO4_STORE_005>();
     for (const std::uint8_t blank : {std::uint8_t{0xFF}, std::uint8_t{0x00}}) {
         std::fill(memory.bytes().begin(), memory.bytes().end(), blank);
@@ -196,7 +196,7 @@ TEST_F(Store, MemoryThatIsTooSmallIsReportedAtPowerOnAndRefusesASave) {
     EXPECT_EQ(values(), "0000 0000 0000 ");
 }
 
-TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
+TEST_F(Store, FailedReadGivesDefaultsAndAnErrorAtPowerOnAndRefusesASave) {
     verifies<req::CO_STORE_004, req::CO_STORE_005, req::CO_STORE_013>();
     FaultyMemory faulty{1024};
     power_on_with(faulty);
@@ -216,7 +216,7 @@ TEST_F(Store, FailedReadAtPowerOnGivesReportedDefaultsAndDuringASaveRefusesIt) {
     }
     power_on_with(faulty);
     faulty.fail_read(0);
-    write("603#2310100273617665");  // new communication parameters, the others are copied from the old bank
+    write("603#2310100273617665");  // saves the communication parameters and copies the other groups from the old bank
     const std::size_t of_save = faulty.reads;
     const auto sound = faulty.sound.bytes();
     for (std::size_t n = 1; n <= of_save; ++n) {

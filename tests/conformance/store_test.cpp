@@ -145,7 +145,7 @@ TEST_F(Store, ChangedAndStoredCobIdsSurviveANewSwitchSetting) {
     write("603#2314100093000000");
     write("603#2310100273617665");
     inputs.switch_low = 5;
-    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh was stored with its default, so it follows the node-ID
+    EXPECT_EQ(power_on(), (Frames{"705#00"}));  // 100Eh (guarding) was stored with its default: it follows the node-ID
     const auto cob_id = [&] { return send("605#4014100000000000").at(0).substr(12); };
     EXPECT_EQ(cob_id(), "93000000");
     EXPECT_EQ(send("605#4001140100000000"), Frames{"585#4301140105030000"});  // 1401h:1, RPDO2: 300h + 5

@@ -44,7 +44,7 @@ TEST_F(SyncService, OnlyADataFrameOfElevenBitsIsASync) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, SyncHasTheIdentifierOf1005h) {
+TEST_F(SyncService, SyncIsReceivedOnTheIdentifierOfObject1005h) {
     verifies<req::CO_SYNC_001>();
     write("603#2305100090000000");
     make_rpdo2_synchronous();
@@ -117,7 +117,7 @@ TEST_F(SyncService, SyncProducerContinuesWhenTheNodeIsStarted) {
     EXPECT_EQ(pass(2), (Frames{"2:080#"}));
 }
 
-TEST_F(SyncService, ProductionOfSyncThatIsNotStoredEndsWithAReset) {
+TEST_F(SyncService, ResetEndsSyncProductionThatWasNotStored) {
     verifies<req::CO_SYNC_003, req::CO_NMT_005, req::CO_NMT_006>();
     for (const char* reset : {"000#8103", "000#8203"}) {
         write("603#2306100088130000");  // 1006h communication cycle period: 5000 us
@@ -216,7 +216,7 @@ TEST_F(SyncService, SyncIdentifierMustBeUnrestrictedAndOfElevenBits) {
     }
 }
 
-TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
+TEST_F(SyncService, Bit31OfTheSyncCobIdIsStoredAndHasNoEffect) {
     verifies<req::CO_SYNC_012>();
     write("603#2305100080000080");
     EXPECT_EQ(send("603#4005100000000000"), (Frames{"583#4305100080000080"}));
@@ -226,7 +226,7 @@ TEST_F(SyncService, Bit31Of1005hIsStoredAndHasNoEffect) {
     EXPECT_EQ(output1(), "1100");
 }
 
-TEST_F(SyncService, ReservedValuesOf1019hAreRefused) {
+TEST_F(SyncService, ReservedSyncCounterOverflowValuesAreRefused) {
     verifies<req::CO_SYNC_007, req::AO4_OD_1019>();
     for (const char* value : {"01", "F1", "FF"}) {
         EXPECT_EQ(send(std::string{"603#2F191000"} + value + "000000"), (Frames{"583#8019100030000906"})) << value;

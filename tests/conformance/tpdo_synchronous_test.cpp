@@ -99,8 +99,8 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
     talk(*this, {
                     {"605#2F191000F0000000", {"585#6019100000000000"}},  // 1019h: counter 1 … 240
                     {"605#2300180185010080", {"585#6000180100000000"}},
-                    {"605#2F001802F0000000", {"585#6000180200000000"}},  // 1800h:2: every 240th SYNC
-                    {"605#2F00180601000000", {"585#6000180600000000"}},  // 1800h:6: SYNC start value 1
+                    {"605#2F001802F0000000", {"585#6000180200000000"}},  // 1800h:2 transmission type: every 240th SYNC
+                    {"605#2F00180601000000", {"585#6000180600000000"}},  // 1800h:6 SYNC start value: 1
                     {"605#2300180185010000", {"585#6000180100000000"}},
                     {"000#0105", {}},
                 });
@@ -115,7 +115,7 @@ TEST_F(Tpdo, TpdoOfType240CountsFromItsSyncStartValue) {
     }
 }
 
-TEST_F(Tpdo, FirstSyncCountsWithoutASyncStartValue) {
+TEST_F(Tpdo, TpdoIsSentFromTheFirstSyncOnWithoutASyncStartValue) {
     verifies<req::CO_PDO_019, req::CO_PDO_014>();
     send("605#2F1910000A000000");  // 1019h synchronous counter overflow value: counter 1 … 10
     EXPECT_EQ(send("000#0105"), (Frames{"185#0000"}));
@@ -209,7 +209,7 @@ TEST_F(Tpdo, TpdoOfType253IsSentOnRequestOnly) {
     verifies<req::CO_PDO_045, req::CO_T_TRANSMISSION_TYPE>();
     silence_tpdo2();
     set_type("FD");
-    send("605#2B0018050A000000");  // no event timer in this type
+    send("605#2B0018050A000000");  // TPDOs of this type have no event timer
     talk(*this, {
                     {"000#0105", {}},
                     {"605#2F01200111000000", {"585#6001200100000000"}},

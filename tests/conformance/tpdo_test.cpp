@@ -143,7 +143,7 @@ TEST_F(Tpdo, ChangeOfTheErrorRegisterByAnSdoWriteIsSentAtOnce) {
     verifies<req::CO_PDO_015>();
     map_tpdo3({"08000110"});       // maps 1001h
     send("605#2316100164001000");  // 1016h:1 consumer heartbeat time: node 10h, 100 ms
-    send("605#2F29100101000000");  // 1029h:1: no change of state
+    send("605#2F29100101000000");  // 1029h:1 error behaviour: no change of state
     send("000#0105");
     send("710#05");
     EXPECT_EQ(pass(100), (Frames{"100:085#3081110100000000", "100:385#11"}));
@@ -172,7 +172,7 @@ TEST_F(Tpdo, Bit31OfTheCobIdSwitchesATpdoOffAndOn) {
 TEST_F(Tpdo, TpdoWithoutMappedObjectsIsNotSent) {
     verifies<req::CO_PDO_053>();
     talk(*this, {
-                    // 1802h:1 COB-ID of TPDO3: valid, although 1A02h:0 is 0
+                    // 1802h:1 COB-ID of TPDO3: valid, although 1A02h:0 (number of mapped objects) is 0
                     {"605#2302180185030000", {"585#6002180100000000"}},
                     {"000#0105", {"185#0000"}},
                     {"385#R8", {}},

@@ -102,7 +102,7 @@ TEST_F(Tpdo, TpdosAreSentAtLeastTheInhibitTimeApart) {
                     {"605#2F01200111000000", {"585#6001200100000000"}},
                     {"605#2F01200122000000", {"585#6001200100000000"}},
                 });
-    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // the values at that moment, once
+    EXPECT_EQ(pass(30), (Frames{"10:185#2200"}));  // one message, with the values at the end of the inhibit time
     EXPECT_EQ(send("605#2F01200133000000"), (Frames{"185#3300", "585#6001200100000000"}));
     pass(9);
     EXPECT_EQ(send("605#2F01200144000000"), (Frames{"585#6001200100000000"}));

@@ -17,7 +17,7 @@ namespace {
 class VerifyConfiguration : public testing::Test, public SlaveBench {
   protected:
     void talk(const std::vector<Exchange>& table) { test::talk(static_cast<SlaveBench&>(*this), table); }
-    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a tool does.
+    /// Writes day 30,000 = 7530h and 43,200,000 ms = 02932E00h, as a configuration tool does.
     void leave_date_and_time() {
         talk({{"605#2320100130750000", {"585#6020100100000000"}}, {"605#23201002002E9302", {"585#6020100200000000"}}});
     }
@@ -29,7 +29,7 @@ class VerifyConfiguration : public testing::Test, public SlaveBench {
 
 }  // namespace
 
-TEST_F(VerifyConfiguration, DateAndTimeOfTheToolAreKept) {
+TEST_F(VerifyConfiguration, DateAndTimeWrittenByAConfigurationToolAreKept) {
     verifies<req::CO_VERIFY_001, req::CO_VERIFY_004>();
     talk(zero);
     leave_date_and_time();
@@ -55,7 +55,7 @@ TEST_F(VerifyConfiguration, ChangeOfAStoredValueClearsDateAndTime) {
     }
 }
 
-TEST_F(VerifyConfiguration, ChangedTextClearsDateAndTimeAndTheSameTextDoesNot) {
+TEST_F(VerifyConfiguration, ChangeOfAStoredTextClearsDateAndTimeAndARewriteOfItDoesNot) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005>();
     const Exchange two_letters{"605#2B00230078790000", {"585#6000230000000000"}};  // 2300h = "xy"
     for (const Exchange& change : {Exchange{"605#2F00230078000000", {"585#6000230000000000"}}, two_letters}) {
@@ -75,7 +75,7 @@ TEST_F(VerifyConfiguration, AccessThatChangesNoConfigurationKeepsDateAndTime) {
           {"605#2F29100103000000", {"585#8029100131000906"}},    // 1029h:1 (error behaviour) = 3: refused, too high
           {"605#2F00100000000000", {"585#8000100002000106"}},    // 1000h (device type) cannot be written
           {"605#2310100173617665", {"585#6010100100000000"}},    // 1010h:1 saves all parameters
-          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 1020h:1 (verify configuration) is read
+          {"605#4000200100000000", {"585#4F00200100000000"}}});  // 2000h:1 is read
     talk(kept);
     send("080#01");  // a SYNC of wrong length is listed in 1003h (error list); the list is no configuration
     talk({{"605#4003100000000000", {"585#4F03100001000000"}}, {"605#2F03100000000000", {"585#6003100000000000"}}});
@@ -101,9 +101,9 @@ TEST_F(VerifyConfiguration, DateAndTimeCanBeWrittenSeparately) {
     talk({{"605#2320100131750000", {"585#6020100100000000"}}, {"605#4020100200000000", {"585#43201002002E9302"}}});
 }
 
-// Day, month and year, hour and minute; their digits are read as hexadecimal: AX130751 3.2.12, AX188001 3.2.12,
-// AX060805 4.2.12
-TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOf1017h) {
+// 1020h:1 has day, month and year, 1020h:2 hour and minute, with a hexadecimal digit for each decimal digit (AX130751
+// 3.2.12, AX188001 3.2.12, AX060805 4.2.12).
+TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOfTheHeartbeatTime) {
     verifies<req::CO_VERIFY_003>();
     for (const char* name : {"ax130751", "ax188001", "ax060805"}) {
         const auto device = host::make_device(name);
@@ -132,7 +132,7 @@ TEST(VerifyConfigurationOfTheDevice, DateAndTimeAreReadOnlyAndKeptAfterAWriteOf1
     }
 }
 
-// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not evaluate the content of 1020h
+// CAN-CBX-AO412, 7.10.2.3: output 1 to 5 V by SDO; 7.9.20: the firmware does not use the values of 1020h
 TEST(VerifyConfigurationOfTheCbx, DateIsKeptByAnOutputWriteAndClearedByAConfigurationWrite) {
     verifies<req::CO_VERIFY_002, req::CO_VERIFY_005, req::AO4_OD_1020>();
     CbxBench bench;

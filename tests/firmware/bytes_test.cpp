@@ -112,7 +112,7 @@ TEST(Bytes, CopyEndsAtTheEndOfTheTarget) {
     EXPECT_EQ(room, (std::array<std::uint8_t, 6>{{4, 2, 3, 4, 0, 0}}));
 }
 
-TEST(Bytes, PartOfAViewEndsWithTheView) {
+TEST(Bytes, PartOfAViewEndsAtTheEndOfTheView) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{1, 2, 3, 4, 5, 6, 7, 8}};
     const ByteView four{room.data(), 4U};
@@ -128,7 +128,7 @@ TEST(Bytes, PartOfAViewEndsWithTheView) {
     EXPECT_EQ(open_four.part(6U, 2U).size(), 0U);
 }
 
-TEST(Bytes, NumberReadAcrossTheEndOfAViewHasZerosThere) {
+TEST(Bytes, NumberReadAcrossTheEndOfAViewHasZerosBeyondTheEnd) {
     shows_rule("views of bytes cannot overrun");
     const std::array<std::uint8_t, 8> room{{0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88}};
     const ByteView four{room.data(), 4U};
@@ -143,7 +143,7 @@ TEST(Bytes, NumberReadAcrossTheEndOfAViewHasZerosThere) {
     EXPECT_EQ(read_le(four, 3U, 2U), 0x44U);
 }
 
-TEST(Bytes, NumberTakesTheGivenBytesAndNoneBeyondTheEnd) {
+TEST(Bytes, NumberIsWrittenToTheGivenCountOfBytesAndToNoneBeyondTheEnd) {
     shows_rule("views of bytes cannot overrun");
     std::array<std::uint8_t, 8> room{{9, 9, 9, 9, 9, 9, 9, 9}};
     MutableBytes six{room.data(), 6U};
@@ -217,7 +217,7 @@ TEST(Bytes, NumberAccessEqualsByteByByteAccessAtEveryOffset) {
     }
 }
 
-TEST(Slots, PartOfSlotsEndsWithTheSlots) {
+TEST(Slots, PartOfASlotViewEndsAtTheEndOfTheView) {
     shows_rule("views of bytes cannot overrun");
     std::array<PdoLine, 6> room{};
     const Slots<PdoLine> four{room.data(), 4U};

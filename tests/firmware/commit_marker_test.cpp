@@ -41,7 +41,7 @@ TEST(CommitMarker, OnlyABankOfZerosOrOfFFhIsBlank) {
     EXPECT_EQ(state_of(same), BankState::doubtful) << "55h is not erased memory";
 }
 
-TEST(CommitMarker, MarkerTellsACommittedBankFromAVoidOne) {
+TEST(CommitMarker, MarkerDistinguishesACommittedBankFromAVoidBank) {
     verifies<req::CO_STORE_006, req::CO_STORE_017>();
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, committed, 0x01, 0x02}), BankState::damaged);
     EXPECT_EQ(state_of({0x43, 0x4F, 0x50, void_marker, 0x01, 0x02}), BankState::unused);

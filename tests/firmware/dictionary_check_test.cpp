@@ -12,8 +12,8 @@
 namespace canproof {
 namespace {
 
-/// 1000h (device type) with one entry of 4 bytes in flash, 2001h with two of 1 byte each; factor 1 << 16 puts index i
-/// into slot i & 3.
+/// 1000h (device type) with one entry of 4 bytes in flash, 2001h with two of 1 byte each; the hash factor 1 << 16 puts
+/// index i into slot i & 3.
 struct Dictionary {
     std::array<ObjectRow, 2> objects{{{0x1000U, 0U, 1U, ObjectKind::var}, {0x2001U, 1U, 2U, ObjectKind::array}}};
     std::array<EntryRow, 3> entries{
@@ -81,8 +81,8 @@ TEST(DictionaryCheck, RepeatedSubindexIsRefused) {
 
 TEST(DictionaryCheck, MoreThan8PdosOfADirectionAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
-    // Factor 1 << 16: 1407h and 1807h are in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh and
-    // 19FFh in slot 3.
+    // Hash factor 1 << 16: 1407h and 1807h are in slot 3, 1408h, 1808h, 1600h and 1A00h in slot 1 behind 1000h, 15FFh
+    // and 19FFh in slot 3.
     const auto with = [](const std::uint16_t index, const std::size_t slot) {
         Dictionary dictionary;
         dictionary.objects[1].index = index;
@@ -112,7 +112,7 @@ TEST(DictionaryCheck, ObjectWithoutSubindex0IsRefused) {
     EXPECT_FALSE(second_without.sound());
 }
 
-TEST(DictionaryCheck, ValuesOutsideTheirPoolAreRefused) {
+TEST(DictionaryCheck, ValuesOutsideTheirPartOfTheMemoryAreRefused) {
     test::shows_rule("a dictionary that is compiled is sound");
     Dictionary flash;
     flash.entries[0].offset = 1U;

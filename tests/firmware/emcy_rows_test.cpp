@@ -30,7 +30,7 @@ class EmcyRows : public testing::Test, public AlteredSlaveBench {
         power_on();
         keep(ErrorList::active);
     }
-    /// Starts the service with a list of this kind.
+    /// Starts the EMCY service with an error list of kind `list`.
     void keep(ErrorList list) {
         emcy_ = std::make_unique<Emcy>(device->objects(), queue, errors_, list, EmcyContent::detail);
         emcy_->set_node_id(5);

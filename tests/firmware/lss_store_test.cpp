@@ -124,7 +124,7 @@ TEST(LssStore, DamageOfTheLatestSlotGivesTheFactoryValues) {
     }
 }
 
-TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
+TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedStoreLeavesTheDamageReported) {
     verifies<req::CO_LSS_065, req::CO_LSS_016>();
     for (const int stores : {1, 2}) {
         for (std::size_t cut = 0; cut <= 23; ++cut) {
@@ -149,7 +149,7 @@ TEST(LssStore, StoreAfterDamageIsLoadedAndAnInterruptedOneKeepsTheDamage) {
 
 TEST(LssStore, FirstOfTwoSlotsWithEqualSequenceNumbersIsLoaded) {
     verifies<req::CO_LSS_017>();
-    // Only a copy of a slot gives equal numbers. Slots have 20 bytes each, at the end of the memory.
+    // Only a copy of a slot gives equal sequence numbers. Slots have 20 bytes each, at the end of the memory.
     host::Memory memory{64};
     LssStore{memory}.store({5, 500000});
     auto& bytes = memory.bytes();

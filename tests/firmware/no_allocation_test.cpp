@@ -131,7 +131,7 @@ std::vector<Frame> parsed(const std::vector<std::string>& lines) {
     return frames;
 }
 
-/// Sends the frames 100 ms apart and keeps every deadline; then lets 5 s pass without frames.
+/// Sends the frames 100 ms apart and calls the device at each of its deadlines. Then lets 5 s pass without frames.
 template <typename Device>
 Tally session(Device& device, TransmitQueue& queue, const std::vector<Frame>& frames, Instant now) {
     Tally tally;

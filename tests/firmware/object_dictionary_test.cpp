@@ -14,7 +14,7 @@ namespace canproof {
 namespace {
 
 /// 2000h:0, and 2001h with the sub-indices 0, 3, 4 and 5, each of 4 bytes. Its sub-indices 3 to 5 have the limits 0
-/// to 2. Factor 1 << 16 puts index i into slot i & 3: 2001h has slot 1, and its first entry is the second one of all.
+/// to 2. The hash factor 1 << 16 puts index i into slot i & 3: 2001h has slot 1. Its first entry is the second of all.
 struct SparseDictionary {
     static constexpr EntryRow word(std::uint16_t offset, std::uint16_t limit, std::uint8_t subindex) {
         return {offset, 4U, limit, subindex, DataType::unsigned32, rights::read | rights::write, Service::none};
@@ -65,7 +65,7 @@ std::pair<std::size_t, std::size_t> pdos_with(const std::uint16_t index) {
 }
 
 // CiA 301, Table 40: the communication parameters of RPDO1 are 1400h, those of TPDO1 are 1800h.
-TEST(ObjectDictionary, HighestPdoOfADirectionIsItsNumberOfPdos) {
+TEST(ObjectDictionary, NumberOfPdosOfADirectionIsItsHighestPdoNumber) {
     test::shows_rule("a dictionary that is compiled is sound");
     using Counts = std::pair<std::size_t, std::size_t>;
     EXPECT_EQ(pdos_with(0x13FFU), (Counts{0U, 0U}));

@@ -78,9 +78,9 @@ class SmallDictionary {
 
 }  // namespace
 
-// The image has A000h + index, flash has F010h and F011h. From 2000h, 2001h and 2002h on the image has at least eight
-// bytes, from 2003h on two.
-TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
+// Each object in the image has the value A000h + index; those in flash have F010h and F011h. At 2000h, 2001h and 2002h,
+// at least eight bytes of the image are left; at 2003h, two.
+TEST(Mapping, PdoCarriesAdjacentAndScatteredValues) {
     verifies<req::CO_PDO_028>();
     SmallDictionary small;
     EXPECT_EQ(small.carried({0x2000, 0x2001, 0x2002}), 0xC002'C001'C000U);
@@ -96,7 +96,7 @@ TEST(Mapping, MappingCarriesAdjacentAndScatteredValues) {
     EXPECT_EQ(small.carried({0x2010, 0x2000}), 0xC000'F010U);
 }
 
-TEST(Mapping, MappingContainsTheMappedValuesOnly) {
+TEST(Mapping, PdoContainsOnlyTheMappedValues) {
     verifies<req::CO_PDO_015>();
     const host::DictionaryRows rows{slave().rows};
     const DictionaryTables tables{rows.tables()};

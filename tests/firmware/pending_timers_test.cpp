@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests activities that are pending for 100 ms, of the services that all devices share. 40 ms after its start, each
-// event happens that can end, keep or restart it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
+// Tests the timers of the services that all devices share, each set to 100 ms. In each case, one event happens 40 ms
+// after the start of the timer and keeps, ends or restarts it (CiA 301, 7.2.2, 7.2.5, 7.2.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Case {
     Frames later;                    ///< frames sent within 300 ms of the event
 };
 
-/// Performs each case on a newly booted slave: the frames in `arms` start the activity, and the event follows.
+/// Performs each case on a newly booted slave: the frames in `arms` start the timer, and the event follows.
 void expect(const std::vector<std::string>& arms, const std::vector<Case>& cases) {
     for (const Case& one : cases) {
         SlaveBench bench;
@@ -45,7 +45,7 @@ Frames each(int first, int period, const std::string& frame) {
 
 }  // namespace
 
-TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, HeartbeatPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_HB_001, req::CO_NMT_006, req::CO_HB_005>();
     expect({"605#2B17100064000000"}, {
                                          {"nothing", {}, each(60, 100, "705#7F")},
@@ -59,7 +59,7 @@ TEST(PendingTimer, HeartbeatPeriodIsKeptEndedOrRestartedByEachEvent) {
                                      });
 }
 
-TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, MonitoringOfAHeartbeatContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_HB_004, req::CO_HB_003, req::CO_NMT_006>();
     const Frames lost{"60:085#3081110100000000"};
     expect({"605#2316100164003100", "731#05"},
@@ -77,7 +77,7 @@ TEST(PendingTimer, AwaitedHeartbeatIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, LifeTimeOfGuardingContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_GUARD_007, req::CO_GUARD_008, req::CO_NMT_006>();
     expect({"605#2B0C100032000000", "605#2F0D100002000000", "705#R1"},  // guard time 50 ms, life time factor 2
            {
@@ -91,7 +91,7 @@ TEST(PendingTimer, LifeTimeOfGuardingIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, SyncPeriodContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_SYNC_003, req::CO_NMT_006>();
     expect({"605#23061000A0860100", "605#2305100080000040"},  // SYNC period 100,000 us
            {
@@ -105,7 +105,7 @@ TEST(PendingTimer, SyncPeriodIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, MonitoringOfAnRpdoContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_PDO_021, req::CO_PDO_039, req::CO_PDO_040, req::CO_NMT_006, req::CO_PDO_066>();
     const Frames late{"60:085#5082110100000000"};
     expect({"605#2B00140564000000", "000#0105", "205#1122"},
@@ -124,7 +124,7 @@ TEST(PendingTimer, AwaitedRpdoIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, TpdoEventTimerIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, TpdoEventTimerContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_PDO_047, req::CO_PDO_025, req::CO_PDO_051, req::CO_PDO_027, req::CO_PDO_052>();
     expect({"605#2B00180564000000", "000#0105"},
            {
@@ -141,7 +141,7 @@ TEST(PendingTimer, TpdoEventTimerIsKeptEndedOrRestartedByEachEvent) {
            });
 }
 
-TEST(PendingTimer, TpdoInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
+TEST(PendingTimer, TpdoInhibitTimeContinuesEndsOrRestartsDependingOnTheEvent) {
     verifies<req::CO_PDO_017, req::CO_PDO_048, req::CO_PDO_018, req::CO_PDO_027, req::CO_PDO_052>();
     const std::string change = "605#2F01200122000000";
     expect({"605#2300180185010080", "605#2B001803E8030000", "605#2300180185010000",  // 1000 * 100 us

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that implements only what it must: the default answers of Application and LssApplication, and of a node and
-// a dictionary used directly.
+// Tests the default answers of Application and LssApplication, with a device that implements only what it must. Also
+// tests a node and a dictionary that are called directly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class PlainApplication final : public Application {
     std::array<std::uint8_t, 4> memory_{};
 };
 
-/// The slave's dictionary and services under that application, as node 5.
+/// The dictionary and services of the conformance slave with a PlainApplication, as node 5.
 class PlainNode {
   public:
     PlainNode(NonVolatileMemory& memory, TransmitQueue& queue)
@@ -112,7 +112,7 @@ TEST_F(Plain, DeviceDecidesOnAccessToProgramEntriesOnly) {
 TEST_F(Plain, DeviceIsNotifiedOfWritesToItsOwnEntriesOnly) {
     verifies<req::CO_SDO_016>();
     device->give(0x2207, Service::device);
-    // the requests write 1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2 and 2207h
+    // The requests write objects of the node (1005h, 1014h, 100Ch, 1016h:1, 1017h, 1400h:2) and 2207h of the device.
     for (const char* request :
          {"605#2305100080000000", "605#2314100085000000", "605#2B0C100001000000", "605#2316100100000000",
           "605#2B17100000000000", "605#2F00140201000000", "605#2307220001020304"}) {
@@ -164,7 +164,7 @@ TEST_F(ByHand, PutDoesNotOverwriteAConstantEntry) {
     EXPECT_EQ(objects.value(name).size(), 17U);
 }
 
-TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnless1029hKeepsTheState) {
+TEST_F(ByHand, SelfStartIsSuppressedDuringBusOffUnlessObject1029hKeepsTheState) {
     verifies<req::CO_NMT_011, req::CO_NMT_002>();
     Node& node = device->node();
     const auto state_after_start = [this, &node] {

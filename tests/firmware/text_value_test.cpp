@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t capacity = 20U;  // two groups of eight bytes, and four bytes
 
-/// 2000h:0, a text. Factor 1 << 16 puts index i into slot i & 1.
+/// 2000h:0, a text. The hash factor 1 << 16 puts index i into slot i & 1.
 struct TextDictionary {
     std::array<ObjectRow, 1> rows{{{0x2000U, 0U, 1U, ObjectKind::var}}};
     std::array<EntryRow, 1> entries{

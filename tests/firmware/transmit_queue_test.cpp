@@ -49,7 +49,7 @@ TEST(TransmitQueueOrder, FrameOfTheNextLowerIdentifierIsFirst) {
     }
 }
 
-TEST(TransmitQueueOrder, BytesPushedBeforeAnotherFrameAreAcceptedUntilTheQueueIsFull) {
+TEST(TransmitQueueOrder, FramesThatPrecedeAWaitingFrameAreAcceptedUntilTheQueueIsFull) {
     verifies<req::CO_FRAME_002>();
     TransmitQueue queue;
     ASSERT_TRUE(queue.push(0x583, 1, 0xA1));
@@ -152,13 +152,13 @@ TEST(TransmitQueueOrder, SegmentIsQueuedUnlessTheQueueIsFullOrClosed) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, DataFrameInThePlaceOfAnEarlierRemoteFrameIsADataFrame) {
+TEST(TransmitQueueOrder, DataFrameInTheReusedPlaceOfARemoteFrameStaysADataFrame) {
     shows_rule("a place of the queue keeps nothing of an earlier frame");
     TransmitQueue queue;
     Frame other = data_frame(0x80, 0);
     other.extended = true;
     other.remote = true;
-    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place contains this frame once
+    for (std::size_t i = 0; i < TransmitQueue::capacity; ++i) {  // each place of the queue has contained this frame
         ASSERT_TRUE(queue.push(other));
         queue.pop();
     }
@@ -202,7 +202,7 @@ TEST(TransmitQueueOrder, FramePutBackIsRefusedByAFullQueueAndLostInAClosedQueue)
     EXPECT_TRUE(queue.empty());
 }
 
-TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
+TEST(TransmitQueueOrder, QueueReportsAWaitingBootUpMessageUntilItIsSentOrDropped) {
     verifies<req::CO_FRAME_003, req::CO_NMT_001>();
     TransmitQueue queue;
     queue.push(numbered(0x083, 1));
@@ -217,7 +217,7 @@ TEST(TransmitQueueOrder, WaitingBootUpMessageIsReportedUntilItIsTaken) {
     EXPECT_FALSE(queue.boot_up_waits());
 }
 
-TEST(Crc, Crc32OfTheDigits1To9IsTheCatalogueValue) {
+TEST(Crc, Crc32OfTheDigits1To9IsThePublishedCheckValue) {
     verifies<req::CO_STORE_004>();
     // CRC-32/ISO-HDLC of "123456789"
     const std::array<std::uint8_t, 9> digits{0x31, 0x32, 0x33, 0x34, 0x35, 0x36, 0x37, 0x38, 0x39};

@@ -165,7 +165,7 @@ TEST(CanController, ControllerRecoversFromBusOffOnlyAfterThePauseOfTheDriver) {
     bench.join();
     bench.model.count_errors(256, 0);
     bench.controller.advance(at_ms(10));
-    bench.model.pass_recessive(1000);  // ABOM is off, so no bits count before the request
+    bench.model.pass_recessive(1000);  // automatic recovery (ABOM) is off: no bits count before the request
     bench.controller.advance(at_ms(109));
     EXPECT_TRUE(bench.controller.is_on_bus());
     EXPECT_EQ(bench.controller.state(), CanState::bus_off);

@@ -106,7 +106,7 @@ TEST(CanReceiver, ModelOverwritesTheLastFrameWithoutTheFifoLock) {
     verifies<req::CO_CAN_005>();
     Bench bench;
     auto& registers = bench.model.registers();
-    registers.master_control.write(mcr::time_stamps);  // RFLM stays 0, although the driver sets it
+    registers.master_control.write(mcr::time_stamps);  // clears the FIFO lock (RFLM) that the driver has set
     for (std::uint32_t i = 0; i < 4; ++i) {
         bench.model.receive(data_frame(0x200 + i, 0));
     }
@@ -149,7 +149,7 @@ TEST(CanReceiver, InterruptsAreEnabledForBothFifosOnly) {
     verifies<req::CO_CAN_004>();
     Bench bench;
     bench.can.interrupt_on_frames(true);
-    EXPECT_EQ(bench.model.interrupts(), 0x12U);  // FMPIE0 and FMPIE1, bits 1 and 4
+    EXPECT_EQ(bench.model.interrupts(), 0x12U);  // the interrupts FMPIE0 and FMPIE1 (frame pending), bits 1 and 4
     bench.can.interrupt_on_frames(false);
     EXPECT_EQ(bench.model.interrupts(), 0U);
 }

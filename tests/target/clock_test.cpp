@@ -115,7 +115,7 @@ TEST(Watchdog, WatchdogOutlastsAnEraseWithItsFastestOscillator) {
     WatchdogModel model;
     Watchdog watchdog{model.registers(), 100};
     ASSERT_TRUE(watchdog.start());
-    model.pass(500, 47);  // data sheet: erasing 16 KiB takes at most 500 ms; 17 to 47 kHz
+    model.pass(500, 47);  // data sheet: erasing 16 KiB takes at most 500 ms; the oscillator has 17 to 47 kHz
     EXPECT_FALSE(model.has_bitten());
     model.pass(1400, 17);
     EXPECT_TRUE(model.has_bitten());
@@ -130,7 +130,7 @@ TEST(Watchdog, StartDoesNotWaitForAStoppedOscillator) {
     EXPECT_TRUE(model.is_running());
 }
 
-TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfBothParts) {
+TEST(ImageCheck, ImageIsValidOnlyWithTheCrcOfItsVectorsAndCode) {
     verifies<req::CO_IMAGE_001>();
     // CRC-32/ISO-HDLC of "123456789" is CBF43926h.
     const std::array<std::uint8_t, 4> vectors{'1', '2', '3', '4'};

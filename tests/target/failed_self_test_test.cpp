@@ -89,7 +89,7 @@ struct ChangingDevice {
 TEST_F(FailedSelfTest, StuckBitOfRamEndsInTheSafeState) {
     verifies<req::CO_SELF_001, req::CO_SELF_008>();
     chips_.ram.set_defect({RamModel::Fault::stuck, {40, 7}, true, {0, 0}, false});
-    // 64 words in slices of four that share one: 21 slices, one in every third pass
+    // 64 words in slices of four, each sharing one word with the next: 21 slices, one in every third pass of the loop
     expect_safe_state(SelfTest::ram, 63);
 }
 
@@ -161,7 +161,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeBetweenTwoSamplesOfItsInputs) {
 
 TEST_F(FailedSelfTest, FrameThatAppearsInTheQueueIsNotSent) {
     verifies<req::CO_SELF_008, req::CO_SELF_017>();
-    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // PDO1, which the device has not queued
+    ASSERT_TRUE(unit_.queue.push(data_frame(0x183, 0)));  // TPDO1, which the device has not queued
     EXPECT_THAT(unit_.run(1), IsEmpty());
     expect_safe_state(SelfTest::state, 0);
 }
@@ -183,7 +183,7 @@ TEST_F(FailedSelfTest, DeviceDoesNotComputeWithChangedOutputs) {
     expect_safe_state(SelfTest::outputs, 0);
 }
 
-TEST_F(FailedSelfTest, PassWithinAPassEndsInTheSafeState) {
+TEST_F(FailedSelfTest, LoopPassWithinALoopPassEndsInTheSafeState) {
     verifies<req::CO_SELF_005, req::CO_SELF_008>();
     unit_.board.on_read = [this] { unit_.loop.pass(); };
     expect_safe_state(SelfTest::flow, 10);

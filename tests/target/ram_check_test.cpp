@@ -120,7 +120,7 @@ TEST(RamCheck, SoundRamKeepsItsContentsInEachPass) {
     }
 }
 
-TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
+TEST(RamCheck, InterruptsAreMaskedDuringTheTestOfASliceOnly) {
     verifies<req::CO_SELF_001, req::CO_SELF_013>();
     RamModel ram{word_count};
     RamCheck check{{ram.words(), 0, 0}};
@@ -143,13 +143,13 @@ TEST(RamCheck, InterruptsAreMaskedForASliceOnly) {
     core_model() = CoreModel{};
 }
 
-TEST(RamCheck, MarchRunsOnAStackOutsideOfItsSlice) {
+TEST(RamCheck, MarchTestRunsOnAStackOutsideTheTestedSlice) {
     verifies<req::CO_SELF_001>();
     RamModel ram{word_count};
     core_model() = CoreModel{};
     RamCheck check{{ram.words(), 10, 16}};
-    // The slices are words 0 to 3, 3 to 6 and 6 to 9. Then 9 to 12, 12 to 15 and 15 to 18 contain words of the other
-    // stack, so that their march does not run on it. The last slice is 18 to 21.
+    // The slices are words 0 to 3, 3 to 6 and 6 to 9. Then 9 to 12, 12 to 15 and 15 to 18 contain words of the
+    // separate stack (10 to 15), so their march does not run on this stack. The last slice is 18 to 21.
     for (const std::uint32_t marches : {1U, 2U, 3U, 3U, 3U, 3U, 4U}) {
         EXPECT_TRUE(check.step());
         EXPECT_EQ(core_model().marches, marches);

@@ -53,7 +53,7 @@ struct ClockCheckBench {
     int run(int passes, double us = 50) {
         for (int i = 0; i < passes; ++i) {
             model.pass(us);
-            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the same clock
+            now.us += static_cast<std::uint64_t>(us * model.timer_mhz / 80);  // the time base has the timer's clock
             if (!check.step(now)) {
                 return i;
             }
@@ -118,7 +118,7 @@ TEST(StackGuard, GuardNoticesEachChangedBit) {
     EXPECT_TRUE(guard.is_intact());
 }
 
-TEST(FlowMonitor, OnlyOneSequenceOfUpToSixStepsIsAPass) {
+TEST(FlowMonitor, OnlyOneOfAllSequencesOfUpToSixStepsIsAValidLoopPass) {
     verifies<req::CO_SELF_005>();
     std::size_t tried = 0;
     for (std::size_t length = 0, count = 1; length <= 6; ++length, count *= 6) {
@@ -133,7 +133,7 @@ TEST(FlowMonitor, OnlyOneSequenceOfUpToSixStepsIsAPass) {
     EXPECT_EQ(tried, 55987U);  // 1 + 6 + 6² + … + 6⁶ = (6^7 - 1) / 5
 }
 
-TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {
+TEST(FlowMonitor, LoopPassWithAnExtraStepIsInvalid) {
     verifies<req::CO_SELF_005>();
     for (std::size_t at = 0; at <= 6; ++at) {
         for (const Step more : pass_steps) {
@@ -144,7 +144,7 @@ TEST(FlowMonitor, PassWithOneStepMoreIsWrong) {
     }
 }
 
-TEST(FlowMonitor, PassAfterAWrongPassIsWrong) {
+TEST(FlowMonitor, LoopPassAfterAnInvalidPassIsInvalid) {
     verifies<req::CO_SELF_005>();
     FlowMonitor flow;
     const auto pass = [&flow] {
@@ -287,7 +287,7 @@ TEST(ClockCheck, OscillatorOutside17To47KilohertzIsAFailure) {
     }
 }
 
-TEST(ClockCheck, ErrorBeyondTheTolerancesIsNoticedWithEachOscillator) {
+TEST(ClockCheck, ClockErrorBeyondTheTolerancesIsNoticedAtEachOscillatorFrequency) {
     verifies<req::CO_SELF_006>();
     for (double khz = 17; khz <= 47; khz += 1) {
         // 17 / 47 = 0.362 and 47 / 17 = 2.765
@@ -310,7 +310,7 @@ TEST(ClockCheck, StoppedOscillatorIsNoticedAfter100Milliseconds) {
     EXPECT_LE(passes, 2000);
 }
 
-TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
+TEST(ClockCheck, LoopPassLongerThanACaptureIntervalIsNoFailure) {
     verifies<req::CO_SELF_006, req::CO_SELF_015>();
     ClockCheckBench bench;
     EXPECT_EQ(bench.run(200, 900), 200);  // each pass misses captures
@@ -320,7 +320,7 @@ TEST(ClockCheck, PassLongerThanAnIntervalIsNoFailure) {
     EXPECT_LT(bench.run(1000), 20);
 }
 
-TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
+TEST(ClockCheck, TimerCaptureBetweenTwoRegisterReadsIsNoFailure) {
     verifies<req::CO_SELF_006>();
     ClockCheckBench bench;
     for (int i = 0; i < 100; ++i) {
@@ -329,7 +329,7 @@ TEST(ClockCheck, CaptureBetweenTheReadsIsNoFailure) {
     }
 }
 
-TEST(FailureRecord, RecordReturnsTheKeptSelfTestOnce) {
+TEST(FailureRecord, RecordReturnsTheFailedSelfTestOnce) {
     verifies<req::CO_SELF_009>();
     PlainModel<FailureWords> words;
     FailureRecord record{words.registers()};

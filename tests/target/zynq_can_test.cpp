@@ -85,7 +85,7 @@ TEST(ZynqBitTiming, EveryRateOfLssIsExactInTheRegisters) {
 }
 
 // 666.667 kbit/s (36 clocks) and one third of 500 kbit/s (144 clocks) are rates of other manuals.
-TEST(ZynqBitTiming, RateOfAnotherTableIsWithinItsLimit) {
+TEST(ZynqBitTiming, BitRateOfOtherManualsIsWithinItsTolerance) {
     verifies<req::CO_ZCAN_001>();
     for (const std::uint32_t rate : {666667U, 166667U}) {
         const auto found = zynqmp::bit_timing(clock_hz, rate);
@@ -94,7 +94,7 @@ TEST(ZynqBitTiming, RateOfAnotherTableIsWithinItsLimit) {
     }
 }
 
-// 3 kbit/s: 8000 clocks a bit are 25 quanta by 320, more than BRPR holds; bxCAN could.
+// At 3 kbit/s, a bit has 8000 clocks: 25 quanta with a prescaler of 320. BRPR cannot have this value; bxCAN can.
 TEST(ZynqBitTiming, RateBelowThePrescalersRangeKeepsTheNodeOffTheBus) {
     verifies<req::CO_ZCAN_002>();
     EXPECT_FALSE(zynqmp::bit_timing(clock_hz, 3000).ok());

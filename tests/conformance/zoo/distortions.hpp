@@ -20,7 +20,7 @@ Distortion says(FrameHook say);
 Distortion hears_and_says(FrameHook hear, FrameHook say);
 Distortion has_dictionary(std::function<void(host::Part&)> alter);
 
-/// Drop frames to the slave (is_deaf_to), or frames of the slave (keeps_back).
+/// Return distortions that drop frames to the slave (is_deaf_to), or frames of the slave (keeps_back).
 Distortion is_deaf_to(FrameTest which);
 Distortion keeps_back(FrameTest which);
 /// Changes an answer of the SDO server. Segments of a block upload stay unchanged.
@@ -31,7 +31,7 @@ Distortion takes_requests_as(FrameChange change);
 Distortion aborts_with(std::uint32_t code, std::uint32_t other);
 /// Confirms downloads of these objects that the correct slave refuses with `code`; nothing is written.
 Distortion confirms_refused(ObjectTest which, std::uint32_t code);
-/// Uses another value than was written, but reads back the written value. Expedited transfers only.
+/// Makes the slave use another value than was written, while a read returns the written one. Expedited transfers only.
 Distortion works_with(ObjectTest which, ValueChange change);
 
 inline ObjectTest object(std::uint16_t index) {
@@ -50,7 +50,7 @@ inline ObjectTest objects(std::uint16_t first, std::uint16_t last) {
 inline ValueChange always(std::uint32_t value) {
     return [value](std::uint32_t) { return value; };
 }
-/// Returns the value times `parts` hundredths, rounded down.
+/// Returns a change that makes a value `parts` percent of itself, rounded down.
 inline ValueChange percent(std::uint32_t parts) {
     return [parts](std::uint32_t value) { return static_cast<std::uint32_t>(std::uint64_t{value} * parts / 100U); };
 }

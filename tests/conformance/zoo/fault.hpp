@@ -23,10 +23,10 @@ struct Distortion {
     FrameHook say;                          ///< replaces WrongSlave::say, which gets each frame of the correct slave
 };
 
-/// One fault of the zoo.
+/// One fault of the zoo of wrong slaves.
 struct Fault {
     std::string id;       ///< kebab-case, unique
-    std::string service;  ///< group of the conformance cases that must notice the fault, as "sdo"
+    std::string service;  ///< group of the conformance cases that must notice the fault: "sdo", …
     std::string what;     ///< the fault of the slave; begins with a verb
     /// Frames to the slave and waits in ms, `605#4000100000000000 +100`. The node-ID is 5.
     std::string talk;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of all faults of the zoo.
+// The table of all faults of the zoo of wrong slaves.
 #pragma once
 
 #include "tests/conformance/zoo/fault.hpp"

@@ -28,12 +28,12 @@ inline Frame with_own_number(WrongSlave& slave, const Frame& frame, unsigned num
     return own;
 }
 
-/// The key in WrongSlave::notes of whether the slave is in LSS configuration. follows_lss() updates this note.
+/// The key of the note in WrongSlave::notes that is not 0 in LSS configuration. follows_lss() updates this note.
 constexpr std::uint32_t lss_mode_note = 0x1000;
 inline bool is_configuring(WrongSlave& slave) {
     return slave.notes[lss_mode_note] != 0;
 }
-/// Makes `distortion` also update is_configuring(). Its hooks see the state that applied before their frame.
+/// Makes `distortion` also update is_configuring(). Its hooks see the state before their frame.
 Distortion follows_lss(Distortion distortion);
 
 /// Serves an LSS request differently. `serve` returns false for a request that the correct slave shall serve.

@@ -147,7 +147,7 @@ Faults sdo_block_faults() {
         return "605#A4081000" + block_size + "000000 605#A300000000000000 ";
     };
     const std::string end = "605#A203140000000000";
-    const std::string download = "605#C60023000E000000 605#0141424344454647 ";  // 2300h, 14 bytes, CRC wanted
+    const std::string download = "605#C60023000E000000 605#0141424344454647 ";  // 2300h, 14 bytes, with CRC
     return {
         {"block-crc-padding", "sdo", "takes the CRC of an upload over the padding too", upload("14") + end,
          "585#D1D4320000000000", "585#D1D5780000000000", crc_over_padding()},

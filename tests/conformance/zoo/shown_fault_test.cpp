@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that each fault of the zoo has exactly the effect of its entry. An exchange with the correct slave and one
-// with the wrong slave differ by the frames of the entry.
+// Checks that each fault of the zoo has exactly the effect that its table entry lists. An exchange with the correct
+// slave and the same exchange with the wrong slave must differ by the listed frames only.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +84,7 @@ class ShownFault : public testing::TestWithParam<std::size_t> {};
 
 }  // namespace
 
-TEST_P(ShownFault, WrongSlaveDiffersFromTheCorrectOneInTheListedFrames) {
+TEST_P(ShownFault, FaultySlaveDiffersFromTheCorrectSlaveInTheListedFrames) {
     const Fault& fault = all_faults()[GetParam()];
     const Texts right = Talk{{}}.hold(fault.talk);
     const Texts wrong = Talk{fault.distortion}.hold(fault.talk);
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Zoo, ShownFault, testing::Range<std::size_t>(0, all_fau
     return name;
 });
 
-TEST(Zoo, EveryFaultHasAUniqueIdADescriptionAndAListedDifference) {
+TEST(FaultySlaves, EveryFaultHasAUniqueIdADescriptionAndAListedDifference) {
     std::set<std::string> ids;
     for (const Fault& fault : all_faults()) {
         EXPECT_TRUE(ids.insert(fault.id).second) << fault.id;

@@ -44,7 +44,7 @@ TEST(StartOfARun, CorrectSlaveCausesNoReportAtTheStart) {
     EXPECT_THAT(run_one_case({}, "sdo-device-type").troubles, IsEmpty());
 }
 
-TEST(StartOfARun, WrongValueIsReportedAndTheCasesRun) {
+TEST(StartOfARun, WrongValueOfTheSlaveIsReportedAndTheCasesRun) {
     const conform::ConformReport report = run_one_case(fault("sdo-upload-size"), "sdo-device-type");
     EXPECT_THAT(report.troubles, Contains("1008h:00 cannot be read: the slave announced 18 bytes, but sent 17"));
     ASSERT_EQ(report.results.size(), 1U);

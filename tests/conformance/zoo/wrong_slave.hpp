@@ -52,11 +52,11 @@ class WrongSlave final : public host::SimulatedDevice {
     /// Returns whether the frame that is being sent is a segment of a block upload.
     bool says_segment() const { return says_segment_; }
 
-    std::map<std::uint32_t, std::uint32_t> notes;  ///< state of hooks, by keys of their own
+    std::map<std::uint32_t, std::uint32_t> notes;  ///< state of the hooks, which choose the keys
     std::vector<std::uint8_t> bytes;               ///< bytes of a transfer, for hooks
 
   private:
-    static constexpr std::size_t most_waiting = 8;  ///< frames; further frames stay in the correct slave
+    static constexpr std::size_t most_waiting = 8;  ///< most frames in queue_; the correct slave keeps further ones
 
     bool has_room() const { return queue_.size() < most_waiting; }
     void hear(const Frame& frame);

@@ -119,7 +119,7 @@ class UnderRandomLoad : public testing::TestWithParam<std::size_t> {};
 
 }  // namespace
 
-TEST(Zoo, NoCaseFailsOnTheCorrectSlave) {
+TEST(FaultySlaves, NoConformanceCaseFailsOnTheCorrectSlave) {
     const ConformReport report = run_on({}, {});
     for (const CaseResult& one : report.results) {
         EXPECT_FALSE(is_failure(one)) << words_of(one);
@@ -128,7 +128,7 @@ TEST(Zoo, NoCaseFailsOnTheCorrectSlave) {
     EXPECT_GT(report.count(Verdict::passed), 100U);
 }
 
-TEST_P(UnderRandomLoad, NoChosenCaseFailsOnTheCorrectSlave) {
+TEST_P(UnderRandomLoad, NoConformanceCaseOfTheRunFailsOnTheCorrectSlave) {
     const std::size_t run = GetParam();
     const std::uint64_t seed = first_seed() + run;
     std::mt19937_64 generator{seed};
@@ -143,7 +143,7 @@ TEST_P(UnderRandomLoad, NoChosenCaseFailsOnTheCorrectSlave) {
 
 INSTANTIATE_TEST_SUITE_P(Run, UnderRandomLoad, testing::Range<std::size_t>(0, runs_under_load));
 
-TEST(Zoo, CasesNoticeAtLeast95PercentOfTheFaultsOfTheirService) {
+TEST(FaultySlaves, ConformanceCasesNoticeAtLeast95PercentOfTheFaultsOfTheirService) {
     const Faults faults = chosen_faults(all_faults());
     const bool all_cases = runs_all() || faults.size() == 1;
     std::size_t caught = 0;

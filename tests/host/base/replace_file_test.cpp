@@ -65,7 +65,7 @@ TEST(ReplaceFile, DeviceFileIsWrittenDirectly) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST(FileBeside, TemporaryFileReplacesNoExistingTarget_AndTheNewTargetIsLocked) {
+TEST(FileBeside, FileIsCreatedOnlyWhenItsTargetIsAbsent_AndIsLocked) {
     const ScratchFolder folder;
     FileBeside first{folder / "a"};
     FileBeside second{folder / "a"};
@@ -80,7 +80,7 @@ TEST(FileBeside, TemporaryFileReplacesNoExistingTarget_AndTheNewTargetIsLocked) 
     EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), 0);
 }
 
-TEST(FileBeside, OnlyTheLeftTemporaryFilesOfTheTargetAreRemoved) {
+TEST(FileBeside, OnlyLeftoverTemporaryFilesOfTheTargetAreRemoved) {
     const ScratchFolder folder;
     for (const char* name : {"a", ".a.12-0.new", ".a.new", ".a.mine.new", ".b.12-0.new", ".a.12-0.old"}) {
         ScratchFolder::fill(folder / name, "x");

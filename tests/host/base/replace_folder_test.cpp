@@ -52,7 +52,7 @@ TEST(ReplaceFolder, FileWhereTheFolderOrItsParentShouldBeIsNotReplaced) {
     EXPECT_EQ(folder.names(), Names{"empty"});
 }
 
-// Such a program stops on a file system that cannot exchange two folders in one step.
+// On a file system that cannot exchange two folders in one step, a program can be killed between its two moves.
 TEST(ReplaceFolder, FolderThatAKilledProgramMovedAwayIsRestored) {
     const ScratchFolder folder;
     std::filesystem::create_directories(folder / ".pack.new.old");

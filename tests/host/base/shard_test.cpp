@@ -51,7 +51,7 @@ TEST(Shard, ShardOfNContainsEveryNthElement) {
     EXPECT_THAT(share_of(all, {8, 9}), IsEmpty());
 }
 
-TEST(Shard, SizeOfShareIsTheNumberOfItsElements) {
+TEST(Shard, CalculatedShardSizeIsTheNumberOfItsElements) {
     for (std::size_t all = 0; all < 12; ++all) {
         for (std::size_t count = 1; count < 6; ++count) {
             for (std::size_t number = 1; number <= count; ++number) {

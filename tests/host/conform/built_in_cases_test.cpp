@@ -21,7 +21,7 @@ TEST(BuiltInCases, CasesNameExistingRequirements) {
     }
 }
 
-TEST(BuiltInCases, EachNumberOfThePublicTranscriptIsInAtMostOneCase) {
+TEST(BuiltInCases, EachTestNumberOfThePublicConformanceTranscriptIsInAtMostOneCase) {
     std::set<std::string> numbers;
     for (const Case& one : built_in_cases().cases) {
         for (const std::string& number : one.numbers) {

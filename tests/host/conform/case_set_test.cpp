@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of conformance cases: it covers the public transcript number by number, names requirements and risks, and
-// each case applies to some slave.
+// The set of conformance cases: it covers each number of the public transcript of a CANopen conformance run, names
+// requirements and risks, and each case applies to some slave.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const std::vector<Case>& cases() {
     return built_in_cases().cases;
 }
 
-/// Returns the numbers of the public transcript by its groups.
+/// Returns the test numbers of the public transcript of a conformance run, by its groups.
 std::vector<std::string> public_numbers() {
     struct Row {
         const char* group;
@@ -135,7 +135,7 @@ Part slave_with_heartbeat() {
 
 }  // namespace
 
-TEST(ConformCases, EachNumberOfThePublicTranscriptIsInExactlyOneCase) {
+TEST(ConformCases, EachTestNumberOfThePublicConformanceTranscriptIsInExactlyOneCase) {
     std::map<std::string, int> found;
     for (const Case& one : cases()) {
         for (const std::string& number : one.numbers) {
@@ -150,7 +150,7 @@ TEST(ConformCases, EachNumberOfThePublicTranscriptIsInExactlyOneCase) {
     EXPECT_EQ(found.size(), wanted.size()) << "a number that the transcript does not have";
 }
 
-TEST(ConformCases, AtLeast100CasesAreOutsideThePublicTranscript) {
+TEST(ConformCases, AtLeast100CasesAreNotInThePublicConformanceTranscript) {
     const auto own = std::count_if(cases().begin(), cases().end(), [](const Case& one) { return one.numbers.empty(); });
     EXPECT_GE(own, 100);
     EXPECT_GE(cases().size(), 227U);

@@ -28,7 +28,7 @@ std::set<std::uint32_t> traffic_beside(const std::set<std::uint32_t>& reserved) 
     return sent;
 }
 
-// The traffic of low priority has the identifiers 6E0h to 6FFh: 32.
+// Background traffic of low priority uses the 32 identifiers from 6E0h to 6FFh.
 TEST(ConformLink, BackgroundTrafficLeavesOutReservedIdentifiers) {
     const auto all = traffic_beside({});
     EXPECT_EQ(all.size(), 32U);

@@ -65,7 +65,7 @@ TEST(ConformHistogram, TimesThatAreAllTheSameFillOneBin) {
     EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::size_t{0}), 3U);
 }
 
-TEST(ConformMeasured, GreatestLimitAddedWithATimeIsKept) {
+TEST(ConformMeasured, GreatestLimitOfTheAddedTimesIsKept) {
     Measured measured;
     measured.add(5, 1000);
     measured.add(6, 2000);
@@ -96,7 +96,7 @@ TEST(ConformBusUse, LoadOfARunBelowOneSecondIsThatOfTheWholeRun) {
     ConformReport report;
     report.bit_rate = 125000;
     report.time = milliseconds(500);
-    report.bus_use.add({Instant{900000}, frame, true});  // at both sides of a full second of the clock
+    report.bus_use.add({Instant{900000}, frame, true});  // one frame on each side of a full second
     report.bus_use.add({Instant{1100000}, frame, true});
     // The load of two frames in half a second: bits / (125000 bit/s x 0.5 s)
     EXPECT_DOUBLE_EQ(*report.mean_load(), 100.0 * 2.0 * (frame_bits(frame) + 3U) / 62500.0);
@@ -109,7 +109,7 @@ TEST(ConformBusUse, FullBusHasALoadOf100PerCent) {
     ConformReport report;
     report.bit_rate = 125000;
     report.time = milliseconds(3000);
-    // Each frame takes bits x 8 us. The frame that ends just after a second begins has most of its bits before it.
+    // Each frame takes bits x 8 us. A frame that ends just after the start of a second has most bits before it.
     for (std::uint64_t end = bits * 8U; end < 3000000U; end += bits * 8U) {
         report.bus_use.add({Instant{end}, frame, true});
     }

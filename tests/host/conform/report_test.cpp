@@ -63,7 +63,8 @@ TEST(ConformReportFiles, JsonHasVerdictsAndTimes) {
     EXPECT_EQ(json["sheet_sha256"].get<std::string>().size(), 64U);
 }
 
-// Eleven gaps of a heartbeat of 100 ms, of which the case accepts 95 to 105 ms in the mean and 80 to 120 ms each.
+// The case measures eleven gaps between heartbeats of 100 ms. It accepts a mean of 95 to 105 ms, and 80 to 120 ms for
+// each gap.
 TEST(ConformReportFiles, ReportDrawsMeasuredTimesWithTheLimitsOfTheCase) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =
@@ -72,7 +73,7 @@ TEST(ConformReportFiles, ReportDrawsMeasuredTimesWithTheLimitsOfTheCase) {
     EXPECT_THAT(page, HasSubstr("gap of 705h"));
     EXPECT_THAT(page, HasSubstr("mean 95.000 to 105.000, each 80.000 to 120.000"));
     EXPECT_THAT(page, HasSubstr("11 times between 80.000 ms and 120.000 ms"));
-    // the plot is 240 wide: the limits are at 0, 90, 150 and 240
+    // the plot is 240 units wide: the limits are at 0, 90, 150 and 240
     for (const char* const x : {"0.0", "90.0", "150.0", "240.0"}) {
         EXPECT_THAT(page, HasSubstr(fmt::format("<line x1=\"{0}\" x2=\"{0}\"", x)));
     }
@@ -84,7 +85,7 @@ TEST(ConformReportFiles, ReportDrawsMeasuredTimesWithTheLimitsOfTheCase) {
     EXPECT_EQ(times["histogram"]["counts"][20], 11);  // 100 ms: the slave is exact in virtual time
 }
 
-// 80 % of 125 kbit/s for two seconds.
+// The background traffic loads 80 % of 125 kbit/s for two seconds.
 TEST(ConformReportFiles, ReportShowsTheMeasuredBusLoad) {
     VirtualTarget target{sound_slave(), 5};
     const ConformReport report =

@@ -41,7 +41,7 @@ TEST(ConformRun, SkippedCaseHasItsReason) {
     EXPECT_EQ(left_out.why, "not this one");
 }
 
-TEST(ConformRun, CaseThatCannotBeJudgedIsBroken) {
+TEST(ConformRun, CaseThatCannotBeJudgedIsReportedAsBroken) {
     EXPECT_EQ(run_steps_on_slave("wait 1 ms").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("wait $unknown").verdict, Verdict::broken);
     EXPECT_EQ(run_steps_on_slave("while 1 {\nwait 1 us\n}").verdict, Verdict::broken);
@@ -56,7 +56,7 @@ TEST(ConformRun, ProcedureHasItsOwnVariables) {
     EXPECT_EQ(report.results.at(0).verdict, Verdict::passed) << report.results.at(0).why;
 }
 
-TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
+TEST(ConformRun, ReturnOrNextInTheRestoreStepsIsReported) {
     const CaseResult returned = run_steps_on_slave("read 1000:00", "restore = '''\nreturn 1\n'''");
     EXPECT_EQ(returned.verdict, Verdict::failed);
     ASSERT_EQ(returned.left.size(), 1U);
@@ -70,7 +70,7 @@ TEST(ConformRun, ReturnOrNextThatEndsTheRestoreStepsIsReported) {
 }
 
 // The slave sends a heartbeat each 100 ms.
-TEST(ConformRun, WatchTakesNoFramesFromTheRestoreSteps) {
+TEST(ConformRun, WatchLeavesFramesToTheRestoreSteps) {
     const CaseResult result =
         run_steps_on_slave("write 1017:00 = 100\nwatch 700+N as hb\nwait 1 s\ncheck $hb.count == 10 \"ten\"",
                            "restore = '''\nexpect 700+N: 7F within 200 ms\n'''");
@@ -100,7 +100,7 @@ TEST(ConformRun, SlaveThatIsStuckAfterACaseEndsTheRun) {
     EXPECT_EQ(report.results[1].why, "the slave stopped answering in the case some");
 }
 
-TEST(ConformRun, LoopVariableOfAProcedureEndsWithAReturnFromTheLoop) {
+TEST(ConformRun, LoopVariableOfAProcedureIsRemovedByAReturnFromTheLoop) {
     const std::string procedure =
         "[[procedure]]\nname = \"second\"\ntakes = []\nsteps = '''\nfor x in 1, 2 {\nreturn $x\n}\n'''\n";
     VirtualTarget target{sound_slave(), 5};
@@ -182,7 +182,8 @@ TEST(ConformRun, ValuesWrittenByACaseAreRestored) {
 }
 
 TEST(ConformRun, MappingIsRestoredInTheOrderThatASlaveAccepts) {
-    // After save and restart the changed value would stay. Only the steps through COB-ID and count restore it.
+    // The case saves its changed mapping, so a restart does not restore it: only writes of the COB-ID and of the
+    // mapping count do.
     const std::string steps =
         "read 1800:01 -> cob\nwrite 1800:01 = $cob | 0x80000000\nwrite 1A00:00 = 0\nwrite 1010:01 = \"save\"\n"
         "write 1800:02 = 254";
@@ -252,8 +253,8 @@ TEST(ConformRun, FailingCaseOnABusRunsFourTimes) {
     EXPECT_EQ(report.results.at(0).runs, 4U);
 }
 
-// The slave is a producer of 100 ms that may be late up to 120 ms. A tester that is 30 ms late must report itself, not
-// the slave.
+// The tester sends a heartbeat every 100 ms, and the slave expects one within 120 ms. A tester that is 30 ms late must
+// report that it was late itself.
 TEST(ConformRun, FailureReportStatesThatTheTesterWasLate) {
     const std::string steps =
         "write 1016:01 = ($other << 16) | 120\nproduce 700+$other: 05 every 100 ms\nwait 50 ms\nclear\n"

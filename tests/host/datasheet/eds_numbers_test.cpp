@@ -38,7 +38,7 @@ TEST(EdsNumbers, ValuesMustFitTheirType) {
     EXPECT_EQ(value_of("-128", "INTEGER8"), "-128");
     EXPECT_EQ(value_of("-129", "INTEGER8"), "none");
     EXPECT_EQ(value_of("-9223372036854775808", "INTEGER64"), "-9223372036854775808");
-    EXPECT_EQ(value_of("0xFFFFFFFFFFFFFFFF", "UNSIGNED64"), "-1");  // the bit pattern of the same 64 bits
+    EXPECT_EQ(value_of("0xFFFFFFFFFFFFFFFF", "UNSIGNED64"), "-1");  // the same 64 bits as a signed number
     EXPECT_EQ(value_of("1", "BOOLEAN"), "true");
     EXPECT_EQ(value_of("2", "BOOLEAN"), "none");
 }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace canproof::host;
 
-constexpr std::size_t longest = 20;  // two words of eight characters, and a rest
+constexpr std::size_t longest = 20;  // two groups of eight characters, and four characters
 
 /// Calls `check(text, at, c)` for texts of every length up to `longest` with the byte `c` at every place.
 template <typename Check>

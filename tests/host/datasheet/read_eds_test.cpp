@@ -22,9 +22,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// The device of box_eds.hpp, powered on with the node-ID 5. Frames are written as in a candump log.
-class RunningBox : public testing::Test {
+class RunningDevice : public testing::Test {
   protected:
-    explicit RunningBox(const std::string& text = box) {
+    explicit RunningDevice(const std::string& text = box) {
         EdsResult read = read_eds(text, "box.eds");
         EXPECT_EQ(texts(read.faults), "");
         device = std::make_unique<GenericSimulation>(std::move(read.part));
@@ -124,7 +124,7 @@ TEST(ReadEds, LineEndsByteOrderMarkAndCaseAreIgnored) {
     EXPECT_EQ(to_text(entry(read.part, 0x1018, 1).value), "23");
 }
 
-TEST_F(RunningBox, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
+TEST_F(RunningDevice, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
     EXPECT_EQ(device->node_id(), 5);
     EXPECT_THAT(send("605#4000100000000000"), ElementsAre("585#4300100091010000"));
     EXPECT_THAT(send("605#2B00206400000000"), ElementsAre("585#8000206411000906"));  // 2000h has no sub-index 64h
@@ -133,21 +133,21 @@ TEST_F(RunningBox, DeviceFromAnEdsBootsAnswersAndEnforcesItsLimits) {
     EXPECT_THAT(send("605#2B0020009BFF0000"), ElementsAre("585#8000200032000906"));  // -101 is too low
 }
 
-TEST_F(RunningBox, RpdoOnItsDefaultCobIdSetsItsObject) {
+TEST_F(RunningDevice, RpdoOnItsDefaultCobIdSetsItsObject) {
     send("000#0105");
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_THAT(send("205#11"), IsEmpty());
     EXPECT_THAT(send("605#4000620100000000"), ElementsAre("585#4F00620111000000"));
 }
 
-TEST_F(RunningBox, HeartbeatIsSentAtItsDefaultPeriod) {
+TEST_F(RunningDevice, HeartbeatIsSentAtItsDefaultPeriod) {
     EXPECT_EQ(device->next_deadline().us, 1000000U);
     now = device->next_deadline();
     device->advance(now);
     EXPECT_THAT(sent(), ElementsAre("705#7F"));
 }
 
-TEST_F(RunningBox, AcceptanceFiltersFollowTheDictionary) {
+TEST_F(RunningDevice, AcceptanceFiltersFollowTheDictionary) {
     const auto accepted = acceptance_filters(*device->objects(), 5);
     const auto hears = [&](const char* frame) {
         return std::any_of(accepted.begin(), accepted.end(),
@@ -165,7 +165,7 @@ TEST_F(RunningBox, AcceptanceFiltersFollowTheDictionary) {
     EXPECT_EQ(acceptance_filters(*device->objects(), 255).size(), 2U);  // NMT and LSS
 }
 
-TEST_F(RunningBox, LssStoresItsNodeIdAcrossAPowerCycle) {
+TEST_F(RunningDevice, LssStoresItsNodeIdAcrossAPowerCycle) {
     send("7E5#0401000000000000");
     send("7E5#1122000000000000");  // node-ID 22h
     EXPECT_THAT(send("7E5#1700000000000000"), ElementsAre("7E4#1700000000000000"));
@@ -176,8 +176,8 @@ TEST_F(RunningBox, LssStoresItsNodeIdAcrossAPowerCycle) {
     EXPECT_EQ(next.node_id(), 0x22);
 }
 
-TEST_F(RunningBox, DomainStoresAndReturnsAProgram) {
-    EXPECT_THAT(send("605#2100200009000000").front(), HasSubstr("585#80"));  // 2000h is no domain of nine bytes
+TEST_F(RunningDevice, DomainStoresAndReturnsAProgram) {
+    EXPECT_THAT(send("605#2100200009000000").front(), HasSubstr("585#80"));  // 2000h has two bytes, not nine
     EXPECT_THAT(send("605#2102200009000000"), ElementsAre("585#6002200000000000"));
     EXPECT_THAT(send("605#0001020304050607"), ElementsAre("585#2000000000000000"));
     EXPECT_THAT(send("605#1B08090000000000"), ElementsAre("585#3000000000000000"));

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 struct Signal {
-    std::string multiplex;  ///< empty, M or m with a number
+    std::string multiplex;  ///< empty, "M" for the multiplexer, or "m" and a value of it
     unsigned start{0};
     unsigned length{0};
     bool is_signed{false};
@@ -138,7 +138,7 @@ class DbcReader {
         return message.signals[name];
     }
 
-    /// Reads VAL_ 5 Name 1 "one" 2 "two" ; of any length.
+    /// Reads the names of values, with any number of them: VAL_ 5 Name 1 "one" 2 "two" ;
     void read_words(const std::string& line) {
         std::istringstream in{line.substr(5)};
         std::string id;

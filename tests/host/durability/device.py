@@ -24,7 +24,7 @@ class Broken(Exception):
 class Device:
     name: str  # the name for `canproof run`
     node: int
-    objects: tuple  # index, sub-index: numbers of 16 bit that 1010h:1 stores
+    objects: tuple  # index, sub-index: numbers of 16 bit that a save (1010h:1) stores
     kinds: tuple  # kinds of stores
     shipped: int  # factory node-ID, which applies when the LSS store is damaged (CO-LSS-065)
 
@@ -59,7 +59,7 @@ class Running:
         try:
             self.process.stdin.write("".join(frame + "\n" for frame in frames).encode())
         except BrokenPipeError:
-            pass  # it has ended: its remaining output is read
+            pass  # the program has ended: its remaining output is read
 
     def kill_after(self, seconds):
         self.deadline = time.monotonic() + seconds

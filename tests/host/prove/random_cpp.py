@@ -68,8 +68,8 @@ class Function:
         self.conditions += ["one.flag", "in.c"]
 
     def index(self, size):
-        """Returns an index of an array, mostly within the array, sometimes possibly behind it. INDEX checks an index
-        where a compiler does not: for a reference."""
+        """Returns an index of an array of `size` elements. In 3 % of the cases the index may be one too large. INDEX
+        also checks an index where the compiler does not: for a reference."""
         over = 1 if self.rng.random() < 0.03 else 0
         return f"INDEX(static_cast<std::uint8_t>({self.number(0)}) % {size + over}U, {size}U)"
 

@@ -72,12 +72,12 @@ TEST(DecisionTopics, DevicesOfOneMakerWithDifferentAnswersAreReported) {
               "in `differs = …` of one of the two items\n");
 }
 
-TEST(DecisionTopics, ReasonAtOneOfTwoDifferentAnswersIsEnough) {
+TEST(DecisionTopics, ReasonAtOneOfTwoDevicesWithDifferentAnswersIsEnough) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), of_lid("some"))), "");
     EXPECT_EQ(all_faults(loaded(of_box("any"), of_lid("some", differs))), "");
 }
 
-TEST(DecisionTopics, ReasonAppliesToAllItemsOfItsDevice) {
+TEST(DecisionTopics, ReasonToDifferAppliesToAllItemsOfItsDevice) {
     std::string again = of_box("any", differs);
     again.replace(again.find("R-1"), 3, "R-2");
     EXPECT_EQ(all_faults(loaded(of_box("any") + again, of_lid("some"))), "");
@@ -124,7 +124,7 @@ TEST(DecisionTopics, ChangedAnswerToATopicChangesTheFingerprint) {
     EXPECT_NE(print(of_box("any", differs)), print(of_box("any", overrides)));
 }
 
-TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
+TEST(DecisionTopics, AnswerAboutAServiceIsComparedWithDeviceToml) {
     const auto service = [](std::string text) {
         return text.replace(text.find("heartbeat.range"), 15, "services.lss");
     };
@@ -137,7 +137,7 @@ TEST(DecisionTopics, ServiceAnswerIsComparedWithDeviceToml) {
 }
 
 /// The built-in register of the program has no decisions of devices.
-TEST(DecisionTopics, MissingAnswerIsNotReportedWithoutDeviceDecisions) {
+TEST(DecisionTopics, TopicWithOneAnswerIsReportedOnlyInARegisterWithDeviceDecisions) {
     EXPECT_EQ(all_faults(loaded(of_box("any", differs), "")), "");
     EXPECT_THAT(all_faults(loaded(of_box("any") + decision_of_box, "")),
                 HasSubstr("items.toml:7: no other item answers topic heartbeat.range"));

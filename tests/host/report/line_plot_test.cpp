@@ -52,7 +52,7 @@ TEST(LinePlot, PlotContainsItsTitleAxisTextsAndCurves) {
     for (const auto& path : document.child("svg").children("path")) {
         paths.emplace_back(path.attribute("d").value());
     }
-    // The plot area extends from 84, 360 to 940, 44.
+    // The plot area extends from the point (84, 360) to (940, 44).
     EXPECT_EQ(paths, (std::vector<std::string>{"M84.0 360.0L940.0 44.0", "M84.0 296.8L940.0 296.8"}));
 }
 
@@ -85,10 +85,10 @@ TEST(LinePlot, LegendOfManyCurvesHasRowsAndCurvesDifferWithoutColour) {
         has_grouped_tick = has_grouped_tick || word == "2,500,000";
     }
     ASSERT_EQ(places.size(), 18U);
-    EXPECT_EQ(places[6].first, places[0].first);  // six in one row
+    EXPECT_EQ(places[6].first, places[0].first);  // six legend entries in one row
     EXPECT_LT(places[0].second, places[6].second);
     EXPECT_EQ(std::set(places.begin(), places.end()).size(), 18U);
-    EXPECT_EQ(looks.size(), 18U);  // all 18 differ in width or dashes
+    EXPECT_EQ(looks.size(), 18U);  // all 18 curves differ in width or dashes
     EXPECT_TRUE(has_grouped_tick);
 }
 
@@ -113,7 +113,7 @@ TEST(Breakable, NameIsDividedBetweenItsWords) {
 }
 
 TEST(LinePlot, FlatCurveAndEmptyPlotAreDrawn) {
-    // The axes extend half a unit on each side of the only point, so that it lies in the middle: 84 to 940, 360 to 44.
+    // The axes extend half a unit on each side of the only point, so that it lies in the middle of the plot area.
     const auto flat = parsed(write_svg(LinePlot{"flat", "", "", {{"one", {{1.0, 7.0}}}}, {}}));
     EXPECT_STREQ(flat.child("svg").child("path").attribute("d").value(), "M512.0 202.0");
     EXPECT_EQ(texts(flat).front(), "flat");

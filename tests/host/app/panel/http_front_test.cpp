@@ -24,7 +24,7 @@ using testing::Not;
 using testing::StartsWith;
 
 constexpr int look_again_ms = 10;
-constexpr int most_looks = 12000;  // reached only in a broken test
+constexpr int most_looks = 12000;  // reached only when the expected event never happens
 
 template <typename Condition>
 bool turn_until(HttpFront& front, Instant now, const Condition& done) {
@@ -182,7 +182,7 @@ TEST_F(HttpFrontEnd, RangeHeadersAreIgnored) {
     }
 }
 
-TEST(FrontThatEnds, EndOfTheServerDoesNotWaitForClients) {
+TEST(FrontThatEnds, ServerEndsWithoutWaitingForItsClients) {
     auto front = std::make_unique<HttpFront>([](const PanelRequest&) { return PanelResponse{}; }, std::uint16_t{0});
     TcpClient slow{front->port()};
     slow.say("GET /");

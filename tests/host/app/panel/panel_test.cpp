@@ -31,12 +31,12 @@ nlohmann::json frames_of(PanelBench& bench, const std::string& service) {
 
 }  // namespace
 
-TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
+TEST(Panel, PanelShowsEmcyFrameAndErrorLampAboveTheShutdownTemperature) {
     PanelBench bench{{"ax188001@2"}};
     bench.run_until(1000);
-    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 = 0: the fault is reported without a delay
+    ASSERT_EQ(bench.send("602#2B30400100000000"), 200);  // 4030h:1 (delay of the error) = 0
     bench.run_until(1100);
-    // The default of 4020h:1 is 250.0 °C.
+    // The default of 4020h:1 (high shutdown threshold) is 250.0 °C.
     ASSERT_EQ(bench.stimulate("ax188001@2", "tc1_celsius", 300.0), 200);
     bench.run_until(2000);
 
@@ -47,7 +47,7 @@ TEST(Panel, EmcyFrameAndLampAreShownAboveTheShutdownLimit) {
     EXPECT_EQ(device.at("error_register"), 1);
     EXPECT_EQ(device.at("lamps").at("error"), "on");
     const nlohmann::json frames = frames_of(bench, "EMCY");
-    ASSERT_EQ(frames.size(), 2U);  // the temperature is also above the high warning limit
+    ASSERT_EQ(frames.size(), 2U);  // one of them is for the high warning limit
     EXPECT_EQ(frames.at(1).at("id"), "082");
     EXPECT_EQ(frames.at(1).at("from"), "ax188001@2");
 
@@ -123,7 +123,7 @@ TEST(Panel, InvalidStimulusIsRefused_AndNotRecorded) {
 
 TEST(Panel, NodeIdOfADeviceMayBeOmittedWhenItsNameIsUnique) {
     PanelBench bench{{"ax188001@5", "cbx-ao412@3", "cbx-ao412@4"}};
-    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request of the README
+    EXPECT_EQ(bench.stimulate("ax188001", "tc1_celsius", 300.0), 200);  // the request in the README of the panel
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax188001@5.tc1_celsius,300\n");
     EXPECT_THAT(bench.post("/api/stimulus", R"({"device":"cbx-ao412","signal":"supply","value":24})").body,
                 HasSubstr("cbx-ao412@3, cbx-ao412@4"));
@@ -159,7 +159,7 @@ TEST(Panel, RequestOfAForeignPageChangesNothing) {
     EXPECT_EQ(frames_of(bench, "NMT").size(), 0U);
 }
 
-TEST(Panel, FullBusRefusesFrames_AndTakesThemAgainLater) {
+TEST(Panel, FramesAreRefusedWhileTheBusQueueIsFull_AndAcceptedLater) {
     PanelBench bench{{"cbx-ao412@3"}};
     int refused = 0;
     for (int i = 0; i < 5000 && refused == 0; ++i) {
@@ -209,7 +209,7 @@ TEST(Panel, ReplayOfPanelActionsGivesTheSameFrames) {
     EXPECT_GE(replayed.size(), 5U);
 }
 
-TEST(Panel, StimuliContainTheNameOfTheirDeviceWhenThereAreSeveral) {
+TEST(Panel, StimuliContainTheDeviceNameInARunWithSeveralDevices) {
     PanelBench bench{{"ax188001@2", "ax130751@4"}};
     ASSERT_EQ(bench.stimulate("ax130751@4", "supply", 12.5), 200);
     EXPECT_EQ(bench.stimuli_csv(), "seconds,signal,value\n0.000001,ax130751@4.supply,12.5\n");

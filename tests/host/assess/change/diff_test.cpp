@@ -94,7 +94,7 @@ TEST(RegisterDiff, ChangesOfTextDefaultAndTableCellAreListed) {
     EXPECT_THAT(change_of("AO4-T-1", changes)->details, ElementsAre("row   2: true, 1 -> true, 2"));
 }
 
-TEST(RegisterDiff, AddedAnswerToATopicIsListed) {
+TEST(RegisterDiff, AddedChoiceOnADecisionTopicIsListed) {
     Register after = read("Opens.", 5, 1);
     const_cast<Part&>(*after.part("box")).requirements[0].answer = {"valve.move", "opens", "its manual", "", {}};
     const auto changes = compare(read("Opens.", 5, 1), after);
@@ -112,7 +112,7 @@ TEST(RegisterDiff, AddedAndRemovedItemsAreListed) {
     EXPECT_EQ(changes[1].kind, ItemChange::Kind::added);
 }
 
-TEST(RegisterDiff, ChangedStatementIsRecognisedByItsMark) {
+TEST(RegisterDiff, ChangedStatementIsRecognisedByTheHashOfItsManualPassage) {
     const auto read_statements = [](const std::string& text) {
         SpecFiles files = with(items_file, items("Opens.", 5, 1));
         files["spec/manuals/m/1.toml"] = text;
@@ -180,7 +180,7 @@ TEST(Impact, ItemsWithChangedCodeOrTestsAreListed) {
     EXPECT_TRUE(changes[2].code && changes[2].tests);
 }
 
-TEST(Impact, ChangedVerdictsAreListed) {
+TEST(Impact, ItemsWhoseTestVerdictChangedAreListed) {
     Evidence before;
     Evidence after;
     before.verdicts = {{"A", {{"S.A", "test", true}}}, {"B", {{"S.B", "test", true}}}, {"C", {{"S.C", "test", true}}}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coverage from the export of llvm-cov to gaps, records and Cobertura (host/assess/coverage). The source below is small
-// enough to count by hand.
+// Coverage from the export of llvm-cov to gaps, their recorded reasons, and Cobertura (host/assess/coverage). The
+// source below is small enough to count by hand.
 #include "host/assess/coverage/coverage.hpp"
 
 #include <gmock/gmock.h>
@@ -167,7 +167,7 @@ TEST_F(Coverage, LinesBranchesConditionsAndFunctionsAreCounted) {
     EXPECT_DOUBLE_EQ(CoverageCount{}.percent(), 100.0);
 }
 
-TEST_F(Coverage, RecordGivesAGapItsReasonAndUnusedRecordsAreReported) {
+TEST_F(Coverage, RecordedReasonExplainsAGapAndUnusedRecordsAreReported) {
     write("records.toml",
           "[[record]]\nfile = \"src/firmware/\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"always true here\"\n"
           "[[record]]\nfile = \"src/firmware/base/two.cpp\"\nkind = \"branch\"\ncode = \"a\"\nreason = \"gone\"\n"
@@ -182,7 +182,7 @@ TEST_F(Coverage, RecordGivesAGapItsReasonAndUnusedRecordsAreReported) {
     EXPECT_EQ(verdict.unused[1].reason, "of another kind");
 }
 
-TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
+TEST_F(Coverage, CoverageHoldsWithoutOpenGapsOrUnusedRecordsAndWith99PercentOfConditions) {
     CoverageVerdict verdict;
     verdict.conditions = {99, 100};
     EXPECT_TRUE(verdict.holds());
@@ -202,7 +202,7 @@ TEST_F(Coverage, VerdictNeedsNoOpenGapNoUnusedRecordAnd99PercentOfConditions) {
     EXPECT_EQ(judge_coverage(read(), {}).conditions.covered, 0U);
 }
 
-TEST_F(Coverage, RecordOfAFileMatchesNoFileWithALongerName) {
+TEST_F(Coverage, RecordedReasonOfAFileAppliesToNoFileWithALongerName) {
     const auto open = [this](const std::string& file) {
         return judge_coverage(read(), {CoverageRecord{file, "branch", "a", "reason", 1}}).open();
     };
@@ -213,7 +213,7 @@ TEST_F(Coverage, RecordOfAFileMatchesNoFileWithALongerName) {
     EXPECT_EQ(open("src/firmware/base/"), all - 1);
 }
 
-TEST_F(Coverage, RecordOfRemovedCodeIsReportedWithoutAMeasurement) {
+TEST_F(Coverage, RecordedReasonOfRemovedCodeIsReportedEvenWithoutAMeasurement) {
     const auto record = [](const std::string& file, const std::string& kind, const std::string& code) {
         return CoverageRecord{file, kind, code, "reason", 1};
     };

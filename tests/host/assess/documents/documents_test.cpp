@@ -280,7 +280,7 @@ mode = "missing"
     EXPECT_THAT(rows_of(made, "Messages and memory"),
                 ElementsAre(ElementsAre("heartbeat", "missing", "missing", "missing", "missing", "")));
     EXPECT_THAT(rows_of(made, "Outputs"), Contains(Contains("not prevented: Nothing measures it.")));
-    // 1 + 3 + 3 + 3 cells of the inputs; 4 cells of the message: its mode and three more.
+    // Cells with the word "missing": 1 + 3 + 3 + 3 of the inputs, and 4 of the message, whose mode is "missing" too.
     EXPECT_EQ(count_missing(made), 14U);
 }
 

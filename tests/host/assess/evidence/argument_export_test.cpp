@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graph of the argument.
+// The graph of the argument: claims and the evidence that supports them.
 #include "host/assess/evidence/argument_export.hpp"
 
 #include <gmock/gmock.h>
@@ -42,7 +42,7 @@ TEST(ArgumentGraph, TitleIsSplitBetweenWordsAndNotShortened) {
 }
 
 TEST(ArgumentGraph, BoxIsAsHighAsItsLines) {
-    // One line and the state: 2 * 14 + 12; four lines and the state: 5 * 14 + 12.
+    // Heights in pixels: one line and the state have 2 * 14 + 12; four lines and the state have 5 * 14 + 12.
     EXPECT_THAT(graph_with("abc"), testing::HasSubstr("height=\"40\" rx=\"20\""));
     EXPECT_THAT(graph_with("Mutation of the firmware's operators and conditions"),
                 testing::HasSubstr("height=\"82\" rx=\"20\""));

@@ -28,7 +28,7 @@ class AuditPages : public Pack {
 
 }  // namespace
 
-TEST_F(AuditPages, ItemsAreOnThePageOfTheirPartBelowTheirService) {
+TEST_F(AuditPages, ItemsAreOnThePageOfTheirDeviceBelowTheHeadingOfTheirService) {
     const std::string page = make().at("audit-device.html");
     const auto relay = page.find("<h2 id=\"service-relay\">Relay</h2>");
     const auto block = page.find("<h2 id=\"service-sdo_block\">SDO block</h2>");

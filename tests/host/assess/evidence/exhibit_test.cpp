@@ -32,7 +32,7 @@ class ExhibitFolder : public ::testing::Test {
     }
     ~ExhibitFolder() override { std::filesystem::remove_all(root_); }
     void write(const std::string& name, const std::string& text) const { std::ofstream{root_ / name} << text; }
-    /// Returns the message for this description.
+    /// Returns the error message for an exhibit.json with this text, or the title of a valid exhibit.
     std::string told(const std::string& text) const {
         write("fuzz/exhibit.json", text);
         try {
@@ -45,7 +45,7 @@ class ExhibitFolder : public ::testing::Test {
     std::filesystem::path root_;
 };
 
-TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
+TEST_F(ExhibitFolder, EvidenceExhibitIsReadWithItsFiles) {
     // Paths are compared as text: GoogleTest would print them as nested lists.
     ASSERT_EQ(exhibit_folders(root_).size(), 1U);
     EXPECT_EQ(exhibit_folders(root_)[0].string(), (root_ / "fuzz").string());
@@ -60,7 +60,7 @@ TEST_F(ExhibitFolder, ExhibitIsReadWithItsFiles) {
     EXPECT_THAT(found.data, ElementsAre("fuzz/data/a"));
 }
 
-TEST_F(ExhibitFolder, ExhibitWithAnInvalidDescriptionIsRefused) {
+TEST_F(ExhibitFolder, EvidenceExhibitWithAnInvalidDescriptionIsRefused) {
     EXPECT_THAT(told(R"({"title": "x", "state": "fine", "says": ""})"), HasSubstr("state `fine` is neither"));
     EXPECT_THAT(told(R"({"title": "x"})"), HasSubstr("it needs title, state and says"));
     EXPECT_THAT(told("nothing"), HasSubstr("exhibit.json"));

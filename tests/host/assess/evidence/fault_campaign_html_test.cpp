@@ -41,7 +41,7 @@ TEST_F(FaultCampaignHtml, RowHasTheFaultCountsOfOnePartOfTheProcessor) {
     leave("one.json", campaign);
     const std::string page = host::write_fault_campaign_html(folder);
     EXPECT_THAT(page, HasSubstr("1,200"));                        // masked: 2000 - 800
-    EXPECT_THAT(page, HasSubstr("790: state 700, outputs 90<"));  // most frequent first, nothing that is no detection
+    EXPECT_THAT(page, HasSubstr("790: state 700, outputs 90<"));  // only detections, the most frequent first
     EXPECT_THAT(page, HasSubstr("3, at most 12.5 ms"));
     EXPECT_THAT(page, HasSubstr("4 (0.50 % of those with an effect)"));  // 4 / 800
     EXPECT_THAT(page, HasSubstr(">not measured"));                       // no run without self-tests

@@ -100,10 +100,10 @@ TEST(Freshness, FirmwareOfDevicesCountsAsASource) {
     fs::remove_all(root);
 }
 
-TEST(Freshness, ExhibitIsStaleAfterAChangeOfAFileThatItsToolReads) {
+TEST(Freshness, EvidenceIsStaleAfterAChangeOfAFileThatItsToolReads) {
     namespace fs = std::filesystem;
     const fs::path root = fs::path{::testing::TempDir()} / "freshness_of_exhibits";
-    // the exhibits that are out of date after a change of this file; all others stay up to date
+    // For each file, the exhibits (results of tools) that are out of date when it has changed. The others stay fresh.
     const std::vector<std::pair<const char*, std::vector<std::string>>> cases{
         {"misra/deviations.toml", {"misra"}},
         {"misra/reviews.toml", {"misra"}},

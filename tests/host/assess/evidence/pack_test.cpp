@@ -29,7 +29,7 @@ pugi::xml_document parsed_file(const std::string& text) {
 TEST_F(Pack, ClaimHoldsWhileItsEvidenceAndItsSubclaimsHold) {
     EXPECT_EQ(state_of("C1"), "✓ holds");
     EXPECT_EQ(state_of("C"), "✓ holds");
-    input_.evidence.verdicts.erase("D-A-002");  // D-A-002 has no verdict: a gap
+    input_.evidence.verdicts.erase("D-A-002");  // no test result for D-A-002: a gap
     EXPECT_EQ(state_of("C1"), "✗ open");
     EXPECT_EQ(state_of("C"), "✗ open");
 }
@@ -53,7 +53,7 @@ TEST_F(Pack, AbsentEvidenceSupportsNoClaim) {
     EXPECT_EQ(state_of("C1"), "✗ open");
 }
 
-TEST_F(Pack, ClaimWithOpenEvidenceIsOpenDespiteUnmeasuredEvidence) {
+TEST_F(Pack, ClaimWithOpenAndUnmeasuredEvidenceIsOpen) {
     input_.argument.claims[1].evidence = {"target", "tests"};
     claim("D-A-002", "S.Three", false);
     EXPECT_EQ(state_of("C1"), "✗ open");
@@ -99,7 +99,7 @@ TEST_F(Pack, EachPageNamesItsSourceRevision) {
     }
 }
 
-TEST_F(Pack, OwnPageOfAnExhibitGetsTheMenuAndHeadingOfThePack) {
+TEST_F(Pack, ReportPageOfAToolGetsTheMenuAndHeadingOfThePack) {
     input_.exhibits = {{"rules",
                         "Rules",
                         Exhibit::State::open,
@@ -153,7 +153,7 @@ TEST_F(Pack, TablesOfTheStandardsHaveAPage) {
     EXPECT_THAT(files.at("index.html"), Not(HasSubstr("Voting")));
 }
 
-TEST_F(Pack, EachToolHasTheVersionOfItsPackage_AndAToolOfCanproofTheCommit) {
+TEST_F(Pack, ToolHasTheVersionOfItsPackage_AndAToolOfCanproofHasItsCommit) {
     input_.argument.tools = {{"linker <x>", "libx", "Wrong code.", "Tests.", "T3", "None met."},
                              {"own", "", "A gap.", "Tests.", "T2", "None met."},
                              {"gone", "liby", "A gap.", "Tests.", "T2", "None met."}};
@@ -231,7 +231,7 @@ TEST_F(Pack, IndependentReviewsAreCountedAndTheExpiredOnesAreListed) {
     EXPECT_THAT(files.at("index.html"), HasSubstr("<a href=\"reviews.html\">Suspects</a>"));
 }
 
-TEST_F(Pack, FileThatServesNoItemIsListed_AndItsClaimIsOpen) {
+TEST_F(Pack, SourceFileThatServesNoItemIsListed_AndItsClaimIsOpen) {
     input_.argument.claims[1].evidence = {"orphans"};
     EXPECT_EQ(state_of("C1"), "○ not measured");
     input_.orphans = std::vector<std::string>{};
@@ -265,7 +265,7 @@ TEST_F(Pack, UnreadableOldMeasurementIsStaleAndNotAbsent) {
     EXPECT_THAT(make().at("index.html"), HasSubstr("src/firmware/base/one.cpp has changed since this measurement"));
 }
 
-TEST_F(Pack, ExhibitWithoutAPageGetsOneWithItsNumbersTablesAndPlots) {
+TEST_F(Pack, EvidenceWithoutAPageGetsAPageWithItsNumbersTablesAndPlots) {
     Exhibit exhibit{"scale", "Many devices", Exhibit::State::holds, "1,000 in real time", ""};
     exhibit.files = {{"scale/scale.csv",
                       "devices,seconds,case\r\n1000000,0.5,2.1.1\r\n20,,3.4\r\n1000,12345.25,4\r\n"

@@ -123,7 +123,7 @@ TEST_F(SignedPack, InTotoMetadataIsWrittenForEd25519AndP256Only) {
     for (const auto& [name, text] : files) {
         EXPECT_TRUE(is_in_toto_file(name)) << name;
     }
-    // 2024 + 10; the last day of a year exists in every year, 29 February does not.
+    // The layout expires ten years after 2024, on the last day of the year; 29 February is not in every year.
     EXPECT_THAT(files.at("in-toto/root.layout"), HasSubstr("\"expires\": \"2034-12-31T23:59:59Z\""));
     const auto link = nlohmann::json::parse(files.begin()->second).at("signed");
     EXPECT_EQ(link.at("materials").at("run").at("sha256"), std::string(64, '1'));

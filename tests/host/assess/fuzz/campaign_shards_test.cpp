@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Fuzzing finds the input `one` and, in target c, an input that ends the run.
+/// The script for libFuzzer: it finds the input `one` and, in target c, an input that ends the run.
 const char* const stand_in_script = R"(#!/bin/sh
 mode=run
 for a; do case $a in
@@ -110,7 +110,7 @@ class ShardedCampaign : public testing::Test {
             finding.erase("first_seen");
             finding.erase("folder");
         }
-        report.erase("plateaued");  // depends on the seconds
+        report.erase("plateaued");  // depends on the durations
         return report;
     }
 

@@ -110,7 +110,7 @@ TEST_F(Campaign, CampaignCountsExecutionsMinimisesTheCorpusAndWritesAReport) {
     EXPECT_NE(text_of(folder / "out" / "index.html").find("No finding."), std::string::npos);
 }
 
-TEST_F(Campaign, CampaignWritesAnExhibitForTheEvidence) {
+TEST_F(Campaign, CampaignWritesItsResultsForTheEvidencePack) {
     const auto exhibit = [&] { return read_json(folder / "out" / "exhibit.json"); };
     add_target("a", "");
     add_target("b", "");
@@ -150,7 +150,7 @@ TEST_F(Campaign, FindingIsAddedToTheCorpusOfItsTarget) {
     EXPECT_EQ(text_of(landed), "BUG");
 }
 
-TEST_F(Campaign, FindingIsAddedToNoCorpusWhenTheOptionLandIsEmpty) {
+TEST_F(Campaign, FindingIsAddedToNoCorpusWhenOptionLandIsEmpty) {
     options.land = "";
     add_target("a", R"(printf BUGs > "${prefix}crash-1")");
     EXPECT_EQ(run(), 1);

@@ -15,7 +15,7 @@ namespace {
 
 enum Place : std::size_t { unused, output, pdo, emergency, stuck, invalid, places };
 
-/// Wakes every 10 ms up to 100 ms. A byte of its memory that is not 0 has the effect of its place.
+/// Wakes every 10 ms up to 100 ms. Each byte of its memory that is not 0 has the effect that its Place names.
 class MadeUpDevice final : public SimulatedDevice {
   public:
     explicit MadeUpDevice(bool loops = false) : SimulatedDevice{1}, loops_{loops} {}

@@ -71,7 +71,7 @@ std::vector<std::string> told(const TextCoverage& coverage) {
 
 }  // namespace
 
-TEST(ManualTextMarks, PassageOfAMarkIsFoundAcrossLinesAndAtEachOccurrence) {
+TEST(ManualTextMarks, PassageIsFoundByItsHashAcrossLinesAndAtEachOccurrence) {
     const ManualText text{"The lamp is\ngreen; the *lamp* is GREEN."};
     // Numbers of letters before each passage: "Thelampisgreen" has 14; "the" begins at 14, "lamp" at 3 and 17.
     EXPECT_THAT(find_marks(text, {mark_of("the lamp is green"), mark_of("lamp is"), mark_of("red")}),
@@ -79,13 +79,13 @@ TEST(ManualTextMarks, PassageOfAMarkIsFoundAcrossLinesAndAtEachOccurrence) {
                             Pair(mark_of("the lamp is green"), ElementsAre(0U, 14U))));
 }
 
-TEST(ManualTextMarks, PassageOfAMarkBeginsAtTheStartOfAWord) {
+TEST(ManualTextMarks, PassageFoundByItsHashBeginsAtTheStartOfAWord) {
     const ManualText text{"unlit lamp"};
     EXPECT_THAT(find_marks(text, {mark_of("lit")}), IsEmpty());
     EXPECT_THAT(find_marks(text, {mark_of("unlit")}), testing::SizeIs(1));
 }
 
-TEST(ManualTextMarks, PassageOfAMarkMayEndWithinAWord) {
+TEST(ManualTextMarks, PassageFoundByItsHashMayEndWithinAWord) {
     const ManualText text{"two lamps"};
     EXPECT_THAT(find_marks(text, {mark_of("two lamp")}), ElementsAre(Pair(mark_of("two lamp"), ElementsAre(0U))));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// reports/code_figures.csv: the figures of each source at its last judgement, and their sums by layer.
+// reports/code_figures.csv: the counts of mutants of each source file at its last mutation run, and their sums by
+// layer of the code.
 #include "host/assess/mutation/code_figures.hpp"
 
 #include <gmock/gmock.h>
@@ -50,7 +51,7 @@ class CodeFiguresTrial : public testing::Test {
 
 }  // namespace
 
-TEST_F(CodeFiguresTrial, FiguresAreAddedUpByLayerAndSuite) {
+TEST_F(CodeFiguresTrial, MutationFiguresAreAddedUpByCodeLayerAndKindOfTest) {
     const LayerTable found = table();
     EXPECT_THAT(found.text, HasSubstr("| base | 5 | 4 (80.0 %) | 1 | 1 | 1 | 1 | 1 | 0 |\n"));
     EXPECT_THAT(found.text, HasSubstr("| box | 1 | 0 (0.0 %) | 0 | 0 | 0 | 0 | 0 | 1 |\n"));
@@ -59,7 +60,7 @@ TEST_F(CodeFiguresTrial, FiguresAreAddedUpByLayerAndSuite) {
     EXPECT_THAT(found.unjudged, IsEmpty());
 }
 
-TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
+TEST_F(CodeFiguresTrial, LaterMutationRunReplacesTheFiguresOfItsFilesOnly) {
     note_figures(figures, {{{5, relay, "g, line 1", "f"}, "Box.One", true, nullptr, "tests/devices/box/box_test.cpp"}},
                  folder / "");
     const LayerTable found = table();
@@ -68,7 +69,7 @@ TEST_F(CodeFiguresTrial, LaterRunReplacesTheFiguresOfItsFilesOnly) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndACommentOrALinkKeepsThem) {
+TEST_F(CodeFiguresTrial, ChangedCodeLosesItsMutationFiguresAndANewCommentOrLinkKeepsThem) {
     write(relay, "static_assert(implements<req::A> && implements<req::B>);\nint  g() { return 3; }  // three\n");
     EXPECT_THAT(table().unjudged, IsEmpty());
     write(relay, "int g() { return 4; }\n");
@@ -78,7 +79,7 @@ TEST_F(CodeFiguresTrial, ChangedCodeHasNoFiguresAndACommentOrALinkKeepsThem) {
     EXPECT_EQ(found.open, 0U);
 }
 
-TEST_F(CodeFiguresTrial, OtherNumberOfMutantsOrANewFileIsNotJudged) {
+TEST_F(CodeFiguresTrial, FileThatIsNewOrHasAnotherNumberOfMutantsIsListedAsUnjudged) {
     mutants.pop_back();
     mutants.push_back({6, "src/firmware/base/new.hpp", "", ""});
     mutants.push_back({7, crc, "", ""});
@@ -87,14 +88,14 @@ TEST_F(CodeFiguresTrial, OtherNumberOfMutantsOrANewFileIsNotJudged) {
     EXPECT_THAT(table().text, Not(HasSubstr("all")));
 }
 
-TEST_F(CodeFiguresTrial, RemovedFileLosesItsLine) {
+TEST_F(CodeFiguresTrial, RemovedFileLosesItsMutationFigures) {
     std::filesystem::remove(folder / relay);
     note_figures(figures, {}, folder / "");
     EXPECT_EQ(figures.count(relay), 0U);
     EXPECT_EQ(figures.count(crc), 1U);
 }
 
-TEST_F(CodeFiguresTrial, CodeFiguresAreReadBack) {
+TEST_F(CodeFiguresTrial, MutationFiguresAreReadBackAsWritten) {
     const auto file = folder / "code_figures.csv";
     EXPECT_TRUE(read_code_figures(file).empty());
     const std::string text = write_code_figures(figures);

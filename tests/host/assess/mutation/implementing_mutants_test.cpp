@@ -10,7 +10,7 @@
 
 namespace canproof::host::test {
 
-TEST(ImplementingMutants, ImplementingMutantsAreInTheLinkedFunctionAndItsCallees) {
+TEST(ImplementingMutants, MutantsOfAnItemAreInItsLinkedFunctionAndTheFunctionsThatItCalls) {
     const auto root = std::filesystem::temp_directory_path() / ("canproof-implementing-" + std::to_string(getpid()));
     std::filesystem::create_directories(root / "src" / "one");
     std::ofstream{root / "src" / "one" / "relay.cpp"} << "#include \"one/filter.hpp\"\n"
@@ -42,7 +42,7 @@ TEST(ImplementingMutants, ImplementingMutantsAreInTheLinkedFunctionAndItsCallees
     EXPECT_EQ(found["D"], found["A"]);
 }
 
-TEST(ImplementingMutants, LinkAtTheEndOfABlockHasItsConditionAndNothingOfTheNextFunction) {
+TEST(ImplementingMutants, MutantsOfALinkInABlockAreInTheBlockItsConditionAndTheirCallees) {
     const auto root = std::filesystem::temp_directory_path() / ("canproof-condition-" + std::to_string(getpid()));
     std::filesystem::create_directories(root / "src" / "one");
     std::ofstream{root / "src" / "one" / "relay.cpp"} << "int Relay::save() {\n"

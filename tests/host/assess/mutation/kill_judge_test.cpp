@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests which mutants make a test count for an item. Shell scripts take the place of the programs of tests.
+// Tests when a test is recorded as noticing a mutant of an item. Shell scripts take the place of the test programs.
 #include "host/assess/mutation/kill_judge.hpp"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ class KillTrial : public testing::Test {
 
 }  // namespace
 
-TEST_F(KillTrial, TestThatNoticesACellAlteredInARunningProgramKillsIt) {
+TEST_F(KillTrial, TestThatNoticesATableValueAlteredInARunningProgramKillsTheMutant) {
     mutants.cells["AO4-A-1"] = {unnoticed};
     EXPECT_THAT(judge().kills, IsEmpty());
     mutants.cells["AO4-A-1"] = {unnoticed, at_run};
@@ -66,7 +66,7 @@ TEST_F(KillTrial, TestThatNoticesACellAlteredInARunningProgramKillsIt) {
     EXPECT_EQ(judge().code, "mark");
 }
 
-TEST_F(KillTrial, TestThatNoticesACellReadOnlyAtProgramStartKillsIt) {
+TEST_F(KillTrial, TestThatNoticesATableValueAlteredAtProgramStartKillsTheMutant) {
     mutants.cells["AO4-A-1"] = {unnoticed, at_start};
     EXPECT_THAT(judge().kills, ElementsAre("AO4-A-1"));
     EXPECT_THAT(judge(true).kills, ElementsAre("AO4-A-1"));

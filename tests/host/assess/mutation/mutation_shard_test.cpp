@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation that is split over several machines: the merged shards give the same report as one machine.
+// Mutation testing that is split over several machines: the merged shards give the same report as one machine.
 #include "host/assess/mutation/mutation_shard.hpp"
 
 #include <gmock/gmock.h>
@@ -77,7 +77,7 @@ TEST_F(MutationShards, MergedShardsEqualTheResultOfOneMachineByteForByte) {
     }
 }
 
-TEST_F(MutationShards, ShardsOfCellsAreNotMergedAsShardsOfCode) {
+TEST_F(MutationShards, ShardsOfTableMutantsAreNotMergedAsShardsOfCodeMutants) {
     leave({1, 1});
     write_file(folder / mutation_shard_name(false, {1, 1}), write_mutation_shard({1, 1}, "a", {}));
     EXPECT_EQ(merged().size(), whole.size());
@@ -91,7 +91,7 @@ TEST_F(MutationShards, MissingShardIsReportedWithItsNumber) {
     EXPECT_THAT(complaint(), HasSubstr("shard 2/3 is missing"));
 }
 
-TEST_F(MutationShards, ShardThatJudgedOtherAlterationsIsRefused) {
+TEST_F(MutationShards, ShardWithResultsOfOtherMutantsIsRefused) {
     leave({1, 2});
     leave({2, 2});
     EXPECT_EQ(complaint(), "");

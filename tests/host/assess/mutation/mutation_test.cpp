@@ -158,7 +158,7 @@ TEST(FilterOfTests, FilterPutsTheQuickestTestFirst) {
     EXPECT_EQ(filters_by_item(evidence).at("A"), "S.Quick:S.Slow");
 }
 
-TEST(Records, RecordsJustifySurvivorsAndUnusedRecordsAreReported) {
+TEST(Records, SurvivorRecordsJustifyMutantsAndUnusedRecordsAreReported) {
     std::vector<MutationOutcome> outcomes(3);
     outcomes[0].cell = {0, "AO4-OD-2000", "sub 0 default", "5 -> 6"};
     outcomes[1].cell = {1, "AO4-OD-2000", "sub 0 stored", "no -> yes"};
@@ -174,7 +174,7 @@ TEST(Records, RecordsJustifySurvivorsAndUnusedRecordsAreReported) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, RecordsWithoutAMutantAreReported) {
+TEST(Records, SurvivorRecordsWithoutAMutantAreReported) {
     const std::vector<SurvivorRecord> records{{"src/a.cpp", "f, line *", "x -> true", "a reason", 1},
                                               {"src/a.cpp", "g, line *", "x -> true", "another", 5}};
     const auto idle = without_alteration(records, {{0, "src/a.cpp", "f, line 7", "x -> true"}});
@@ -182,7 +182,7 @@ TEST(Records, RecordsWithoutAMutantAreReported) {
     EXPECT_EQ(idle[0]->line, 5U);
 }
 
-TEST(Records, RecordsWithoutAReasonAreRefused) {
+TEST(Records, SurvivorRecordsWithoutAReasonAreRefused) {
     const RecordFile file{"[[survivor]]\nitem = \"A\"\ncell = \"*\"\nchange = \"*\"\n"};
     try {
         read_survivor_records(file.path());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C++ sources as text: code without comments, ends of blocks, the function of a link.
+// C++ sources as text: code without comments, ends of blocks, and the function below an implements<> link.
 #include "host/assess/source/cpp_text.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(CppText, BlockEndsAtItsBrace) {
     EXPECT_EQ(block_end("}{}", 0), 3U);
 }
 
-TEST(FunctionBelowALink, FunctionBelowALinkEndsWithItsBlock) {
+TEST(FunctionBelowAnImplementsLink, LinkedFunctionEndsWithItsBlock) {
     const std::string source =
         "static_assert(implements<req::A> &&\n"
         "              implements<req::B>);\n"
@@ -54,12 +54,12 @@ TEST(FunctionBelowALink, FunctionBelowALinkEndsWithItsBlock) {
     EXPECT_EQ(function_of("static_assert(implements<req::A>);\n", 1), (Lines{0, 0}));
 }
 
-TEST(FunctionBelowALink, BracesInLiteralsDoNotEndAFunction) {
+TEST(FunctionBelowAnImplementsLink, BracesInLiteralsDoNotEndAFunction) {
     EXPECT_EQ(function_of("static_assert(implements<req::A>);\nint f() {\n    return g('}', \"}\");\n}\n", 1),
               (Lines{2, 4}));
 }
 
-TEST(FunctionBelowALink, StatementsEndWithTheBlockAroundTheLink) {
+TEST(FunctionBelowAnImplementsLink, LinkedStatementsEndWithTheBlockAroundTheLink) {
     const std::string source =
         "int f() {\n"
         "    if (fails()) {\n"
@@ -81,7 +81,7 @@ TEST(FunctionBelowALink, StatementsEndWithTheBlockAroundTheLink) {
     EXPECT_EQ(function_of("void f() {\n    static_assert(implements<req::A>);\n}\nvoid g() {}\n", 2), (Lines{0, 0}));
 }
 
-TEST(FunctionBelowALink, StatementsInALinkedFunctionEndWithTheBlockThatTheyOpen) {
+TEST(FunctionBelowAnImplementsLink, StatementsBelowALinkInAFunctionEndWithTheBlockThatTheyOpen) {
     const std::string source =
         "void f() {\n"
         "    static_assert(implements<req::A>);\n"
@@ -93,7 +93,7 @@ TEST(FunctionBelowALink, StatementsInALinkedFunctionEndWithTheBlockThatTheyOpen)
     EXPECT_EQ(function_of(source, 2), (Lines{3, 5}));
 }
 
-TEST(ConditionAroundALink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
+TEST(ConditionAroundAnImplementsLink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
     const std::string source =
         "void f() {\n"
         "    g();\n"
@@ -120,7 +120,7 @@ TEST(ConditionAroundALink, ConditionIsTheHeadOfTheInnermostControlledBlock) {
     EXPECT_EQ(condition_of(source, 16), (Lines{15, 15}));
 }
 
-TEST(ConditionAroundALink, FunctionAndClassAreNoCondition) {
+TEST(ConditionAroundAnImplementsLink, FunctionAndClassAreNoCondition) {
     EXPECT_EQ(condition_of("void f(int) {\n    static_assert(implements<req::A>);\n    g();\n}\n", 2), (Lines{0, 0}));
     EXPECT_EQ(condition_of("class C {\n    static_assert(implements<req::A>);\n    void g() {}\n};\n", 2),
               (Lines{0, 0}));

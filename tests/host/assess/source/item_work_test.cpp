@@ -43,7 +43,7 @@ class ItemWorkMarks : public testing::Test {
 
 }  // namespace
 
-TEST_F(ItemWorkMarks, CodeMarkChangesWithTheLinkedFunctionOnly) {
+TEST_F(ItemWorkMarks, CodeHashOfAnItemChangesWithItsLinkedFunctionOnly) {
     const std::string before = code_mark(code);
     EXPECT_EQ(before.size(), 8U);
     EXPECT_NE(code_mark(edited(code, "return 1", "return 3")), before);
@@ -51,14 +51,14 @@ TEST_F(ItemWorkMarks, CodeMarkChangesWithTheLinkedFunctionOnly) {
     EXPECT_EQ(code_mark(edited(code, "    return 1;", "  return  1;  // one")), before);
 }
 
-TEST_F(ItemWorkMarks, TestMarkChangesWithTheBodyOfTheTestOnly) {
+TEST_F(ItemWorkMarks, TestHashOfAnItemChangesWithTheBodyOfItsTestOnly) {
     const std::string before = test_mark(tests);
     EXPECT_EQ(before.size(), 8U);
     EXPECT_NE(test_mark(edited(tests, "f(), 1", "f(), 3")), before);
     EXPECT_EQ(test_mark(edited(tests, "g(), 2", "g(), 3")), before);
 }
 
-TEST_F(ItemWorkMarks, TestMarksDoNotDependOnOrderOrRepetition) {
+TEST_F(ItemWorkMarks, TestHashDoesNotDependOnOrderOrRepetitionOfTests) {
     write("tests/f_test.cpp", tests);
     WorkMarks marks{folder_ / ""};
     const std::pair<std::string, std::string> f{"tests/f_test.cpp", "F.IsOne"};
@@ -67,7 +67,7 @@ TEST_F(ItemWorkMarks, TestMarksDoNotDependOnOrderOrRepetition) {
     EXPECT_NE(marks.of_tests({f, g}), marks.of_tests({f}));
 }
 
-TEST_F(ItemWorkMarks, MarkOfNoCodeOrTestsIsEmpty_AndAMissingSourceIsAnError) {
+TEST_F(ItemWorkMarks, HashOfNoCodeOrTestsIsEmpty_AndAMissingSourceIsAnError) {
     WorkMarks marks{folder_ / ""};
     EXPECT_EQ(marks.of_code({}), "");
     EXPECT_EQ(marks.of_tests({}), "");

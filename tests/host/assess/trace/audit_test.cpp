@@ -189,7 +189,7 @@ TEST_F(AuditOfASmallRegister, UnreviewedOrChangedHazardIsSuspect) {
     EXPECT_THAT(audit().suspects, ElementsAre("D-H-001: changed since its review of 2026-01-02"));
 }
 
-TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionIsSuspect) {
+TEST_F(AuditOfASmallRegister, UnreviewedOrChangedDispositionOfASectionIsSuspect) {
     part().reviews.erase("M:1");
     content.manuals[0].sections[2].reason = "a drawing of the cables";
     EXPECT_THAT(audit().suspects, ElementsAre("M:1 (rules): its disposition: never reviewed",
@@ -228,7 +228,7 @@ TEST_F(AuditOfASmallRegister, FilterBySectionIncludesItsSubsections) {
     EXPECT_FALSE(takes({"", "", "open"}));
 }
 
-TEST_F(AuditOfASmallRegister, FilterAddsTheManualToASectionWithoutOne) {
+TEST_F(AuditOfASmallRegister, SectionFilterWithoutAManualGetsTheManualOfTheDevice) {
     const std::vector<PartAudit> all{audit()};
     EXPECT_EQ(resolved({"2", "functional", ""}, content, all).section, "M:2");
     EXPECT_EQ(resolved({"M:2", "", ""}, content, all).section, "M:2");

@@ -73,7 +73,7 @@ class Kills : public testing::Test {
 
 }  // namespace
 
-TEST_F(Kills, ItemCountsAsShownWhenATestNoticesAMutantOfIt) {
+TEST_F(Kills, ItemCountsAsCheckedWhenATestNoticesOneOfItsMutants) {
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 1U);
     EXPECT_THAT(found.unnoticed, ElementsAre("B"));
@@ -114,7 +114,7 @@ TEST_F(Kills, TestThatHasLostItsAssertionsIsARegression) {
                 ElementsAre("A: Relay.Closes noticed a mutant of this item, but no test in its present form does"));
 }
 
-TEST_F(Kills, NewTestIsListedAsUnjudged) {
+TEST_F(Kills, NewTestIsListedAsNotYetJudgedByMutation) {
     evidence_.runs.push_back({"Relay.IsNew", "tests/relay_test.cpp", true, true});
     evidence_.verdicts.erase("B");
     claim("B", "Relay.IsNew");
@@ -161,7 +161,7 @@ TEST_F(Kills, KillRecordIsReadBack) {
     EXPECT_THROW(read_kill_record(root_ / "kills.csv"), InputError);
 }
 
-TEST_F(Kills, LineOfAnOlderRecordHasNoMarkOfCode) {
+TEST_F(Kills, LineOfAnOlderKillRecordHasNoCodeHash) {
     std::ofstream{root_ / "kills.csv"} << "test,body,kills,without mutants\nRelay.Closes,1234,A B,C\n";
     const KillLine line = read_kill_record(root_ / "kills.csv").at("Relay.Closes");
     EXPECT_EQ(line.body, "1234");
@@ -170,7 +170,7 @@ TEST_F(Kills, LineOfAnOlderRecordHasNoMarkOfCode) {
     EXPECT_EQ(line.code, "");
 }
 
-TEST_F(Kills, TestOfAnItemWithOtherCodeWaitsForItsJudgementAndIsNoRegression) {
+TEST_F(Kills, TestOfAnItemWithChangedCodeWaitsForANewJudgementAndIsNoRegression) {
     evidence_.work["A"].code = "12345678";
     const KillAudit found = audit();
     EXPECT_EQ(found.shown, 0U);
@@ -184,7 +184,7 @@ TEST_F(Kills, TestOfAnItemWithOtherCodeWaitsForItsJudgementAndIsNoRegression) {
     EXPECT_EQ(audit().shown, 1U);
 }
 
-TEST_F(Kills, OtherCodeHidesNoChangedTest) {
+TEST_F(Kills, ChangedCodeDoesNotHideAChangedTest) {
     evidence_.work["A"].code = "12345678";
     write(edited("EXPECT_EQ(state(), \"{\");", ""));
     const KillAudit found = audit();
@@ -193,7 +193,7 @@ TEST_F(Kills, OtherCodeHidesNoChangedTest) {
     EXPECT_EQ(found.regressions.size(), 1U);
 }
 
-TEST_F(Kills, MarkOfCodeCoversEachClaimedItem) {
+TEST_F(Kills, CodeHashOfATestCoversEachItemThatTheTestVerifies) {
     const std::string one = code_by_test(evidence_).at("Relay.Closes");
     EXPECT_EQ(one.size(), 8U);
     claim("B", "Relay.Closes");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links from code to the register are above the code that implements the requirement, and at most three in one place.
+// Links from code to the register (implements<>) must be above the code that implements the requirement, and at most
+// three in one place.
 #include "host/assess/trace/link_places.hpp"
 
 #include <gmock/gmock.h>

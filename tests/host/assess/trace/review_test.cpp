@@ -102,7 +102,7 @@ TEST(Review, ReviewIsReadBackAsWritten) {
     EXPECT_EQ((ReviewState{content, no_work}.suspicion("AO4-R-1", {})), "");
 }
 
-TEST(Review, ReviewOfTheWordingRecordsCodeAndTestMarksAsUnread) {
+TEST(Review, ReviewOfTheTextRecordsCodeAndTestsAsNotRead) {
     const WorkByItem work{{"AO4-R-1", {"c0de", "7e57"}}};
     const Register content = read("a", "b", "");
     const Register renewed =
@@ -159,7 +159,7 @@ TEST(Review, ReviewExpiresWithTheCodeOrTestsOfItsItem) {
     EXPECT_THAT((ReviewState{content, later}.suspicion("AO4-R-2", {})), HasSubstr("its tests have changed"));
 }
 
-TEST(Review, MarksOfReviewsThatAreNotRenewedAreKept) {
+TEST(Review, ReviewThatIsNotRenewedKeepsItsHashesOfCodeAndTests) {
     const WorkByItem work{{"AO4-R-1", {"11111111", ""}}};
     const Register first = read("a", "b", "");
     const std::string old =
@@ -173,7 +173,7 @@ TEST(Review, MarksOfReviewsThatAreNotRenewedAreKept) {
     EXPECT_EQ(kept.role, "independent");
 }
 
-TEST(Review, MarksOfCodeAndTestsDoNotCountAsReading) {
+TEST(Review, RecordingNewHashesOfCodeAndTestsDoesNotCountAsReadingThem) {
     const Register first = read("a", "b", "");
     const std::string old =
         write_reviews(first, *first.part("box"), {"AO4-R-1", "AO4-R-2"}, {"2026-01-02", "x", "author"}, {});
@@ -248,7 +248,7 @@ TEST(Review, IndependentReviewIsKeptUntilTheNextIndependentReview) {
     EXPECT_THAT(again.part("box")->independent_reviews, IsEmpty()) << "a new independent review replaces both";
 }
 
-TEST(Review, IndependentReviewExpiresWhenItsTestsChange_AndCoversTheTextOnlyAfterNewMarks) {
+TEST(Review, IndependentReviewExpiresWhenItsTestsChange_AndCoversOnlyTheTextAfterNewHashes) {
     const WorkByItem then{{"AO4-R-1", {"11111111", "22222222"}}};
     const Register content = read("a", "b", after(read("a", "b", ""), by_reader, then));
     EXPECT_EQ(independent_of(content, then).covers, IndependentReview::Covers::whole);
@@ -287,7 +287,7 @@ TEST(Review, UnknownReviewRoleIsRefused) {
                 HasSubstr("role `friend` is unknown; write `author` (of the change) or `independent`"));
 }
 
-TEST(Review, ReviewOfADispositionEndsWithAChangeOfTheDisposition) {
+TEST(Review, ReviewOfASectionDispositionEndsWhenTheDispositionChanges) {
     const Register first = read("a", "b", "");
     const std::string reviews = reviewed(first, {"M1:1", "M1:2.1", "M1:Table 3"}, "2026-01-02", "x");
     EXPECT_THAT(waiting(read("a", "b", reviews)), ElementsAre("AO4-R-1", "AO4-R-2"));
@@ -300,7 +300,7 @@ TEST(Review, ReviewOfADispositionEndsWithAChangeOfTheDisposition) {
     EXPECT_THAT(waiting(demanded), ElementsAre("AO4-R-1", "AO4-R-2", "M1:2.1"));
 }
 
-TEST(Review, ReviewsOfDispositionsAreCountedApartFromThoseOfItems) {
+TEST(Review, ReviewsOfSectionDispositionsAreCountedApartFromThoseOfItems) {
     const Register first = read("a", "b", "");
     const std::string one =
         write_reviews(first, *first.part("box"), {"M1:1", "AO4-R-1"}, {"2026-01-02", "x", "independent"}, {});

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0
-# This source has no tests. Alone it is an object that tests/seeded/run can link to any one test.
+# This source has no tests. Compiled alone, it is an object file that tests/seeded/run can link to any single test.
 set(apart good_sheet.cpp)

@@ -13,7 +13,7 @@ namespace canproof::host::test {
 
 namespace {
 
-/// Returns the rules of warnings that the manuals cause.
+/// Returns the rules whose warnings the manual of the device causes.
 std::set<std::string> caused_by_the_manual(const std::string& device) {
     if (device == "cbx-ao412") {
         return {};

@@ -218,7 +218,7 @@ TEST_F(ArbitratedBusTest, FrameOfANodeThatGoesBusOffIsLostWithAnErrorFrame) {
     run_until(*bus, Instant{80}, Instant{100000});
     // an error frame of 20 bits and an intermission of 3 bits, 8 us each, then the frame of b
     EXPECT_THAT(c.heard, ElementsAre(fmt::format("{} 703#05", 80 + 23 * 8 + time_of("703#05"))));
-    // 128 × 11 bits of 8 us, whatever was on the wire when the node went off the bus
+    // 128 × 11 bits of 8 us, whatever frame was on the bus when the node went bus-off
     EXPECT_THAT(a.states, ElementsAre("80 3", "11344 0"));
     EXPECT_EQ(bus->report(Instant{100000}).errors, 1U);
 }

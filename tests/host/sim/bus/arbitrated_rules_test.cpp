@@ -44,7 +44,7 @@ class AnsweringNode final : public PlainNode {
     }
 };
 
-/// A bus on which a gateway can break off its frames: each is an error of the nodes that receive.
+/// A bus on which a gateway can break off its frames. Each broken frame is an error for the nodes that receive it.
 class ErrorBench {
   public:
     explicit ErrorBench(const BusFaultRates& faults = {}) : bus{"inproc", 125000, faults} { bus.attach(node); }
@@ -74,7 +74,7 @@ class ErrorBench {
     Instant now{};
 };
 
-/// Returns the outcome of these votes on a bus with `present`, in bit/s.
+/// Returns the bit rate, in bit/s, of a bus that had `present` before these votes.
 std::uint32_t vote_on(const std::map<std::uint32_t, int>& votes, std::uint32_t present) {
     BitRateVote vote;
     for (const auto& [rate, count] : votes) {

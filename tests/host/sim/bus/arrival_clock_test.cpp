@@ -75,7 +75,7 @@ TEST(ArrivalClock, MissingTimestampIsRecognisedWhenTheRunIsAheadOfTheRealTime) {
     EXPECT_EQ(clock.at(1, Instant{7}), Instant{500});  // 1 ns is 0 us of the real time
 }
 
-TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
+TEST(ArrivalClock, MoreExactClockComparisonReplacesALessExactOne) {
     // Each comparison of the first call takes 20 ms: the offset is known within 10 ms.
     ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
@@ -84,13 +84,13 @@ TEST(ArrivalClock, BetterComparisonReplacesAWorseOne) {
     EXPECT_EQ(clock.at(5195000 * ns, Instant{}), Instant{200000});
 }
 
-TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
+TEST(ArrivalClock, ClockComparisonThatIsNoMoreExactChangesNothingWithinTheTolerance) {
     ArrivalClock clock = compared({0, 20000, 40000, 60000, 80000, 100000, 120000, 140000}, 5000000);
     // Again each comparison takes 20 ms. The middle of the first is 110 ms of the run, 5 ms more than before.
     clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
     clock.compare(Instant{}, [] { return 5095000 * ns; });
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
-    // 40 ms more: the tolerance is 50 ms and the time of the comparison.
+    // Now the offset differs by 40 ms; the tolerance is 50 ms plus the time that the comparison takes.
     clock.use(clock_of({100000, 120000, 140000, 160000, 180000, 200000, 220000, 240000}));
     clock.compare(Instant{}, [] { return 5060000 * ns; });
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{10000});
@@ -99,7 +99,7 @@ TEST(ArrivalClock, ComparisonThatIsNoBetterChangesNothingWithinTheTolerance) {
 TEST(ArrivalClock, ChangeOfTheRealTimeClockAboveTheToleranceIsFollowed) {
     ArrivalClock clock = compared({1000}, 5000000);
     clock.use(clock_of({2000}));
-    clock.compare(Instant{}, [] { return 5051000 * ns; });  // 50 ms more than 1 ms later: within the tolerance
+    clock.compare(Instant{}, [] { return 5051000 * ns; });  // 51 ms in 1 ms of the run: 50 ms are tolerated
     EXPECT_EQ(clock.at(5000000 * ns, Instant{}), Instant{1000});
     clock.compare(Instant{}, [] { return 5051001 * ns; });
     EXPECT_EQ(clock.at(5051001 * ns, Instant{}), Instant{2000});

@@ -17,7 +17,7 @@ namespace canproof::host::test {
 
 namespace {
 
-constexpr int longest_wait_ms = 5000;  // reached only in a broken test
+constexpr int longest_wait_ms = 5000;  // reached only when the expected data never arrive
 // number of comparisons of the run's clock with the real time, of which one is exact
 constexpr int comparisons = 100;
 
@@ -64,7 +64,7 @@ class LateRun : public testing::Test {
         }
     }
     Instant clock() const { return Instant{(kernel_realtime_ns() - begin_ns_) / 1000U}; }
-    /// Returns a time of the run that is later than all times before by more than any error of a comparison.
+    /// Waits 2 ms, longer than the error of a comparison of two clocks. Returns the time of the run.
     Instant later() const {
         const Instant from = clock() + milliseconds(2);
         while (clock() <= from) {
@@ -159,7 +159,7 @@ TEST_F(SocketCan, PauseBetweenTheReadingsOfTwoClocksDoesNotMakeFramesEarlier) {
     Instant clock{1000000};  // 1 s of the run at 5 s of the real time
     bus->use_clock([&] { return clock; });
     step(0);
-    // The run reads 1.001 s, then loses the processor for 114 ms. The frame arrives after 100 ms of them.
+    // The run reads 1.001 s, then loses the processor for 114 ms. The frame arrives 100 ms after the reading.
     clock = Instant{1115000};
     system.realtime_us = 5115000;
     system.arrive(monitor, "705#05", 5101000);

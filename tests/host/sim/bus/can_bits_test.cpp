@@ -59,7 +59,7 @@ unsigned divided(std::vector<bool> bits) {
 
 }  // namespace
 
-TEST(CanBits, Crc15OfTheDigits1To9IsTheCatalogueValue) {
+TEST(CanBits, Crc15OfTheDigits1To9IsThePublishedCheckValue) {
     // CRC-15/CAN of the ASCII text 123456789 is 059Eh in the catalogue of parametrised CRC algorithms.
     std::vector<bool> bits;
     for (const char c : std::string{"123456789"}) {

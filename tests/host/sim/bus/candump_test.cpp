@@ -207,7 +207,8 @@ TEST(Replay, OwnFrameOfAPlainLogIsNotReceived) {
     const std::string requests = "(0.010000) can0 603#2B17100064000000\n(0.020000) can0 603#2316100132000300\n";
     const std::string beats = "(0.110050) can0 703#7F\n(0.210050) can0 703#7F\n";
     EXPECT_EQ(replayed(requests + beats, "", 0.25), replayed(requests, "", 0.25));
-    // A frame marked as received comes from another node. The device receives it and reports its absence 50 ms later.
+    // A frame marked as received comes from another node. The device receives this heartbeat, and reports 50 ms later
+    // that the next one is missing.
     EXPECT_NE(replayed(requests + "(0.110050) can0 703#7F R\n", "", 0.25).find("083#"), std::string::npos);
 }
 

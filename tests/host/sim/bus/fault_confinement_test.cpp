@@ -75,7 +75,7 @@ TEST(FaultConfinement, ReceiveCounterOfAPassiveNodeGoesBackTo119) {
     EXPECT_EQ(after(0, 1000).receive_errors(), 256U);  // the counter stops there
 }
 
-TEST(FaultConfinement, SwitchOffIsBusOffAndRecoveryClearsBothCounters) {
+TEST(FaultConfinement, SwitchedOffControllerIsBusOffAndRecoveryClearsBothErrorCounters) {
     FaultConfinement one = after(3, 100);
     one.switch_off();
     EXPECT_EQ(one.state(), CanState::bus_off);

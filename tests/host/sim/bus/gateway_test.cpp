@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gateways of the in-process bus: how long one is sending, and when a full one accepts a frame.
+// Gateways of the in-process bus: how long a gateway counts as sending, and when a full gateway accepts a frame.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

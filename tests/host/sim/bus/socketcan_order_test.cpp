@@ -109,7 +109,7 @@ TEST_F(SocketCan, FrameTimeIsCorrectedByAClockOffsetOf20Milliseconds) {
     EXPECT_THAT(a.heard, ElementsAre("1000010 603#40"));
 }
 
-TEST_F(SocketCan, FrameOfTheStartOfTheRunIsDueAtTime0) {
+TEST_F(SocketCan, FrameStampedAtTheStartOfTheRunIsDueAtTime0) {
     start();
     system.arrive(first, "603#40", 4000000);
     bus->poll(now);

@@ -79,7 +79,7 @@ TEST_F(SocketCanRestart, RefusedRestartIsReportedAgainAfterTheInterfaceReturned)
     });
     system.restart_answer = false;
     for (std::size_t life = 1; life <= 2; ++life) {
-        for (int frame = 0; frame < 2; ++frame) {  // the second frame belongs to the same bus-off
+        for (int frame = 0; frame < 2; ++frame) {  // the second error frame reports the same bus-off
             system.arrive_error(socket_of_a, CAN_ERR_BUSOFF, 0);
             step(10);
             step(500000);

@@ -321,7 +321,7 @@ TEST_F(SocketCan, BitRateThatWasSetIsReported) {
     a.rate = 250000;
     step(10);
     EXPECT_EQ(bus->report(now).bit_rate, 250000U);
-    a.rate = 0;  // the node takes the bit rate of the bus
+    a.rate = 0;  // the node accepts the bit rate of the bus
     step(10);
     EXPECT_THAT(system.rates_set, ElementsAre(250000U));
     a.rate = 250000;

@@ -204,7 +204,7 @@ TEST_F(SocketcandServer, ClientWithAResetConnectionIsRemoved) {
     EXPECT_TRUE(until([&] { return bus.clients() == 0 && log.size() == 3; }));
 }
 
-TEST_F(SocketcandServer, NoticesOfItsBusAreForwarded) {
+TEST_F(SocketcandServer, ServerForwardsTheNoticesOfTheBus) {
     node.rate = 1000000;
     bus.advance(now);
     node.rate = 500000;
@@ -312,7 +312,7 @@ TEST_F(SocketcandServer, LastFrameOfAClosingClientIsComplete) {
         client.say(join + "< send 123 1 AA >");
         ASSERT_TRUE(until([&] { return client.heard() == joined; }));
         bus.poll(now);
-        bus.advance(now);  // the frame is on the wire and not complete yet
+        bus.advance(now);  // the frame is on the bus and not complete yet
     }
     bus.poll(now);
     EXPECT_THAT(bus.watches(), SizeIs(1));  // the client sends no more, and no output waits for it

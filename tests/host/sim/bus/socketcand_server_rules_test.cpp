@@ -108,7 +108,7 @@ TEST_F(SocketcandServerRules, LackOfDescriptorsIsTheReportedReason) {
     EXPECT_THAT(refusal(0), HasSubstr("(Too many open files)"));
 }
 
-TEST_F(SocketcandServerRules, ClosedClientLeavesNoDescriptor) {
+TEST_F(SocketcandServerRules, ClosedClientLeavesNoOpenDescriptor) {
     const int before = open_descriptors();
     {
         TcpClient client{bus.port()};

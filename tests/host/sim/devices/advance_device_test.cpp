@@ -42,7 +42,7 @@ class SlowDevice final : public SimulatedDevice {
     std::vector<std::string> no_names_;
 };
 
-/// Returns the error message of a session of two seconds with such a device, or nothing when the session ends normally.
+/// Returns the error message of a session of two seconds with a SlowDevice, or nothing when the session ends normally.
 std::string said_of_run(bool does) {
     std::vector<std::unique_ptr<DeviceNode>> nodes;
     nodes.push_back(std::make_unique<DeviceNode>("valve@5", std::make_unique<SlowDevice>(does)));

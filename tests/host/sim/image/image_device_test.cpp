@@ -27,7 +27,7 @@ void be_ao412(target::Channel& channel) {
                                                                                                     "cbx-ao412");
 }
 
-/// The same device, with the greeting of an image that has its own clock.
+/// Runs a CAN-CBX-AO412 with the greeting of an image that has its own clock.
 void be_ao412_by_its_own_clock(target::Channel& channel) {
     using Image = target::Bridge<cbx_ao412::Device, cbx_ao412::Inputs, cbx_ao412::Outputs, cbx_ao412::FactoryData>;
     const std::size_t memory_size =

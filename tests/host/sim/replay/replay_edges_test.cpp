@@ -161,7 +161,7 @@ TEST_F(ReplayEdges, OptionUntilCountsInTheTimeOfALogThatStartsLater) {
     EXPECT_THAT(device.told, ElementsAre("0.000000 on", "0.010000 due"));
 }
 
-TEST_F(ReplayEdges, FrameThatASourceReturnsWithItsEndIsIgnored) {
+TEST_F(ReplayEdges, FrameThatASourceLeavesWhenItEndsIsIgnored) {
     input.source = [](LoggedFrame& frame) {
         frame = {Instant{7200000000U}, "vcan9", parse_frame("080#", "test"), LogMark::received};
         return false;
@@ -178,7 +178,7 @@ TEST_F(ReplayEdges, FrameThatASourceReturnsWithItsEndIsIgnored) {
     EXPECT_THAT(later.told, ElementsAre("0.000000 on"));
 }
 
-TEST_F(ReplayEdges, FramesAfterTheEndOfAMarkedLogFollowWaitingFrames) {
+TEST_F(ReplayEdges, FramesSentAfterTheEndOfAMarkedLogAreWrittenAfterWaitingFrames) {
     RecordingDevice device{milliseconds(100), "705#7F"};
     input.until = Instant{250000};
     play(device, "(0.050000) can0 300#05 R\n");

@@ -53,7 +53,7 @@ TEST(FrameLog, FileNameSelectsTheFormat) {
     EXPECT_EQ(log_format("", false), LogFormat::candump);
 }
 
-TEST(FrameLog, LogWithoutAStreamIsNotWantedAndIgnoresFrames) {
+TEST(FrameLog, LogWithoutAStreamNeedsNoFramesAndIgnoresThem) {
     for (const LogFormat format : {LogFormat::candump, LogFormat::marked, LogFormat::pcap, LogFormat::pcapng}) {
         std::ostringstream out;
         EXPECT_TRUE((FrameLog{&out, format}.is_wanted()));

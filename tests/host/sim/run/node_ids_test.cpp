@@ -42,7 +42,7 @@ TEST(NodeIds, DevicesThatShareANodeIdAreReportedOnce) {
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());
 }
 
-TEST(NodeIds, DevicesWithoutANodeIdAreNoClash) {
+TEST(NodeIds, DevicesWithoutANodeIdAreNotReportedAsSharingOne) {
     const Nodes nodes{{"ax060805@255", "ax188001@255", "cbx-ao412@0", "cbx-ao412@200"}};
     NodeIdClashes clashes;
     EXPECT_THAT(clashes.found(nodes.all), IsEmpty());

@@ -248,7 +248,7 @@ TEST(RunSession, DeviceOfANodeInBusOffReceivesNothingAndReportsTheRecovery) {
     EXPECT_THAT(run.log.str(), HasSubstr("083#4081"));
 }
 
-TEST(RunSession, OutputsAreWrittenWithTheNameOfTheirDeviceWhenThereAreSeveral) {
+TEST(RunSession, OutputsOfARunWithSeveralDevicesContainTheDeviceName) {
     TestRun one{{"cbx-ao412@3"}};
     one.session->advance_to(Instant{1000});
     EXPECT_THAT(one.changes.str(), testing::StartsWith("seconds,signal,value\n0.000000,"));
