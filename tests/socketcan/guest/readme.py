@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types the commands of the section "Use it on your bus" of src/host/app/README.md into a shell, one after the other."""
+"""Types the commands of the section "Use a device on your bus" of src/host/app/README.md into a shell, one after the other."""
 import os
 import re
 import subprocess
@@ -12,7 +12,7 @@ FOLDER = "/tmp/readme"
 
 def blocks():
     with open("/repo/src/host/app/README.md") as readme:
-        section = readme.read().partition("## Use it on your bus\n")[2].partition("\n## ")[0]
+        section = readme.read().partition("## Use a device on your bus\n")[2].partition("\n## ")[0]
     return [block.splitlines() for block in re.findall(r"```\n(.*?)```", section, re.S)]
 
 
