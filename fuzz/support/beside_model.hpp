@@ -17,7 +17,6 @@
 //   usual_frame(node, which, data)           a frame that it knows
 //   ends()                                   why the model cannot go on, or nullptr
 //   compare(device, said, ms)                requires that the device shows and has said what the model does
-//   input_shows_after_ms                     how long the manual leaves open which inputs the device shows
 //   put_usual_input(inputs, which, data)     changes an input to a value that it knows
 //   begin(run, choices), finish(device)      may give both some events before those of the input, and compare more at
 //                                            its end
@@ -214,7 +213,6 @@ class BesideModel {
         world_.set_inputs(next);
         model_.set_inputs(next);
         happened();
-        pass(Model::input_shows_after_ms);
     }
     void power_cycle(const std::uint8_t* record) {
         world_.befall(with_kind(record, 0xE).data());
