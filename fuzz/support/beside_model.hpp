@@ -17,7 +17,6 @@
 //   usual_frame(node, which, data)           a frame that it knows
 //   ends()                                   why the model cannot go on, or nullptr
 //   compare(device, said, ms)                requires that device and model show the same and have sent the same frames
-//   input_shows_after_ms                     how long the manual leaves open which inputs the device shows
 //   put_usual_input(inputs, which, data)     changes an input to a value that it knows
 //   begin(run, choices)                      may give device and model some events before those of the input
 //   finish(device)                           may compare more at the end of the input
@@ -214,7 +213,6 @@ class BesideModel {
         world_.set_inputs(next);
         model_.set_inputs(next);
         happened();
-        pass(Model::input_shows_after_ms);
     }
     void power_cycle(const std::uint8_t* record) {
         world_.befall(with_kind(record, 0xE).data());

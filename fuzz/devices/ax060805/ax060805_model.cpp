@@ -16,8 +16,6 @@ constexpr unsigned node = 127;
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 60;
-    static constexpr std::uint64_t input_shows_after_ms =
-        5;  ///< time of a sample; a write can show new temperatures earlier
     static constexpr unsigned further_events = 12;
     static constexpr std::uint64_t longest_run_ms = 600;
 

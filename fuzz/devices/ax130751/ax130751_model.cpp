@@ -17,7 +17,6 @@ constexpr std::uint32_t no_rtr = 0x40000000;
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 25;
-    static constexpr std::uint64_t input_shows_after_ms = 0;
     static constexpr unsigned further_events = 30;
     static constexpr std::uint64_t longest_run_ms = 200;
 

@@ -15,7 +15,6 @@ constexpr unsigned node = 127;
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 1000;
-    static constexpr std::uint64_t input_shows_after_ms = 0;
     static constexpr unsigned further_events = 30;
     static constexpr std::uint64_t longest_run_ms = 4000;
 

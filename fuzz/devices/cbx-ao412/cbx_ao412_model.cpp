@@ -13,7 +13,6 @@ using namespace canproof;
 class Model {
   public:
     static constexpr std::uint64_t longest_wait_ms = 1500;
-    static constexpr std::uint64_t input_shows_after_ms = 0;
     static constexpr unsigned further_events = 40;
     static constexpr std::uint64_t longest_run_ms = 6000;
 

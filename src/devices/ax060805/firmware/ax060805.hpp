@@ -44,8 +44,8 @@ class Device final : private Application {
     /// Starts with the node-ID and bit rate that LSS stored, or with those as shipped if LSS has stored none.
     void power_on(const Inputs& inputs, Instant now) noexcept;
     void receive(const Frame& frame, Instant now) noexcept;
-    /// Sets the physical inputs from `now` on. The accelerations take effect with the next sample; temperatures and
-    /// supply with the next sample, or with an earlier write or reset that publishes all values again.
+    /// Sets the physical inputs from `now` on. They take effect with the next sample of the sensor or a reset, the state
+    /// of the CAN controller immediately.
     void set_inputs(const Inputs& inputs, Instant now) noexcept;
     void advance(Instant now) noexcept;
     Instant next_deadline() const noexcept;
@@ -107,6 +107,7 @@ class Device final : private Application {
     Node node_;
     FactoryData factory_;
     Inputs inputs_{};
+    Inputs sampled_{};  ///< the inputs at the last sample; all measured values are computed from them
     Outputs outputs_{};
     std::uint32_t bit_rate_{0U};
 

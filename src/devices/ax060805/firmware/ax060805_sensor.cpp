@@ -81,16 +81,19 @@ void Device::measure_due(const Instant now) noexcept {
 
 static_assert(implements<req::INC_ERR_006> && implements<req::INC_K_SENSOR_RANGE>);
 bool Device::has_sensor_fault() const noexcept {
-    return inputs_.accelerometer_fault || !is_measurement(inputs_.acceleration_x) ||
-           !is_measurement(inputs_.acceleration_y) || !is_measurement(inputs_.acceleration_z);
+    return sampled_.accelerometer_fault || !is_measurement(sampled_.acceleration_x) ||
+           !is_measurement(sampled_.acceleration_y) || !is_measurement(sampled_.acceleration_z);
 }
 
 static_assert(implements<req::INC_FV_007>);
+static_assert(implements<req::INC_FV_012>);
 void Device::take_sample() noexcept {
+    sampled_ = inputs_;
     if (has_sensor_fault()) {
         inclination_.fail();
     } else {
-        inclination_.sample(Vector3{inputs_.acceleration_x, inputs_.acceleration_y, inputs_.acceleration_z}, settings_);
+        inclination_.sample(Vector3{sampled_.acceleration_x, sampled_.acceleration_y, sampled_.acceleration_z},
+                            settings_);
     }
 }
 
@@ -154,7 +157,7 @@ AngleFilterKind Device::filter_kind(const std::uint8_t subindex) const noexcept 
 
 static_assert(implements<req::INC_K_TEMPERATURE_LOW> && implements<req::INC_K_TEMPERATURE_HIGH>);
 bool Device::is_temperature_outside() const noexcept {
-    const float temperature = inputs_.sensor_temperature;
+    const float temperature = sampled_.sensor_temperature;
     const bool inside = (temperature >= own::sensor_temperature_low) && (temperature <= own::sensor_temperature_high);
     return !inside;  // NaN counts as outside
 }
@@ -197,12 +200,12 @@ void Device::publish_diagnostics() noexcept {
     objects_.set(field::o4020_angular_figure_of_merit, cell_or(row, &merit::Row::state, worst));
     objects_.set(field::o4010_angular_measurement_latency, whole_milliseconds(latency_ms()));
     static_assert(implements<req::INC_FV_006> && implements<req::INC_FV_010>);
-    if (!std::isnan(inputs_.sensor_temperature)) {
-        objects_.set(field::o4060_sensor_temperature_data, count_value(inputs_.sensor_temperature, CountScale{}));
+    if (!std::isnan(sampled_.sensor_temperature)) {
+        objects_.set(field::o4060_sensor_temperature_data, count_value(sampled_.sensor_temperature, CountScale{}));
     }
     static_assert(implements<req::INC_GLOBAL_001> && implements<req::INC_GLOBAL_002>);
-    show_if_valid(index::power_supply_field_value, inputs_.supply_voltage);
-    show_if_valid(index::processor_temperature_field_value, inputs_.processor_temperature);
+    show_if_valid(index::power_supply_field_value, sampled_.supply_voltage);
+    show_if_valid(index::processor_temperature_field_value, sampled_.processor_temperature);
 }
 
 /// Writes a measured value to its object. A value outside the limits of the object is not a measurement: the object

@@ -74,8 +74,8 @@ Signal Device::signal_of(const std::uint8_t source) const noexcept {
         case Source::acceleration_z:
             return acceleration_signal(3U);
         case Source::sensor_temperature:
-            return std::isnan(inputs_.sensor_temperature) ? undefined_signal()
-                                                          : continuous_signal(inputs_.sensor_temperature);
+            return std::isnan(sampled_.sensor_temperature) ? undefined_signal()
+                                                           : continuous_signal(sampled_.sensor_temperature);
         case Source::pitch:
             return angle_signal(pitch_angle);
         case Source::roll:

@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
 
 #include "firmware/base/time.hpp"
 #include "host/base/input_error.hpp"
@@ -55,7 +58,19 @@ std::string response_text(const PanelResponse& response, bool with_body) {
            (with_body ? response.body : "");
 }
 
-/// Returns a socket that listens on the loopback address; -1 when it cannot be opened.
+/// Closes the socket, unless it is -1, and throws InputError with the reason in errno.
+[[noreturn]] void refuse_port(int descriptor, std::uint16_t port) {
+    const std::string reason = std::generic_category().message(errno);
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
+    throw InputError{
+        fmt::format("port {} of {} cannot be opened: {}; name another port with --port, or 0 for any free port", port,
+                    loopback, reason)};
+}
+
+/// Returns a socket that listens at this port of the loopback address; port 0 selects a free one. Throws InputError
+/// when the port cannot be opened.
 int listen_at(std::uint16_t port) {
     const int descriptor = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
@@ -63,19 +78,22 @@ int listen_at(std::uint16_t port) {
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     const int on = 1;
-    const bool sound = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
-                       bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-                       listen(descriptor, waiting_connections) == 0;
-    if (!sound && descriptor >= 0) {
-        close(descriptor);
+    const bool listens = descriptor >= 0 && setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
+                         bind(descriptor, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+                         listen(descriptor, waiting_connections) == 0;
+    if (!listens) {
+        refuse_port(descriptor, port);
     }
-    return sound ? descriptor : -1;
+    return descriptor;
 }
 
-std::uint16_t port_of(int descriptor) {
+/// Returns the port of a listening socket. Closes the socket and throws InputError when the system does not report it.
+std::uint16_t port_of(int descriptor, std::uint16_t asked) {
     sockaddr_in address{};
     socklen_t size = sizeof address;
-    getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size);
+    if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
+        refuse_port(descriptor, asked);
+    }
     return ntohs(address.sin_port);
 }
 
@@ -85,13 +103,8 @@ bool must_wait() {
 
 }  // namespace
 
-HttpFront::HttpFront(Answer answer, std::uint16_t port) : answer_{std::move(answer)}, listener_{listen_at(port)} {
-    if (listener_ < 0) {
-        throw InputError{fmt::format(
-            "port {} of {} cannot be opened; name another port with --port, or 0 for any free port", port, loopback)};
-    }
-    port_ = port_of(listener_);
-}
+HttpFront::HttpFront(Answer answer, std::uint16_t port)
+    : answer_{std::move(answer)}, listener_{listen_at(port)}, port_{port_of(listener_, port)} {}
 
 HttpFront::~HttpFront() {
     for (const auto& one : connections_) {
@@ -137,7 +150,7 @@ void HttpFront::accept_clients(Instant now) {
             return;
         }
         const int on = 1;
-        setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+        static_cast<void>(setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on));  // a failure only delays
         if (connections_.size() == most_connections) {
             make_place();
         }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The AX060805 measures temperatures and supply with its samples only: a write between two samples shows nothing new.
+#include <vector>
+
+#include "generated/ax060805/requirements.hpp"
+#include "tests/devices/ax060805/inclinometer_bench.hpp"
+#include "tests/support/verifies.hpp"
+
+namespace canproof::test {
+
+namespace {
+
+/// One sample has been taken at -20 °C (sensor), 12 V and 40 °C (processor). After 1 ms the inputs become 126 °C,
+/// 24 V and 80 °C.
+class Ax060805MeasuredValues : public InclinometerTest {
+  protected:
+    void SetUp() override {
+        InclinometerTest::SetUp();
+        put(-20.0F, 12.0F, 40.0F);
+        pass(5);
+        put(126.0F, 24.0F, 80.0F);
+        pass(1);
+    }
+    void put(float sensor_temperature, float supply, float processor_temperature) {
+        inputs.sensor_temperature = sensor_temperature;
+        inputs.supply_voltage = supply;
+        inputs.processor_temperature = processor_temperature;
+        set_inputs();
+    }
+    /// Returns 4060h (sensor temperature), 5020h (supply), 5030h (processor temperature) and 4020h (figure of merit).
+    std::vector<float> shown() {
+        return {static_cast<float>(value(0x4060)), real(0x5020), real(0x5030), static_cast<float>(read(0x4020))};
+    }
+};
+
+}  // namespace
+
+TEST_F(Ax060805MeasuredValues, WriteBetweenTwoSamplesShowsTheValuesOfTheLastSample) {
+    verifies<req::INC_FV_012>();
+    struct Write {
+        std::uint16_t index;
+        std::uint8_t sub;
+        std::uint32_t value;
+        int bytes;
+    };
+    // Each of these parameters changes how the device shows its values, so that it computes all of them again.
+    const std::vector<Write> writes{{0x2002, 0, 0, 1},  {0x2003, 0, 50, 1}, {0x2011, 1, 1, 1}, {0x2031, 1, 1, 1},
+                                    {0x2010, 1, 10, 2}, {0x2030, 1, 10, 2}, {0x2050, 1, 0, 1}, {0x2052, 0, 20, 2},
+                                    {0x2100, 0, 0, 1},  {0x4080, 0, 7, 4},  {0x5555, 0, 1, 1}};
+    const std::vector<float> last_sample{-20.0F, 12.0F, 40.0F, 0.0F};
+    for (const auto& one : writes) {
+        write(one.index, one.sub, one.value, one.bytes);
+        EXPECT_EQ(shown(), last_sample) << one.index;
+    }
+    EXPECT_EQ(read(0x1001), 0U);  // no error yet, like the figure of merit
+    pass(4);
+    EXPECT_EQ(shown(), (std::vector<float>{126.0F, 24.0F, 80.0F, 1.0F}));  // 126 °C is above the limit of 125 °C
+    EXPECT_NE(read(0x1001), 0U);
+}
+
+TEST_F(Ax060805MeasuredValues, ResetMeasuresAgain) {
+    verifies<req::INC_FV_012>();
+    put(-21.0F, 24.0F, 80.0F);
+    send("000#8100");  // reset node
+    EXPECT_EQ(shown(), (std::vector<float>{-21.0F, 24.0F, 80.0F, 0.0F}));
+}
+
+}  // namespace canproof::test
