@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of the angles of the AX060805 (2.1, 3.4, 3.5). Directions are computed in double precision from any
-// attitude.
+// Properties of the angles of the AX060805 (manual, 2.1, 3.4 and 3.5). Directions are computed in double precision from
+// any attitude.
 #include <gtest/gtest.h>
 // RapidCheck needs the GoogleTest header first
 #include <rapidcheck/gtest.h>
@@ -44,7 +44,7 @@ Vector3 single(const Vector& v, double length = 1.0) {
                    static_cast<float>(v.z * length)};
 }
 
-/// Returns gravity in a unit of any attitude.
+/// Returns gravity in the frame of a unit with any attitude.
 Vector3 any_gravity() {
     return single(seen_from({0.0, 0.0, 1.0}, angle(180) * radians, angle(90) * radians, angle(180) * radians));
 }
@@ -162,7 +162,8 @@ RC_GTEST_PROP(InstallationLaw, AutoNullMakesAllAnglesOfAStillMachineZero, ()) {
 
 namespace {
 
-/// Returns settings as take_settings() of the device makes them; a quarter of the frames are turned by right angles.
+/// Returns settings as the device makes them from its parameters; in a quarter of the cases all angles are right
+/// angles.
 InclinationSettings any_settings() {
     InclinationSettings settings;
     const bool right_angles = *rc::gen::inRange(0, 4) == 0;
@@ -215,7 +216,7 @@ RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirectio
     RC_ASSERT(right >= 0.0F && right <= 90.0F);
     RC_ASSERT(apart(full, given) < 1.0e-4);
     RC_ASSERT(in_span(given, {-180, 180}) == given);
-    // The distance from level: the sine is the same for both sides and for the folded range.
+    // `right` is the distance from level: its sine is the absolute value of the sine of the given angle.
     RC_ASSERT(std::fabs(std::sin(right * radians) - std::fabs(std::sin(given * radians))) < 1.0e-6);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive universal outputs of the AX130751 (1.2, 1.3), written from the sentences of the manual and not from tables.
+// Naive universal outputs of the AX130751 (manual, 1.2 and 1.3), written from the sentences of the manual and not from
+// generated tables.
 #pragma once
 
 #include <algorithm>
@@ -203,8 +204,8 @@ class NaiveOutput {
         return target;
     }
 
-    /// Limits a value at the terminals: at most the current that 14 V drive through the load flows; at a frequency of 0
-    /// the duty cycle is 0.
+    /// Limits a value at the terminals. A current is at most the one that 14 V drive through the load; a duty cycle is
+    /// 0 when the frequency is 0.
     static double at_terminals(const Output& output, double value, double load) {
         if (output.type == 20 && load * value > 14000.0) {
             return 14000.0 / load;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Naive lookup tables, logic and math blocks of the AX130751 (1.5 to 1.7), written from the sentences of the manual and
-// not from tables.
+// Naive lookup tables, logic and math blocks of the AX130751 (manual, 1.5 to 1.7), written from the sentences of the
+// manual and not from generated tables.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline double y_of(const Table& table, std::size_t point) {
     return point == 0 && is_over_time(table) ? 0.0 : physical(table.y.at(point), table.y_digits);
 }
 
-/// Evaluates a table by the steps of 1.5.3; `xs` are ascending.
+/// Evaluates a table by the steps of section 1.5.3. `xs` are the X values of its points, in ascending order.
 inline double y_at(double x, const std::array<double, 11>& xs, const Table& table) {
     std::size_t reached = 0;
     while (x > xs.at(reached)) {
@@ -86,7 +86,7 @@ class NaiveTable {
             counts = counts && table.response.at(point) != 0;
             length = counts ? xs.at(point) : length;
         }
-        double at = 1000.0 * static_cast<double>(now - since_);  // us, as all times of the device
+        double at = 1000.0 * static_cast<double>(now - since_);  // in microseconds, as the device counts time
         while (table.repeat != 0 && length > 0.0 && at > length) {
             at -= length;
         }
