@@ -102,8 +102,9 @@ inline std::vector<TcsAction> communication_of(const TcsSetup& setup) {
     return all;
 }
 
-/// Returns the writes of 5555h (start mode) and 5556h (start delay), which act at the next boot-up. Then either 1010h
-/// (store parameters) stores all and the node is reset, or the NMT command start follows.
+/// Returns the writes of 5555h (Start in Operational Mode) and 5556h (Start in Operational NMT Delay), which act at the
+/// next boot-up. Then either 1010h (store parameters) stores all and the node is reset, or the NMT command start
+/// follows.
 inline std::vector<TcsAction> start_of(const TcsSetup& setup) {
     std::vector<TcsAction> all{written(0x5555, 0, 1, setup.start), written(0x5556, 0, 2, setup.start_delay_ms)};
     if (setup.is_stored) {

@@ -153,7 +153,7 @@ TEST_F(Angles, Writing0ToObject2300hDoesNothing) {
     pass(5);
     EXPECT_EQ(roll(), 2000);  // mean of 0 and 40
     write(0x2300, 0, 0, 1);
-    EXPECT_EQ(roll(), 2000);  // writing 0 does not start the average again
+    EXPECT_EQ(roll(), 2000);  // writing 0 to 2300h (Auto-Null Command) does not restart the average
     angles_of(20.0, 10.0);
     write(0x2300, 0, 0, 1);
     EXPECT_EQ(real(0x2200), 0.0F);
@@ -233,7 +233,7 @@ TEST_F(Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
     EXPECT_EQ(real(0x2401), 90.0F);
     EXPECT_EQ(refusal(0x2400, 0, 0, 4), "06010002");
     EXPECT_EQ(refusal(0x2401, 0, 0, 4), "06010002");
-    // The initial angles act on the calibrated value: the unit is level, so roll 10 reads as -10.
+    // The unit is level after its calibration, so an initial roll of 10 gives the roll -10.
     write_real(0x2210, 0, 10.0F);
     EXPECT_EQ(angles(), (Row{0, -1000, 1000}));
 }
@@ -248,7 +248,7 @@ TEST_F(Angles, InitialAnglesAutoNullAndAngleTypeRestartTheAdditionalFilters) {
     write_real(0x2200, 0, 5.0F);
     EXPECT_EQ(pitch(), 1500);
     write_real(0x2210, 0, 180.0F);
-    EXPECT_EQ(pitch(), 15500);  // upside down: the supplement of 25
+    EXPECT_EQ(pitch(), 15500);  // the machine is upside down: 180 - 25 = 155 degrees
     write_real(0x2210, 0, 0.0F);
     write(0x2300, 0, 1, 1);
     EXPECT_EQ(pitch(), 0);

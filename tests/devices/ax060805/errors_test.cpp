@@ -77,7 +77,7 @@ TEST_F(Ax060805Errors, MostSevereConditionDeterminesTheFigureOfMerit) {
     pass(100);  // the output of the input filter falls from 1 g to nearly 0 in this time
     pass(400);
     EXPECT_EQ(read(0x4020), 1U);
-    fail_accelerometer();  // temperature, missing gravity and sensor fault now hold at the same time
+    fail_accelerometer();  // temperature error, missing gravity and sensor fault at the same time
     EXPECT_EQ(read(0x4020), 2U);
     fail_accelerometer(false);
     EXPECT_EQ(read(0x4020), 1U);
@@ -270,7 +270,7 @@ TEST_F(Ax060805Errors, EndOfBusOffIs8140hAndErrorPassiveIsNotReported) {
     inputs.can_state = 3;
     EXPECT_EQ(set_inputs(), (Frames{}));
     inputs.can_state = 0;
-    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: 1001h reads 0
+    EXPECT_EQ(set_inputs(), (Frames{"0FF#4081000000000000"}));  // no error is active: the error register is 0
     EXPECT_EQ(read(0x1001), 0U);
     EXPECT_EQ(listed(), (List{}));
     pass(1000);
@@ -353,7 +353,7 @@ TEST_F(Ax060805Errors, BusOffChangesTheStateBy1029hSub1) {
     EXPECT_EQ(state_after_bus_off(2), NmtState::stopped);
 }
 
-// Each of these two faults leads to pre-operational by 4.2.13.
+// By section 4.2.13 a missing heartbeat leads to pre-operational, and so does an overdue RPDO.
 TEST_F(Ax060805Errors, HeartbeatErrorAndThenRpdoTimeOutEachLeadToPreOperational) {
     verifies<req::INC_ERR_010>();
     write(0x1016, 1, 0x00220064, 4);  // 1016h:1 consumer heartbeat time: node 22h, 100 ms
@@ -382,7 +382,7 @@ TEST_F(Ax060805Errors, DamagedStoredSetIs6300hAndTheDefaultsApply) {
     EXPECT_EQ(read(0x1001), 1U);
 }
 
-// The boot-up message is lost, the errors found at boot-up are not.
+// During bus-off the boot-up message is lost. The errors found at boot-up are not lost.
 TEST_F(Ax060805Errors, DamagedSetFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::CO_EMCY_031, req::INC_ERR_021>();
     write(0x1010, 1, 0x65766173, 4);

@@ -187,7 +187,7 @@ TEST_F(Filters, RepeatingFilterGivesOneMeanPerBlock) {
     switch_filter_off();
     set_filter(1, 2, 3);
     pass(2);
-    // the blocks are 0 3 6, then 9 12 15
+    // The blocks of three samples are 0, 3, 6 degrees, then 9, 12, 15 degrees.
     EXPECT_EQ(pitches({3.0, 6.0, 9.0, 12.0, 15.0}, 10), (Row{150, 300, 300, 300, 1200}));
 }
 
@@ -298,7 +298,7 @@ TEST_F(Filters, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(pitch(), 1000, 1);
     turn(20.0, 0.0);
     pass(30000);
-    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; a run is 938 of 60000 samples
+    EXPECT_NEAR(pitch(), 1500, 16);  // half of the window; the tolerance is a run, 938 of 60000 samples
 }
 
 TEST_F(Filters, FilterLatencyIsThatOfTheSlowestAngle) {
@@ -349,11 +349,11 @@ TEST_F(Filters, SampleThatIsDueBeforeAFrameIsTakenFirst) {
     verifies<req::INC_FILTER_001>();
     switch_filter_off();
     turn(10.0, 0.0);
-    now = now + milliseconds(7);  // the device was not called since 0
+    now = now + milliseconds(7);  // the device was not called since 0 ms
     EXPECT_EQ(pitch(), 1000);
     turn(20.0, 0.0);
     now = now + milliseconds(4);
-    turn(30.0, 0.0);  // set at 13 ms, after the sensor's sample at 10 ms
+    turn(30.0, 0.0);  // set at 11 ms, after the sensor's sample at 10 ms
     EXPECT_EQ(pitch(), 2000);
 }
 

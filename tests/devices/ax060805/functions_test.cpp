@@ -87,7 +87,7 @@ TEST_F(Functions, FunctionsUseTheMeasurementsOfTheFirstSample) {
     connect(1, 1, 27);  // source 27, the supply
     connect(1, 2, 25);  // source 25, which gives 0
     operate(2, 1);
-    connect(2, 1, 9);  // the figure of merit
+    connect(2, 1, 9);  // source 9, the figure of merit
     connect(2, 2, 25);
     write(0x1010, 1, 0x65766173, 4);
     inputs.supply_voltage = 12.0F;
@@ -115,7 +115,7 @@ TEST_F(Functions, EachOfTheTenFunctionsIsASource) {
         EXPECT_EQ(output(function), 100 + 2 * function);
         EXPECT_EQ(taken_from(static_cast<std::uint32_t>(9 + function), 10.0F), 1000 + 20 * function) << function;
     }
-    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // input 10 is the output of this function in the previous pass
+    EXPECT_EQ(taken_from(10, 1.0F), 1200);  // source 10 is the result of function 1 in the previous pass
 }
 
 TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
@@ -150,7 +150,7 @@ TEST_F(Functions, EveryParameterOfEachFunctionHasAnEffect) {
         EXPECT_EQ(output(function), 580 + function);
         write(at(function, 1), 2, 0, 1);
         pass(5);
-        EXPECT_EQ(output(function), 0);  // the result is undefined
+        EXPECT_EQ(output(function), 0);  // the result is undefined, which is shown as 0
         write(at(function, 1), 2, 1, 1);
         write(at(function, 1), 1, 0, 1);
         pass(5);
@@ -280,7 +280,7 @@ TEST_F(Functions, FunctionsAreEvaluatedInTheOrderOfTheirNumbersAtEachSample) {
     }
     connect(2, 1, 10);
     connect(3, 1, 11);
-    connect(1, 1, 12);  // a ring: 1 uses the result of 3 in the previous pass
+    connect(1, 1, 12);  // a ring: function 1 uses the result of function 3 in the previous pass
     give_default(1, 1, 0.0F);
     EXPECT_EQ(output(3), 0);  // 3000h:3 is updated with the next sample, not by the writes
     pass(5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared by the network tests of the AX060805, node 127.
+// Test fixture that the network tests of the AX060805 share, node 127.
 #pragma once
 
 #include "tests/devices/ax060805/inclinometer_bench.hpp"

@@ -113,7 +113,7 @@ TEST_F(Network, PdoIsRemappedInFiveSteps) {
     write(0x1803, 5, 30, 2);
     write(0x1800, 5, 0, 2);
     write(0x4080, 0, 0x12345678, 4);
-    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms, function 1 undefined
+    EXPECT_EQ(send("000#0100"), (Frames{"4FF#2000000078563412"}));  // latency 32 ms; undefined result of function 1: 0
     write(0x1601, 1, 0x25000310, 4);
     write(0x1601, 0, 1, 1);
     write(0x1401, 1, 0x4000037F, 4);

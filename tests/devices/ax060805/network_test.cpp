@@ -170,7 +170,7 @@ TEST_F(Network, ParametersOfSeveralGroupsAreStoredAndReceivedValuesAreNot) {
     write(0x2500, 2, 77, 2);
     store_all();
     power_on();
-    pass(1);  // starts itself and sends its first TPDO
+    pass(1);  // the node starts itself and sends its first TPDO
     EXPECT_EQ(read(0x2051, 3), 1234U);
     EXPECT_EQ(real(0x3095, 2), 1.5F);
     EXPECT_EQ(real(0x30A4, 1), -2.5F);
@@ -290,7 +290,7 @@ TEST_F(Network, SensorErrorPreventsTheSelfStartAfterResetCommunicationToo) {
     send("000#8200");
     pass(1000);
     EXPECT_EQ(device->state(), NmtState::pre_operational);
-    write(0x1029, 2, 1, 1);  // errors do not change the state
+    write(0x1029, 2, 1, 1);  // 1029h:2 (error behaviour) is 1: sensor errors do not change the state
     store_all();
     send("000#8200");
     pass(1);
@@ -320,7 +320,7 @@ TEST_F(Network, SupplyAndTemperaturesAreReadAsMeasuredAndKeptOutsideTheirRanges)
     EXPECT_EQ(real(0x5020), 11.5F);
     EXPECT_EQ(real(0x5030), -20.25F);
     EXPECT_EQ(value(0x4060), -13);
-    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range of 5020h: the value is not updated
+    inputs.supply_voltage = 70.5F;  // above 70 V, the end of the range: 5020h (supply) is not updated
     inputs.processor_temperature = 150.5F;
     inputs.sensor_temperature = NAN;
     set_inputs();

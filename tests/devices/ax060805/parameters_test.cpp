@@ -33,7 +33,7 @@ Limits real(std::uint16_t index, int subs) {
     return {index, subs, 4, {0xCF800000, 0, 0x4F800000}, {0xCF800001}, {0x4F800001}};
 }
 
-// The value ranges of 4.3, written by hand.
+// The value ranges of section 4.3, written by hand.
 std::vector<Limits> manufacturer_limits() {
     std::vector<Limits> all{
         {0x2000, 0, 1, {1, 0}, {}, {2}},
@@ -191,7 +191,7 @@ TEST_F(Parameters, EveryManufacturerParameterIsStored) {
     });
     store_all();
     power_on();
-    pass(1);  // 5555h starts the node, which sends its first TPDO
+    pass(1);  // 5555h (Start in Operational Mode) starts the node, which sends its first TPDO
     for_each(manufacturer_limits(), [this](std::uint16_t index, std::uint8_t sub, const Limits& limits) {
         EXPECT_EQ(read(index, sub), limits.taken[0]) << name(index, sub, limits.taken[0]);
     });

@@ -14,7 +14,7 @@ namespace canproof::test {
 
 namespace {
 
-/// A value and the millisecond from which it is shown.
+/// A time in ms and the value that the device shows from then on.
 using Shown = std::vector<std::pair<int, int>>;
 
 class IncPending : public testing::Test, public InclinometerBench {
@@ -24,7 +24,7 @@ class IncPending : public testing::Test, public InclinometerBench {
     struct Case {
         std::string name;
         std::function<void()> happens;
-        Shown shown;  ///< each value and the time in ms, from the event on
+        Shown shown;  ///< the shown values from the event on
     };
 
     /// Starts a new unit at time 0. Its pitch is read in hundredths and passes a filter with these parameters. The

@@ -10,7 +10,7 @@ namespace {
 
 class ReceivedValues : public InclinometerFunctions {};
 
-/// RPDO1 brings received value 1, RPDO2 received value 3.
+/// RPDO1 sets received value 1, RPDO2 sets received value 3.
 class TwoSenders : public ReceivedValues {
   protected:
     void SetUp() override {
@@ -56,7 +56,7 @@ TEST_F(ReceivedValues, ReceivedLimitOf45Is45DegreesAsShipped) {
     EXPECT_EQ(output(1), 1);
 }
 
-// 4.3.20: 1000 / 2501h counts are one unit
+// Section 4.3.20: one unit has as many counts as 1000 divided by 2501h (RPDO Decimal Digits).
 TEST_F(ReceivedValues, DecimalDigitsGiveTheCountsPerUnit) {
     verifies<req::INC_RPDO_001, req::INC_OD_2501, req::INC_OD_2502>();
     write(0x2500, 3, 4500, 2);
@@ -79,7 +79,7 @@ TEST_F(ReceivedValues, ReceivedLimitIsComparedWithAnAngle) {
     connect(1, 2, 20);
     write(0x2501, 1, 100, 2);     // received counts are tenths of a degree
     write_real(0x2502, 1, 5.0F);  // an offset of 5 counts adds half a degree to the received value
-    // an offset of the pitch changes its field value, but not the signal of the function
+    // an offset of the pitch changes its field value, but not the signal that the function gets
     write_real(0x2040, 1, 100.0F);
     write(0x2500, 1, 200, 2);  // the limit is 200 tenths + 0.5 = 20.5 degrees
     turn(20.4, 0.0);
@@ -152,7 +152,7 @@ TEST_F(ReceivedValues, ValueWrittenAfterTheTimeoutIsUsed) {
     write(0x1400, 5, 100, 2);
     write(0x1029, 1, 1, 1);
     send("000#0100");
-    pass(2);  // late at 102 ms, between the samples at 100 and 105 ms
+    pass(2);  // RPDO1 will be late at 102 ms, between the samples at 100 and 105 ms
     send("27F#E80300000000");
     pass(101);
     write(0x2500, 1, 4000, 2);
@@ -175,11 +175,11 @@ TEST_F(TwoSenders, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValuesOfTheO
 
 TEST_F(TwoSenders, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
     verifies<req::INC_RPDO_003>();
-    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy
+    map_rpdo1(0x00050008);  // RPDO1 maps only a dummy entry
     write(0x1400, 5, 2, 2);
     send("27F#00");
     pass(5);           // RPDO1 is late
-    send("37F#D007");  // RPDO2 brings 2000 while RPDO1 is late
+    send("37F#D007");  // RPDO2 sets 2000 while RPDO1 is late
     EXPECT_EQ(taken_from(22, 1.0F), 2000);
     pass(1);
     send("27F#00");

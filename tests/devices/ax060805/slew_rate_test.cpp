@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slew rate of the AX060805 transceiver: set by 2000h, by the bit rate and by a stored set (4.3.1, 4.2.7), node 127.
+// Slew rate of the AX060805 transceiver: set by 2000h (CAN Slew Rate), by the bit rate and by a stored set (4.3.1,
+// 4.2.7), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -12,14 +13,15 @@ class SlewRate : public InclinometerTest {
   protected:
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
     bool is_fast() const { return device->outputs().slew_rate_fast; }
-    /// Activates the bit rate of `index` by LSS (Table 21: 0 is 1 Mbit/s, 2 500 kbit/s, 3 250 kbit/s, 4 125 kbit/s).
+    /// Activates the bit rate of `index` by LSS (Table 21: index 0 is 1 Mbit/s, 2 is 500 kbit/s, 3 is 250 kbit/s, 4 is
+    /// 125 kbit/s).
     void activate(std::size_t index) {
         send("7E5#0401");
         send("7E5#1300" + hex_le(index, 1));
         send("7E5#150100");
         pass(2);
     }
-    /// Activates and stores a bit rate; ends in LSS waiting.
+    /// Activates and stores a bit rate, then returns to the LSS state waiting.
     void activate_and_store(std::size_t index) {
         activate(index);
         send("7E5#17");
@@ -143,7 +145,7 @@ TEST_F(SlewRate, SlewRateSavedAtAnotherBitRateIsNotUsed) {
 TEST_F(SlewRate, RestoredSlewRateSuitsTheBitRateInUse) {
     verifies<req::INC_SLEW_002, req::INC_STORE_004>();
     activate_and_store(0);
-    // first all groups are restored, then only that of the manufacturer
+    // first all groups are restored, then only the group of the manufacturer
     for (const std::uint8_t group : {std::uint8_t{1}, std::uint8_t{3}}) {
         power_on();
         write(0x2000, 0, 0, 1);
