@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four outputs of the CAN-CBX-AO412: voltage from 6411h (Write Analogue Output 16-Bit), calibration and error mode
-// (4.3.1, 7.10, 7.11). Shares no code with the firmware.
+// (manual, 4.3.1, 7.10, 7.11). Shares no code with the firmware.
 #pragma once
 
 #include <array>

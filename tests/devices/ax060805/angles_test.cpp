@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (2.1, 3.2 to 3.7, 4.3), node 127. Angles are read
-// in hundredths of a degree, accelerations in thousandths of g.
+// Angles, initial angles, Auto-Null and angle ranges of the AX060805 (manual, 2.1, 3.2 to 3.7, 4.3), node 127. Angles
+// are read in hundredths of a degree, accelerations in thousandths of g.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the AX060805 (4.2.2, 4.2.4, 4.2.13, Tables 5 and 22), node 127: emergency messages on 0FFh.
+// Errors of the AX060805 (manual, 4.2.2, 4.2.4, 4.2.13, Tables 5 and 22), node 127: emergency messages on 0FFh.
 #include <algorithm>
 #include <cmath>
 

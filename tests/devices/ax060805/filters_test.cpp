@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sampling, input filter, additional filters and latency of the AX060805 (3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10 to
-// 4.3.12, 4.3.34), node 127.
+// Sampling, input filter, additional filters and latency of the AX060805 (manual, 3.2, 3.3, 5.1.2, 4.3.2, 4.3.3, 4.3.10
+// to 4.3.12, 4.3.34), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources and the ten binary functions of the AX060805 (3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
+// Sources and the ten binary functions of the AX060805 (manual, 3.1, 3.8, 3.9, 4.3.22 to 4.3.32), node 127.
 // tests/devices/ax060805/blocks/binary_function_test.cpp tests their arithmetic.
 #include <cmath>
 

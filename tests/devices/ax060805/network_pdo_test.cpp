@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The PDOs of the AX060805 (3.9, 3.10), node 127.
+// The PDOs of the AX060805 (manual, 3.9, 3.10), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/network_cases.hpp"
 #include "tests/support/verifies.hpp"

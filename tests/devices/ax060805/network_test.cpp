@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (4.1, 4.2), node 127.
+// The AX060805 on its network: LSS, storing, identity, heartbeat, self-start (manual, 4.1, 4.2), node 127.
 #include <cmath>
 
 #include "generated/ax060805/requirements.hpp"

@@ -48,7 +48,7 @@ TEST_F(InclinometerObjectSheet, ErrorListMatchesTheManual) {
     check_error_list(4);
 }
 
-// 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
+// Section 4.2.10: the producer heartbeat time is 0 (off), or 10 to 65535 ms
 TEST_F(InclinometerObjectSheet, ProducerHeartbeatMatchesTheManual) {
     verifies<req::INC_OD_1017>();
     check_producer_heartbeat();
@@ -70,7 +70,7 @@ TEST_F(InclinometerObjectSheet, PdoCommunicationParametersMatchTheManual) {
     });
 }
 
-// 4.2.14 and 4.2.15: mappings
+// Sections 4.2.14 and 4.2.15: mappings
 TEST_F(InclinometerObjectSheet, PdoMappingsMatchTheManual) {
     verifies<req::INC_OD_1600, req::INC_OD_1601, req::INC_OD_1602, req::INC_OD_1603, req::INC_OD_1A00, req::INC_OD_1A01,
              req::INC_OD_1A02, req::INC_OD_1A03>();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pending activities of an AX060805 and each event that can end, keep, force or restart them. These activities are the
-// next sample (5.1.2), the next sample of the additional filters and their blocks (4.3.10 to 4.3.12), and received
-// values until their RPDO is late (3.10.1, 4.2.15). Node 127; the input filter is off, everything is stored.
+// next sample (manual, 5.1.2), the next sample of the additional filters and their blocks (manual, 4.3.10 to 4.3.12),
+// and received values until their RPDO is late (manual, 3.10.1, 4.2.15). Node 127; the input filter is off, everything
+// is stored.
 #include <functional>
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that an AX060805 receives as sources of its functions (3.10.1, 4.3.19 to 4.3.21), node 127.
+// Values that an AX060805 receives as sources of its functions (manual, 3.10.1, 4.3.19 to 4.3.21), node 127.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_functions.hpp"
 #include "tests/support/verifies.hpp"

@@ -48,7 +48,7 @@ TEST(InclinometerTables, AngleFilterTableFollowsTheManual) {
     EXPECT_EQ(t::find(3), nullptr);
 }
 
-// 3.8 Table 10: rows are in the order of the operation number
+// Section 3.8, Table 10: rows are in the order of the operation number
 TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     verifies<req::INC_T10>();
     namespace t = own::binary_function;
@@ -67,8 +67,8 @@ TEST(InclinometerTables, BinaryFunctionTableFollowsTheManual) {
     EXPECT_EQ(t::find(21), nullptr);
 }
 
-// 5.1.1 Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841 have 0.06
-// degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
+// Section 5.1.1, Table 62: AX060805 has 0.35 degrees, 3.5 degrees, 0.7 % and 3.5 %; AX060835, AX060840 and AX060841
+// have 0.06 degrees, 3.0 degrees, 0.1 % and 1 %. Other parts do not exist.
 TEST(InclinometerTables, SensorTableFollowsTheManualByPartNumber) {
     verifies<req::INC_T62>();
     namespace t = own::sensor_accuracy;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angles of the AX060805 that are undefined: the Euler roll at the vertical, every angle without gravity, the sign of
-// half a turn (2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
+// half a turn (manual, 2.1.3 to 2.1.6, 3.3), node 127. Angles are read in hundredths of a degree.
 #include "generated/ax060805/requirements.hpp"
 #include "tests/devices/ax060805/inclinometer_bench.hpp"
 #include "tests/support/verifies.hpp"

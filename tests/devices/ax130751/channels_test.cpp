@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each output of an AX130751 follows its own parameters, while the other output has different ones (1.2, 1.3).
+// Each output of an AX130751 follows its own parameters, while the other output has different ones (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"
 #include "tests/support/verifies.hpp"
@@ -21,7 +21,8 @@ class Ax130751Channels : public Ax130751Blocks {
         set8(source_index, output, canopen);
         set8(static_cast<std::uint16_t>(source_index + 1), output, 3 + output);
     }
-    /// Lets the RPDOs time out after 50 ms: RPDO1 maps 7300h:1, 7300h:2 and 6220h:3, RPDO4 6220h:1 and 6220h:2.
+    /// Lets RPDO1 and RPDO4 time out after 50 ms. RPDO1 sets both process values (7300h) and the relay (6220h:3), RPDO4
+    /// sets the states of both outputs (6220h:1, 6220h:2).
     void lose_commands() {
         set16(0x1400, 5, 50);
         set16(0x1403, 5, 50);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The AX130751 with the most work in a cycle: all blocks run, every input reads a received value, and all RPDOs are
-// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses one of
+// overdue. On the microcontroller, src/target/run_suites measures the longest cycle of all tests and refuses a cycle of
 // more than 55 % of its period.
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/ax130751_blocks.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The universal outputs of the AX130751 over SDO: scaling and types (1.2, 1.3).
+// The universal outputs of the AX130751 over SDO: scaling and types (manual, 1.2, 1.3).
 #include "generated/ax130751/requirements.hpp"
 #include "tests/devices/ax130751/output_cases.hpp"
 #include "tests/support/verifies.hpp"
@@ -39,7 +39,7 @@ TEST_F(Ax130751Output, InverseSlopeLowersTheOutput) {
 TEST_F(Ax130751Output, ProcessAndFieldValueHaveTheirOwnDecimalDigits) {
     verifies<req::AOR_OUT_005>();
     make(10);
-    set8(0x6302, 1, 1);      // process value in tenths: 7320h…7322h are 0…500.0
+    set8(0x6302, 1, 1);      // process value in tenths: its scaling is 0…500.0
     set8(0x6332, 1, 2);      // field value in hundredths of a volt
     set16(0x7321, 1, 0);     // process value 0 becomes 0 V
     set16(0x7323, 1, 1000);  // the largest process value becomes 10.00 V
@@ -90,7 +90,7 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     verifies<req::AOR_OUT_018, req::AOR_OUT_019, req::AOR_OUT_020>();
     make(10);
     set16(0x2380, 1, 0);
-    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through it
+    inputs.load[0] = 10000.0F;  // 14 V would drive 1.4 mA through this load
     set_inputs();
     command(1, 5000);
     EXPECT_FLOAT_EQ(volts(1), 5.0F);
@@ -285,7 +285,7 @@ TEST_F(Ax130751Output, OutputOfANewTypeIsOffAtFirst) {
     EXPECT_FLOAT_EQ(duty(1), 2.5F) << "5 % in a second, from OFF";
 }
 
-// The control is source 6, the target of the output itself. Its value under the old type is cleared before it is read.
+// Output 1 follows its own target (source 6). The target of the old type is cleared before the output reads it.
 TEST_F(Ax130751Output, OutputThatFollowsItselfStartsFromOffAfterATypeChange) {
     verifies<req::AOR_OUT_023>();
     set8(0x5550, 0, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Restored defaults of the AX130751, group by group (manual 3.2.8), and 1020h (verify configuration), which no
+// Restored defaults of the AX130751, group by group (manual, 3.2.8), and 1020h (verify configuration), which no
 // configuration clears (3.2.12).
 #include "generated/ax130751/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
@@ -25,7 +25,7 @@ class Ax130751Restore : public Ax130751Test {
     static constexpr Values defaults{0, 1, 85};
     static constexpr Values changed{500, 0, 90};
 
-    /// Stores other values than the defaults in each group.
+    /// Stores values other than the defaults in each group.
     void store_changed() {
         EXPECT_EQ(write(0x1017, 0, 500, 2), "");
         EXPECT_EQ(write(0x6340, 2, 0, 1), "");

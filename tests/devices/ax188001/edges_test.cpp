@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the AX188001 at their edges, on both sides and much closer than 1 % (1.1, 3.3, 3.4, appendix A).
+// Checks the constants of the AX188001 (manual, 1.1, 3.3, 3.4, appendix A) on both sides, much closer than 1 %.
 #include <gtest/gtest.h>
 
 #include "generated/ax188001/requirements.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double finest_step_uv = 19531.25 / 32768.0;  // 2.5 V / 128 on 15 bits
 
-/// A reading of the converter at gain 128, and the nearest tenth of a degree.
+/// A voltage that the converter can read at gain 128, and the nearest tenth of a degree.
 struct Reading {
     double uv;
     int tenths;
@@ -30,7 +30,7 @@ double celsius_of(double uv) {
     return low;
 }
 
-/// Returns the reading between 60 and 200 degC that is closest to a tenth of a degree, above or below that tenth.
+/// Returns the reading between 60 and 200 degC whose temperature is closest to a tenth of a degree, above or below it.
 Reading closest(bool above) {
     Reading best{0.0, 0};
     double distance = 1.0;
@@ -48,7 +48,7 @@ Reading closest(bool above) {
     return best;
 }
 
-/// Channel 1 is of type J, without compensation or delay, and has wide limits.
+/// Fixture in which channel 1 is of type J, without compensation or delay, and has wide limits.
 class Edges : public TcsTest {
   protected:
     void SetUp() override {
@@ -139,7 +139,8 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
 
 TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
-    // Type T, -6.258 to 20.872 mV; 20 mV are read in steps of 1.192 uV, 6 mV in steps of 0.596 uV.
+    // The range of type T is -6.258 to 20.872 mV. The converter reads 20 mV in steps of 1.192 uV, 6 mV in steps of
+    // 0.596 uV.
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     show_high_limit(17250);
     EXPECT_EQ(write(0x4000, 1, 2, static_cast<std::uint16_t>(-2730)), 0U);
@@ -154,11 +155,11 @@ TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
     }
 }
 
-/// The temperature of the cold junction adds a small voltage to a reading. So the test can set a voltage 0.05 uV below
-/// or above the margin.
+/// The temperature of the cold junction adds a small voltage to a reading. With it the test sets a voltage 0.05 uV
+/// below or above the end of the margin.
 TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
-    const Its90Type& type = its90_types()[5];  // T: 20.872 mV and 10 uV
+    const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
     EXPECT_EQ(write(0x2000, 1, 1, 1), 0U);
     show_high_limit(17250);
@@ -191,7 +192,8 @@ TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
 
 TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
-    // 1 V of hum: 110 dB leave 3.16 uV, the wrong frequency 1330 uV (60 Hz selected) or 590 uV (50 Hz selected).
+    // Of 1 V of hum at the selected frequency, 110 dB leave 3.16 uV. At the other frequency the filter leaves 1330 uV
+    // (60 Hz selected) or 590 uV (50 Hz selected).
     struct Case {
         std::uint32_t filter;
         std::uint8_t mains;
@@ -206,7 +208,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
         read_once();
         const auto second = static_cast<std::int32_t>(read(0x2010, 1).value);
         EXPECT_NEAR(std::abs(first - second), 2.0 * one.left_uv,
-                    2.0);  // the hum adds to one reading and subtracts from the other; steps are 0.6 uV
+                    2.0);  // hum adds to one reading, subtracts from the other; steps are 0.6 uV
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FD1 to FD3: temperature of the processor and supply voltage (AX188001, 1.4, 3.4.19 to 3.4.21).
+// Fault detections FD1 to FD3 of the AX188001: temperature of the processor, high and low supply voltage (manual, 1.4,
+// 3.4.19 to 3.4.21).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -56,7 +57,7 @@ TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
     EXPECT_EQ(with(85.0F, 12.0F), (Frames{"165:0FF#0000000000000000"}));
 }
 
-/// 5040h holds tenths. 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
+/// 5040h (FD Field Value) is in tenths: 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
 TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009>();
     write(0x5051, 1, 2, 0);
@@ -86,7 +87,7 @@ TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
     inputs.supply = 9.0F;
     set_inputs();
     EXPECT_EQ(pass(7000), Frames{});
-    inputs.supply = 8.9F;  // measured in tenths of a volt
+    inputs.supply = 8.9F;  // the next lower tenth of a volt
     set_inputs();
     const Frames told = pass(7000);
     ASSERT_EQ(told.size(), 1U);
@@ -99,7 +100,7 @@ TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
     set_inputs();
     EXPECT_EQ(pass(1000), Frames{});
     inputs.supply = 8.5F;
-    set_inputs();  // applied at 1000 ms, read at 1155 ms
+    set_inputs();  // the supply changes at 1000 ms and is read at 1155 ms
     EXPECT_EQ(pass(6000), (Frames{"5155:0FF#0031010320000000"}));
     inputs.supply = 11.9F;
     set_inputs();
@@ -136,7 +137,7 @@ TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     inputs.cpu_temperature = 120.0F;
     set_inputs();
     pass(4000);
-    inputs.cpu_temperature = 100.0F;  // below the set threshold 110, but not below the clear threshold 85
+    inputs.cpu_temperature = 100.0F;  // between the clear threshold 85 and the set threshold 110
     set_inputs();
     EXPECT_EQ(pass(10000), Frames{});
 }

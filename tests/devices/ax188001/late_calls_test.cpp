@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AX188001 whose driver is late: missed readings are performed with the times at which they were due.
+// An AX188001 that its driver calls late: the device performs missed readings as if at the times at which they were
+// due.
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 class LateCalls : public TcsTest {
   protected:
-    /// Lets time pass without a call, then advances the device and returns its frames.
+    /// Lets time pass without a call of the device, then advances the device and returns its frames.
     Frames come_late(std::uint64_t ms) {
         now = now + milliseconds(ms);
         device->advance(now);
@@ -50,7 +51,7 @@ TEST_F(LateCalls, ReadingThatIsDueBeforeAFrameIsTakenFirst) {
 TEST_F(LateCalls, ReadingThatIsDueUsesTheInputsBeforeTheirChange) {
     verifies<req::TCS_IN_001>();
     heat(1, 100.0);
-    now = now + milliseconds(200);  // the device was not called since 0; a reading was due at 165
+    now = now + milliseconds(200);  // the device was not called since 0 ms; a reading was due at 165 ms
     heat(1, 50.0);
     EXPECT_EQ(process_value(1), 100 * 16 + 4368);
     pass(129);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of the channels, their status and delays (AX188001, 1.1, 3.3.6, 3.4.13 to 3.4.18).
+// Limits of the channels, their status and delays (AX188001 manual, 1.1, 3.3.6, 3.4.13 to 3.4.18).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -13,7 +13,7 @@ using Limits = TcsTest;
 
 }  // namespace
 
-// One step of the converter is 0.012 degC here, so tests this close to a threshold are decisive.
+// One step of the converter is 0.012 degC here, so the test uses values one step below and above each threshold.
 TEST_F(Limits, ThresholdsAreInTenthsOfADegree) {
     verifies<req::TCS_LIM_001, req::TCS_LIM_015, req::TCS_K_LIMIT_RESOLUTION, req::TCS_OD_4000, req::TCS_OD_4010,
              req::TCS_OD_4020, req::TCS_OD_4030, req::TCS_LIM_016, req::TCS_LIM_017>();
@@ -148,7 +148,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
     settle();
     EXPECT_EQ(process_value(1), -512);
     cut(1, false);
-    // The warning restarts with the first reading after the open circuit.
+    // The delay of the warning restarts with the first reading after the open circuit.
     const Frames frames = pass(165 + 5000);
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].substr(frames[0].find(':')), ":0FF#11F0010110000000");
@@ -158,7 +158,7 @@ TEST_F(Limits, OpenCircuitDropsPendingLimitFaults) {
 TEST_F(Limits, OpenCircuitIsReportedAfterItsDelay) {
     verifies<req::TCS_LIM_003, req::TCS_VAL_006, req::TCS_S_OPEN>();
     cut(2);
-    // Read at 165, detected at 165 + 1320 = 1485, reported at 6485.
+    // The voltage is read at 165 ms, the open circuit is detected at 165 + 1320 = 1485 ms and reported at 6485 ms.
     EXPECT_EQ(pass(6484), Frames{});
     EXPECT_EQ(process_value(2), -512);
     EXPECT_EQ(status(2), 0);
@@ -180,7 +180,7 @@ TEST_F(Limits, DisablingAChannelClearsItsFaultsAtOnce) {
     EXPECT_EQ(status(1), 0);
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x1002F011}));
     EXPECT_EQ(status(2), 0x02);
-    write(0x6112, 1, 1, 1);  // at 5165: its delay begins with the last reading, which is evaluated now
+    write(0x6112, 1, 1, 1);  // at 5165 ms: the delays begin with the last reading, which is evaluated now
     EXPECT_EQ(pass(4999), Frames{});
     EXPECT_EQ(pass(1), (Frames{"1:0FF#11F0010110000000", "1:0FF#11F0010140000000"}));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDOs (AX188001, 3.2.14, 3.2.15).
+// PDOs (AX188001 manual, 3.2.14, 3.2.15).
 #include "generated/ax188001/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -23,7 +23,7 @@ TEST_F(Pdos, Tpdo1IsSentEverySecond) {
     heat(2, -15.0);
     read_once();
     EXPECT_EQ(pass(3000), Frames{});
-    // the value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h
+    // The process value of 100 degC is 5968 = 1750h, that of -15 degC is 4128 = 1020h.
     EXPECT_EQ(send("000#0100"), (Frames{"1FF#50172010"}));
     EXPECT_EQ(pass(2500), (Frames{"1000:1FF#50172010", "2000:1FF#50172010"}));
     EXPECT_EQ(send("1FF#R"), Frames{});  // bit 30 of the COB-ID: no RTR
@@ -54,7 +54,7 @@ TEST_F(Pdos, Tpdo2CarriesAverageAndColdJunctionWhenMadeValid) {
     inputs.cold_junction = 25.0F;
     set_inputs();
     read_once();
-    // the value of 50 degC is 5168 = 1430h, that of 25 degC is 4768 = 12A0h
+    // The process value of 50 degC is 5168 = 1430h, that of 25 degC is 4768 = 12A0h.
     EXPECT_EQ(send("000#0100"), (Frames{"2FF#3014A012"}));
     EXPECT_EQ(pass(1400), (Frames{"700:2FF#3014A012", "1400:2FF#3014A012"}));
 }
@@ -143,7 +143,7 @@ TEST_F(Pdos, TransmissionTypesAreReadOnlyAndAChangeSendsNoTpdo) {
     EXPECT_EQ(read(0x1800, 5).value, 1000U);
     EXPECT_EQ(write(0x1800, 5, 2, 0), 0U);
     EXPECT_EQ(send("000#0100"), Frames{});
-    heat(1, 100.0);  // a change sends nothing
+    heat(1, 100.0);  // a changed value sends no TPDO
     EXPECT_EQ(pass(5000), Frames{});
 }
 

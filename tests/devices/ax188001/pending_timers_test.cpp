@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fault of the AX188001 that is pending for its delay (4030h, 5051h), and each event that can end, keep or restart
-// the delay (1.1, 1.4, 3.4.16, 3.4.21). Readings are at multiples of 165 ms; the first one that shows the fault starts
-// the delay.
+// Each event that can end, keep or restart the delay of a pending fault of the AX188001 (manual, 1.1, 1.4, 3.4.16,
+// 3.4.21). 4030h (TC Error React Delay) and 5051h (FD Error Response Delay) set this delay. Readings are at multiples
+// of 165 ms; the first one that shows the fault starts the delay.
 #include <functional>
 
 #include "generated/ax188001/requirements.hpp"
@@ -118,7 +118,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
         {"it ends", [&] { supply(24.0F); }, never_told},
         {"it ends between the thresholds and comes again",
          [&] {
-             supply(49.0F);  // set at 50 V, cleared at 48 V
+             supply(49.0F);  // the thresholds are 50 V (set) and 48 V (clear)
              pass(200);
              supply(55.0F);
          },
@@ -168,8 +168,8 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-// Read at 165 ms. The circuit breaks at 500 ms, which is detected at 660 + 1320 = 1980, and is closed again at 2500,
-// which the reading at 2640 shows.
+// The limit fault is read at 165 ms. The circuit breaks at 500 ms; this is detected at 660 + 1320 = 1980 ms. The
+// circuit is closed again at 2500 ms; the reading at 2640 ms shows this.
 TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_012, req::TCS_LIM_018>();
     struct Limit {

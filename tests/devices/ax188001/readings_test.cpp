@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Readings at the terminals: their times, the gains, the steps of the converter, and the rejection of mains hum
-// (AX188001, 1.1, 3.3).
+// (AX188001 manual, 1.1, 3.3).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/ax188001/tables.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -18,7 +18,7 @@ TEST_F(Values, LargeVoltageIsReadDuringBootUp) {
     verifies<req::TCS_IN_001>();
     inputs.tc_microvolts[0] = 57000.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
-    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // J: 1.277 mV at 25 degC
+    EXPECT_NEAR(static_cast<double>(read(0x2010, 1).value), 57000.0 + 1277.0, 3.0);  // type J has 1.277 mV at 25 degC
 }
 
 TEST_F(Values, ThermocoupleInputsAreReadEvery165Milliseconds) {
@@ -143,8 +143,8 @@ TEST_F(Values, HumAddsAndSubtractsInTurn) {
     inputs.tc_hum[0] = 1000000.0F;
     inputs.mains_frequency = 50;  // 57.5 dB leave 1.33 mV of 1 V
     power_on();
-    // J at the 25 degC of the cold junction: 1277 uV. The start makes nine conversions. The hum adds to the first, and
-    // therefore to the ninth too.
+    // Type J has 1277 uV at the 25 degC of the cold junction. The start makes nine conversions. The hum adds to the
+    // first, and therefore to the ninth too.
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 + 1330, 3);
     read_once();
     EXPECT_NEAR(static_cast<std::int32_t>(read(0x2010, 1).value), 1277 - 1330, 3);
@@ -167,7 +167,7 @@ TEST_F(Values, FilterAccepts50And60HertzOnly) {
 TEST_F(Values, LateCallPerformsEightMissedReadings) {
     verifies<req::TCS_IN_015>();
     write(0x2000, 1, 1, 0);
-    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows it
+    microvolts(1, 60000.0);  // two gain changes: the ninth reading shows this voltage
     now = now + milliseconds(9 * period_ms);
     device->advance(now);
     EXPECT_EQ(device->outputs().tc_gain[0], 32);

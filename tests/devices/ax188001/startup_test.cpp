@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and LSS (AX188001, 1.4, 3.1, 3.4.22, 3.4.23).
+// Start and LSS of the AX188001 (manual, 1.4, 3.1, 3.4.22, 3.4.23).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -87,7 +87,7 @@ TEST_F(Ax188001Startup, NmtCommandCancelsTheStartOfTheOtherNodes) {
     EXPECT_EQ(device->state(), NmtState::operational);
     EXPECT_EQ(pass(5000), (Frames{"500:1FF#A012A012", "1500:1FF#A012A012", "2500:1FF#A012A012", "3500:1FF#A012A012",
                                   "4500:1FF#A012A012"}));
-    for (const char* other : {"000#FF00", "201#0205"}) {  // no command, and a frame that only resembles one
+    for (const char* other : {"000#FF00", "201#0205"}) {  // not an NMT command, and a frame that only resembles one
         power_on();
         pass(500);
         send(other);
@@ -151,7 +151,7 @@ TEST_F(Ax188001Startup, EachSupplyOrTemperatureFaultPreventsTheSelfStartInMode1)
 TEST_F(Ax188001Startup, FaultAtBootUpIsReportedBeforeItStopsTheNode) {
     verifies<req::TCS_START_005, req::TCS_ERR_010>();
     write(0x5051, 1, 2, 0);
-    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // stopped, where no emergency message is sent
+    EXPECT_EQ(write(0x1029, 3, 1, 2), 0U);  // 2: stopped, where the node sends no emergency message
     start_with(1);
     inputs.cpu_temperature = 120.0F;
     EXPECT_EQ(power_on(), (Frames{"77F#00", "0FF#0042010110000000"}));
@@ -239,7 +239,7 @@ TEST_F(LssSession, StoredCobIdsFollowTheNodeIdUnlessChanged) {
 
 TEST_F(LssSession, CapturedSessionChangesTheBitRate) {
     verifies<req::TCS_LSS_003, req::TCS_LSS_004, req::TCS_T4, req::TCS_LSS_009>();
-    // Frames 95 to 102 on node 80: the capture begins with the node-ID already set.
+    // Frames 95 to 102 of the capture in the manual, on node 80: this capture begins with the node-ID already set.
     talk({{"7E5#0401", {}}, {"7E5#1150", {"7E4#110000"}}, {"7E5#17", {"7E4#170000"}}, {"7E5#0400", {"750#00"}}});
     node = 80;
     talk({{"7E5#0401", {}}, {"7E5#130003", {"7E4#130000"}}, {"7E5#158813", {}}});  // a switch delay of 1388h = 5000 ms

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Storing and restoring (AX188001, 3.2.7, 3.2.8).
+// Storing and restoring of parameters of the AX188001 (manual, 3.2.7, 3.2.8).
 #include <map>
 
 #include "generated/ax188001/requirements.hpp"
@@ -21,8 +21,8 @@ struct Parameter {
     std::uint32_t value;
 };
 
-/// Returns a value other than the default for every writable entry; no two are equal where the range allows it. The
-/// order of the thresholds keeps their distance at each write.
+/// Returns a value other than the default for every writable entry. No two values are equal where the range allows it.
+/// The thresholds are in an order that keeps their least distance at each write.
 std::vector<Parameter> every_parameter() {
     std::vector<Parameter> all{{0x100C, 0, 2, 101},  {0x100D, 0, 1, 3},    {0x1017, 0, 2, 60000}, {0x1029, 1, 1, 1},
                                {0x1029, 2, 1, 2},    {0x1029, 3, 1, 1},    {0x2020, 0, 1, 50},    {0x2112, 0, 1, 0},
@@ -96,7 +96,7 @@ TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
             EXPECT_EQ(read(one.index, one.sub).size, one.size) << fmt::format("{:04X}:{}", one.index, one.sub);
         }
     };
-    expect_all();  // each entry is stored in its own place
+    expect_all();  // each entry has its own value
     EXPECT_EQ(write(0x1010, 1, 4, save), 0U);
     power_on();
     expect_all();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001, 1.1 to 1.3, 3.3,
-// 3.4).
+// Values from terminal voltages: conversion, compensation, scaling, average, cold junction (AX188001 manual, 1.1 to
+// 1.3, 3.3, 3.4).
 #include "generated/ax188001/requirements.hpp"
 #include "generated/canopen/requirements.hpp"
 #include "tests/devices/ax188001/tcs_bench.hpp"
@@ -46,24 +46,24 @@ TEST_F(Values, TypeEVoltageBeyondTheConverterIsReadAsOpenCircuit) {
     verifies<req::TCS_IN_012, req::TCS_IN_018, req::TCS_IN_006>();
     EXPECT_EQ(write(0x6110, 1, 2, 9), 0U);
     inputs.cold_junction = -40.0F;  // the type E voltage of the cold junction is -2.255 mV
-    heat(1, 990.0, 'E');            // 75.621 mV, at the terminals 77.876
+    heat(1, 990.0, 'E');            // type E has 75.621 mV; at the terminals 77.876 mV
     settle();
     EXPECT_NEAR(field_value(1).real(), 990.0F, 1.0F);
-    heat(1, 1000.0, 'E');  // 76.373 mV, at the terminals 78.628: more than 78.125
+    heat(1, 1000.0, 'E');  // 76.373 mV; 78.628 mV at the terminals exceed the 78.125 mV of the converter
     settle();
     EXPECT_EQ(process_value(1), -512);
 }
 
 TEST_F(Values, ColdJunctionIsCompensatedInTheVoltageDomain) {
     verifies<req::TCS_CJ_003, req::TCS_IN_009, req::TCS_OD_2010>();
-    // K at 1000 degC is 41.276 mV, at 25 degC 1.000 mV; adding temperatures instead would give 25 + T(40.276 mV) =
-    // 999.3.
+    // Type K has 41.276 mV at 1000 degC and 1.000 mV at 25 degC. Adding temperatures instead of voltages would give 25
+    // + T(40.276 mV) = 999.3 degC.
     write(0x6110, 1, 2, 2);
     microvolts(1, 41276.0 - 1000.0);
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.1F);
     EXPECT_NEAR(read(0x2010, 1).value, 41276, 2);
-    inputs.cold_junction = 85.0F;  // K: 3.474 mV; the same terminal voltage is now about 1060 degC
+    inputs.cold_junction = 85.0F;  // type K: 3.474 mV; the same terminal voltage is now about 1060 degC
     set_inputs();
     settle();
     EXPECT_NEAR(read(0x2010, 1).value, 40276 + 3474, 2);
@@ -100,7 +100,7 @@ TEST_F(Values, TypeBIsConvertedWithAColdJunctionBelow0Degrees) {
     verifies<req::TCS_CJ_003, req::TCS_CJ_005>();
     inputs.cold_junction = -40.0F;
     write(0x6110, 1, 2, 10);
-    // B at 1000 degC 4.834 mV; at -40 degC 19.4 uV, by the polynomial
+    // Type B has 4.834 mV at 1000 degC and, by the polynomial, 19.4 uV at -40 degC.
     microvolts(1, 4834.0 - 19.4);
     settle();
     EXPECT_NEAR(field_value(1).real(), 1000.0F, 0.2F);
@@ -188,7 +188,7 @@ TEST_F(Values, OpenCircuitIsShownBeforeItsFaultDelayAndTheLastVoltageIsKept) {
     const auto before = read(0x2010, 1).value;
     cut(1);
     pass(8 * 165);
-    EXPECT_EQ(process_value(1), 4768);  // two gain changes of four readings each
+    EXPECT_EQ(process_value(1), 4768);  // not found yet: it takes two gain changes of four readings each
     pass(165);                          // 1485 ms after the break
     EXPECT_EQ(read(0x7130, 1).value, 0xFE00U);
     EXPECT_EQ(field_value(1).value, not_a_number);

@@ -20,7 +20,7 @@ struct Row {
     bool writable;
 };
 
-// 7.9.1 to 7.12.2, written by hand
+// The entries of sections 7.9.1 to 7.12.2, written by hand.
 const std::vector<Row> rows{
     {0x1000, 0, 0x00080191, 4, false}, {0x1001, 0, 0, 1, false},          {0x1002, 0, 0, 4, false},
     {0x1003, 0, 0, 1, true},           {0x1003, 1, 0, 4, false},          {0x1003, 10, 0, 4, false},
@@ -98,8 +98,8 @@ TEST_F(Dictionary, NumberOfObjectsIsThatOfTheManual) {
         const Frames answer = send(fmt::format("603#40{}00000000", little_endian(index, 2) + "00"));
         found += answer.at(0).substr(12) == "00000206" ? 0 : 1;
     }
-    // 22 objects of 7.9 without PDOs (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
-    // 1029h), 4 PDO objects, 1F80h and 1F91h, 3 of 7.10, 2 of 7.11, 3 of 7.12
+    // Section 7.9 has 22 objects (1000h-1003h, 1005h, 1006h, 1008h-100Ah, 100Ch-100Eh, 1010h, 1011h, 1014h-1020h,
+    // 1029h), 4 PDO objects, 1F80h and 1F91h. Section 7.10 has 3 objects, 7.11 has 2, 7.12 has 3.
     EXPECT_EQ(found, 4U + 2U + 3U + 3U + 2U + 7U + 1U + 4U + 2U + 3U + 2U + 3U);
 }
 

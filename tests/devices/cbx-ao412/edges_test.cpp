@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of the CAN-CBX-AO412 at their edges, on both sides and much closer than 1 % (3.2.1, 7.9.23, 7.10, 7.11).
+// Checks the constants of the CAN-CBX-AO412 (manual, 3.2.1, 7.9.23, 7.10, 7.11) on both sides, much closer than 1 %.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ class AnalogEdges : public CbxTest {
 
 TEST_F(AnalogEdges, OffsetOfEachOutputIsExactOnBothSidesOfAStep) {
     verifies<req::AO4_AOUT_004, req::AO4_K_OFFSET_SCALE, req::AO4_OD_2404>();
-    // n times 312.5 uV in steps of 2.49194 mV, half a step rounded up: 8 * 312.5 / 2491.94 = 1.0032 for example.
+    // An offset n is n times 312.5 uV, rounded to steps of 2.49194 mV, half a step upwards. For example 8 * 312.5 /
+    // 2491.94 = 1.0032 gives one step.
     for (int output = 1; output <= 4; ++output) {
         for (const int offset : {3, 4, 8, 11, 12, 1600, 15999, -4, -12, -20000}) {
             put(0x2404, output, offset);

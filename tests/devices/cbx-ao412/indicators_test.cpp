@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LEDs of the CAN-CBX-AO412 (3.2), node 3.
+// LEDs of the CAN-CBX-AO412 (manual, 3.2), node 3.
 #include "generated/cbx_ao412/requirements.hpp"
 #include "tests/devices/cbx-ao412/bench.hpp"
 #include "tests/support/verifies.hpp"
@@ -14,7 +14,8 @@ class Leds : public CbxTest {
         CbxTest::SetUp();
         pass(4000);  // the pattern has run for some time when it is sampled
     }
-    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Sampled after 50 ms of each.
+    /// Returns the LED over time, one character per 100 ms: # lit, . dark. Samples the LED in the middle of each 100
+    /// ms.
     std::string watch(bool generated::cbx_ao412::Outputs::*led, int tenths) {
         std::string seen;
         pass(50);
@@ -25,7 +26,7 @@ class Leds : public CbxTest {
         pass(50);
         return seen;
     }
-    /// Returns whether `seen` repeats the pattern `round`; it may begin anywhere in the pattern.
+    /// Returns whether `seen` repeats the pattern `round`; `seen` may begin anywhere in the pattern.
     static bool repeats(const std::string& seen, const std::string& round) {
         std::string endless;
         while (endless.size() < seen.size() + round.size()) {
@@ -39,11 +40,11 @@ class Leds : public CbxTest {
     static constexpr auto p = &generated::cbx_ao412::Outputs::led_p;
 };
 
-// The rounds of 3.2.1, with one character for each 100 ms
+// The patterns of section 3.2.1, one character for each 100 ms.
 const std::string blinking = "##..";
 const std::string one_flash = "##..............";          // 200 ms on, 1400 ms off
 const std::string two_flashes = "##..##..........";        // 200 ms on, 200 ms off, 200 ms on, 1000 ms off
-const std::string three_flashes = "##..##..##..........";  // three flashes, same times
+const std::string three_flashes = "##..##..##..........";  // three flashes of 200 ms, then 1000 ms off
 const std::string lit(40, '#');
 const std::string dark(40, '.');
 
@@ -59,7 +60,7 @@ TEST_F(Leds, StatusLedFollowsTheNmtState) {
     EXPECT_TRUE(repeats(watch(s, 40), one_flash));
 }
 
-/// LED S is dark from 200 to 400 ms while it blinks.
+/// While LED S blinks, it is dark from 200 to 400 ms after the start.
 TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
@@ -99,7 +100,7 @@ TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
     EXPECT_FALSE(device->outputs().led_e);
     pass(1);
     EXPECT_TRUE(repeats(watch(e, 40), two_flashes));
-    send("603#2B0C100000000000");  // ends the guarding error
+    send("603#2B0C100000000000");  // guard time 0 ends the guarding error
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 3;
     set_inputs();
@@ -129,7 +130,7 @@ TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
     send("000#8103");
-    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // the failure is still active
+    EXPECT_TRUE(repeats(watch(m, 40), two_flashes));  // the hardware failure is still active
     inputs.hardware_fault = false;
     set_inputs();
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
@@ -178,7 +179,7 @@ TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
 
 TEST_F(Leds, RedAndGreenLedsFlashInTurn) {
     verifies<req::AO4_LED_006>();
-    // stopped: green flashes once per 1.6 s; warning limit: red does so too
+    // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
     send("000#0203");
     inputs.can_state = 1;
     set_inputs();

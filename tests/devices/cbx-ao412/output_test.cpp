@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Analog outputs of the CAN-CBX-AO412 (4.3.1, 7.7, 7.10, 7.11), node 3.
+// Analog outputs of the CAN-CBX-AO412 (manual, 4.3.1, 7.7, 7.10, 7.11), node 3.
 #include <fmt/format.h>
 
 #include "generated/canopen/requirements.hpp"
@@ -93,7 +93,7 @@ class OutputInError : public Output {
         expect_steps(1, 0);
         expect_steps(2, 2048);
         expect_steps(3, 1024);
-        expect_steps(4, 0);  // mode 1 by default, error value 0
+        expect_steps(4, 0);  // error mode 1 by default: the error value, 0
     }
 };
 
@@ -120,7 +120,7 @@ TEST_F(OutputInError, HardwareFailureSetsTheOutputByTheErrorMode) {
     expect_error_outputs();
     send("000#8103");
     for (int output = 1; output <= 4; ++output) {
-        expect_steps(output, 0);  // 6443h (Analogue Output Error Mode) is 1 by default, 6444h 0
+        expect_steps(output, 0);  // 6443h (error mode) is 1, 6444h (error value) is 0 by default
     }
 }
 
@@ -197,7 +197,7 @@ TEST_F(Output, RestoreBringsBackTheFactoryCalibration) {
     factory.offset = {10, 20, 30, 40};
     factory.gain = {-1, -2, -3, -4};
     power_on();
-    for (int output = 1; output <= 4; ++output) {  // 2404h calibration offset 10 to 40, 2405h gain -1 to -4
+    for (int output = 1; output <= 4; ++output) {  // 2404h (offset) is 10 to 40, 2405h (gain) is -1 to -4
         EXPECT_EQ(send(fmt::format("603#400424{:02X}00000000", output)),
                   (Frames{fmt::format("583#4B0424{:02X}{:02X}000000", output, 10 * output)}));
         EXPECT_EQ(send(fmt::format("603#400524{:02X}00000000", output)),
@@ -256,7 +256,7 @@ TEST_F(OutputInError, CalibrationGainChangesThePresentOutputValue) {
 
 TEST_F(OutputInError, LowerHalfOfTheErrorValueHasNoEffect) {
     verifies<req::AO4_AOUT_007, req::AO4_AOUT_015>();
-    // The values up to 0003h of the upper half give 0 V, 0004h gives one step.
+    // Up to 0003h, the upper half of the error value gives 0 V; 0004h gives one step.
     for (const auto& [value, steps] : {std::pair{"FFFF0300", 0}, std::pair{"00000400", 1}, std::pair{"FFFF0400", 1}}) {
         write(std::string{"603#23446402"} + value);
         inputs.internal_fault = true;
@@ -285,7 +285,7 @@ TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     write("603#2B11640200200000");
     write("603#2B11640300200000");
     write("603#2F43640100000000");  // error mode of output 1: 0 V
-    write("603#2F43640201000000");  // error mode of output 2: the value of 6444h
+    write("603#2F43640201000000");  // error mode of output 2: the error value (6444h)
     write("603#2344640200000004");  // 6444h:2 (Analogue Output Error Value) = 0400h = 1024: 128 steps
     write("603#2F43640302000000");  // error mode of output 3: unchanged
     write("603#2310100173617665");
@@ -301,7 +301,7 @@ TEST_F(Output, ResetDuringAnInternalFailureSetsTheOutputsByTheErrorMode) {
     expect_steps(3, 0);  // output 3 has been at 0 V since power-on
 }
 
-/// The supply is cut and returns: the same device restarts.
+/// The supply is cut and returns: the same device object restarts.
 TEST_F(Output, PowerOnWithAFailureOrAnInvalidNodeIdStartsWithoutVoltage) {
     verifies<req::AO4_AOUT_010, req::AO4_AOUT_013, req::AO4_SW_002>();
     for (int output = 1; output <= 4; ++output) {
@@ -331,7 +331,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
         set(output, "0020");                                         // 2000h = 8192: 1024 steps
         write("603#2F43640" + std::to_string(output) + "02000000");  // error mode of the output: unchanged
     }
-    write("603#2310100173617665");  // saves all parameters, among them a calibration offset of 0
+    write("603#2310100173617665");  // saves all parameters, also the calibration offset 0
     for (int output = 1; output <= 4; ++output) {
         write("603#2B04240" + std::to_string(output) + "08000000");  // 8 * 312.5 uV = 2.5 mV, one step
         expect_steps(output, 1025);
@@ -350,7 +350,7 @@ TEST_F(Output, ResetDuringAFailureAppliesTheStoredCalibration) {
 TEST_F(Output, ResetDuringAHardwareFailureDoesNotSetStoredValues) {
     verifies<req::AO4_AOUT_013>();
     set(2, "0020");                 // 2000h = 8192: 1024 steps
-    write("603#2310100173617665");  // 1010h:1 saves 6443h = 1 and 6444h = 0
+    write("603#2310100173617665");  // 1010h:1 saves 6443h (error mode) = 1 and 6444h (error value) = 0
     inputs.hardware_fault = true;
     set_inputs();
     send("000#8103");
@@ -366,7 +366,7 @@ TEST_F(OutputInError, ResetNodeEndsACommunicationError) {
     expect_error_outputs();
     inputs.internal_fault = false;
     set_inputs();
-    set(1, "0010");  // the heartbeat of the producer is still missing
+    set(1, "0010");  // has no effect: the heartbeat of the producer is still missing
     expect_error_outputs();
     send("000#8103");
     set(1, "0010");  // 1000h = 4096: 512 steps

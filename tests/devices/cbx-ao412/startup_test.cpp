@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Switches, self-start and program objects of the CAN-CBX-AO412 (3.3, 7.9.22, 7.9.23, 7.12).
+// Switches, self-start and program objects of the CAN-CBX-AO412 (manual, 3.3, 7.9.22, 7.9.23, 7.12).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ TEST_F(Startup, InvalidNodeIdKeepsTheModuleSilent) {
     }
 }
 
-// 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
+// Section 7.9.18: 'A' is 41h, 'K' 4Bh, 'Z' 5Ah; bit 7 is also set, and the digits are BCD
 TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
     verifies<req::AO4_ID_001, req::AO4_OD_1018>();
     EXPECT_EQ(send("603#4018100400000000"), (Frames{"583#431810040501C2C1"}));  // serial number AB 0105
@@ -50,7 +50,7 @@ TEST_F(Startup, SerialNumberIsTwoLettersAndFourDigits) {
 
 TEST_F(Startup, BitRateFollowsTable11) {
     verifies<req::AO4_SW_003, req::AO4_T11, req::AO4_S_SWITCH_BAUD>();
-    // kbit/s as printed, thirds and sixths rounded to integer bit/s
+    // The printed values in kbit/s, as bit/s; thirds and sixths are rounded to integers.
     const std::vector<std::uint32_t> rates{1000000, 666667, 500000, 333333, 250000, 166000, 125000, 100000,
                                            66667,   50000,  33333,  20000,  12500,  10000,  800000, 83333};
     for (std::size_t setting = 0; setting < rates.size(); ++setting) {
@@ -129,7 +129,7 @@ TEST_F(Startup, ProgramControlKeepsItsLeastValuesToo) {
 
 TEST_F(Startup, DateOfTheFirmwareIsReadOnly) {
     verifies<req::AO4_PROG_003, req::AO4_PROG_005, req::AO4_OD_1F52>();
-    // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days = 10,958, then 327 days into 2014
+    // 2014-11-24 is 11,285 days after 1984-01-01: 30 years with 8 leap days are 10,958 days; 327 days of 2014 follow.
     EXPECT_EQ(10958 + 327, 11285);
     EXPECT_EQ(send("603#40521F0100000000"), (Frames{"583#43521F01152C0000"}));  // 11285 = 2C15h
     EXPECT_EQ(send("603#40521F0200000000"), (Frames{"583#43521F0200000000"}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Low-pass, moving average and repeating filter of the AX060805 (3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
+// Low-pass, moving average and repeating filter of the AX060805 (manual, 3.2, 3.3 Table 4, 4.3.10 to 4.3.12, 5.1.2).
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated AX060805: effects of its signals attitude, noise and supply (3.9, 5.1.1).
+// The simulated AX060805: effects of its signals attitude, noise and supply (manual, 3.9, 5.1.1).
 #include "devices/ax060805/simulation/inclinometer_plant.hpp"
 
 #include <gtest/gtest.h>
