@@ -151,7 +151,7 @@ bool holds_in_order(const std::vector<std::string>& all, const std::vector<std::
 }  // namespace
 
 /// A frame that a reset drops while it waits for the bus is in the replay only, because the replay has no bus.
-RC_GTEST_PROP(ReplayLaw, ReplayOfARunContainsItsLinesInTheirOrder, ()) {
+RC_GTEST_PROP(ReplayLaw, ReplayContainsTheFramesOfTheRecordedRunInTheirOrder, ()) {
     const std::string log = any_run();
     for (const auto& [name, of_node] : {std::pair{"cbx-ao412", 5}, std::pair{"ax188001", 6}}) {
         const auto device = make_device(name);

@@ -67,7 +67,7 @@ std::uint64_t integer_reference(int operation, std::uint64_t x, std::uint64_t y)
 
 }  // namespace
 
-RC_GTEST_PROP(SignalLaw, AnyContinuousValueIsConvertedToDiscreteByTheRule, ()) {
+RC_GTEST_PROP(SignalLaw, ContinuousToDiscreteTruncatesAndSaturatesForEveryFloat, ()) {
     verifies<req::INC_SIG_004, req::INC_SIG_009, req::INC_SIG_010>("property");
     const float value = any_float();
     RC_ASSERT(to_discrete(value) == whole(value));

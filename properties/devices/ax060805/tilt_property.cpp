@@ -179,7 +179,7 @@ InclinationSettings any_settings() {
 }  // namespace
 
 // Earlier directions have no effect, nor do the settings at the time of the last direction.
-RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings, ()) {
+RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionOfGravityAndThePresentSettings, ()) {
     verifies<req::INC_ANGLE_008, req::INC_ANGLE_016, req::INC_ANGLE_011>("property");
     Inclination inclination;
     InclinationSettings settings = any_settings();
@@ -207,7 +207,7 @@ RC_GTEST_PROP(InclinationLaw, AnglesFollowTheLastDirectionAndThePresentSettings,
     RC_ASSERT(inclination.is_roll_unsure() == fresh.is_roll_unsure());
 }
 
-RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirSpanAndTheFullTurnKeepsTheDirection, ()) {
+RC_GTEST_PROP(AngleRangeLaw, AnglesStayInTheirRangeAndTheRangeOfAFullTurnKeepsTheDirection, ()) {
     verifies<req::INC_RANGE_001, req::INC_RANGE_004, req::INC_RANGE_005>("property");
     const auto given = static_cast<float>(angle(180));
     const float full = in_span(given, {0, 360});

@@ -114,7 +114,7 @@ TEST_F(InclinometerEdges, SamplePeriodIsFiveMillisecondsToTheMicrosecond) {
     EXPECT_EQ(accelerations()[0], 500);
 }
 
-TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
+TEST_F(InclinometerEdges, LatencyIsRightForTheGreatestFilterConstantAndFilterRate) {
     verifies<req::INC_LATENCY_001, req::INC_OD_4010>();
     switch_filter_off();
     write(0x2052, 0, 1, 2);
@@ -129,7 +129,7 @@ TEST_F(InclinometerEdges, LatencyCountsTheGreatestConstantAndRate) {
     EXPECT_EQ(read(0x4010), 30000U);  // (2 - 1) / 2 * 60,000 ms
 }
 
-TEST_F(InclinometerEdges, AdditionalFiltersTakeASampleEachMinuteAtMost) {
+TEST_F(InclinometerEdges, AdditionalFiltersCanTakeOneSamplePerMinute) {
     verifies<req::INC_AVG_004, req::INC_OD_2052>();
     switch_filter_off();
     angle_digits(100);

@@ -8,11 +8,11 @@ namespace canproof::test {
 
 namespace {
 
-class FunctionsAfterReset : public InclinometerTest {};
+class Ax060805FunctionsAfterReset : public InclinometerTest {};
 
 }  // namespace
 
-TEST_F(FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
+TEST_F(Ax060805FunctionsAfterReset, FunctionFedByALaterFunctionHasNoInputInTheFirstPass) {
     verifies<req::INC_BIN_016, req::INC_SIG_002>();
     write_real(0x4070, 0, 5.0F);
     write(0x3020, 1, 24, 1);  // function 2 is 4070h + 0

@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-class Network : public InclinometerTest {
+class Ax060805Network : public InclinometerTest {
   protected:
     void store_all() { write(0x1010, 1, 0x65766173, 4); }
     void configure_lss() { send("7E5#0401"); }

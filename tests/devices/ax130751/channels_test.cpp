@@ -180,7 +180,7 @@ TEST_F(Ax130751Channels, EachScalingHasItsOwnDecimalDigits) {
 }
 
 // A new type clears all signals of the previous type at the terminals.
-TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
+TEST_F(Ax130751Channels, NewOutputTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     verifies<req::AOR_OUT_023, req::AOR_OUT_021, req::AOR_OUT_025>();
     struct Terminals {
         int type;
@@ -210,7 +210,7 @@ TEST_F(Ax130751Channels, NewTypeClearsTheSignalsOfTheOldTypeAtTheTerminals) {
     }
 }
 
-TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
+TEST_F(Ax130751Channels, NewOutputTypeSetsOverrideAndFaultValuesToOff) {
     verifies<req::AOR_OUT_037, req::AOR_T_TYPE_DEFAULTS>();
     for (const int type : {20, 40, 500, 1000, 1020}) {
         for (const int ours : {1, 2}) {
@@ -233,7 +233,7 @@ TEST_F(Ax130751Channels, NewTypeSetsItsOverrideAndFaultValuesToOff) {
     }
 }
 
-TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
+TEST_F(Ax130751Channels, StoredOutputTypeWrittenAgainIsNoNewType) {
     verifies<req::AOR_OUT_022, req::AOR_OUT_023>();
     set16(0x6310, 1, 20);
     set16(0x7323, 1, 16000);
@@ -249,7 +249,7 @@ TEST_F(Ax130751Channels, StoredTypeWrittenAgainIsNoNewType) {
     EXPECT_EQ(get16(0x7323, 2), 4000);
 }
 
-TEST_F(Ax130751Channels, NewTypeResetsTheLatchAndTheBlinking) {
+TEST_F(Ax130751Channels, NewOutputTypeResetsTheLatchAndTheBlinking) {
     verifies<req::AOR_OUT_023, req::AOR_DO_008, req::AOR_DO_004, req::AOR_DO_010>();
     set16(0x1800, 5, 0);  // 1800h:5 event timer of TPDO1: off
     set16(0x6310, 2, 1020);

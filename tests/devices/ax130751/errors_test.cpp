@@ -130,7 +130,7 @@ TEST_F(Ax130751Errors, ClearingTheErrorListEndsNoError) {
     EXPECT_EQ(read(0x1003, 0), 1U);
 }
 
-TEST_F(Ax130751Errors, HeartbeatErrorChangesTheStateBy1029hSub1Only) {
+TEST_F(Ax130751Errors, HeartbeatErrorChangesTheNmtStateByErrorBehaviour1029hSub1Only) {
     verifies<req::AOR_ERR_006, req::AOR_ERR_007, req::AOR_OD_1029, req::AOR_ERR_022>();
     struct Case {
         int behaviour;
@@ -250,7 +250,7 @@ TEST_F(Ax130751Errors, ControllerErrorsAreNotReported) {
 }
 
 // Sections 3.2.13 and 3.4.86: a communication fault, 1029h:1, has priority over 5555h (Start in Operational Mode).
-TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOf1029h) {
+TEST_F(Ax130751Errors, SelfStartWithBusOffAtPowerOnLeadsToTheStateOfErrorBehaviour1029h) {
     verifies<req::AOR_START_003, req::AOR_START_006, req::AOR_ERR_006>();
     const std::vector<std::pair<int, NmtState>> states{
         {0, NmtState::pre_operational}, {1, NmtState::operational}, {2, NmtState::stopped}};

@@ -111,7 +111,7 @@ TEST_F(Ax130751Output, EnableResponsesFollowTable7) {
     }
 }
 
-TEST_F(Ax130751Output, OverrideSetsTheValueOf2300hAtOnce) {
+TEST_F(Ax130751Output, OverrideSetsTheOutputToOverrideFieldValue2300hAtOnce) {
     verifies<req::AOR_OUT_010, req::AOR_T08, req::AOR_OUT_014>();
     make(10);
     set16(0x2330, 1, 1000);
@@ -211,7 +211,7 @@ TEST_F(Ax130751Output, DisabledDigitalOutputThatKeepsItsStateNeedsNoControl) {
     EXPECT_FALSE(is_on(1)) << "enabled, but without a control";
 }
 
-TEST_F(Ax130751Output, InputInErrorSetsTheValueOf7341hOrKeepsTheOutput) {
+TEST_F(Ax130751Output, InputInErrorSetsFaultValue7341hOrKeepsTheOutput) {
     verifies<req::AOR_OUT_011, req::AOR_T09, req::AOR_OUT_007, req::AOR_SRC_004, req::AOR_E_OUTPUT_DRIVE,
              req::AOR_OUT_042>();
     make(10);
@@ -247,7 +247,7 @@ TEST_F(Ax130751Output, OverrideInErrorSetsTheFaultValue) {
     EXPECT_FLOAT_EQ(volts(1), 1.5F) << "an error comes before the override";
 }
 
-TEST_F(Ax130751Output, EnableInErrorSetsTheValueOf7341h) {
+TEST_F(Ax130751Output, EnableInErrorSetsFaultValue7341h) {
     verifies<req::AOR_OUT_011, req::AOR_OUT_007>();
     make(10);
     set16(0x7341, 1, 1500);

@@ -46,7 +46,7 @@ TEST_F(Ax130751Output, ResetPutsBothOutputsOffWithoutARamp) {
     EXPECT_FLOAT_EQ(volts(2), 0.0F);
 }
 
-TEST_F(Ax130751Output, ChainSettlesInOneCycleAndALoopStepsOncePerCycle) {
+TEST_F(Ax130751Output, ChainOfBlocksSettlesInOneCycleAndALoopStepsOncePerCycle) {
     verifies<req::AOR_OUT_001, req::AOR_OUT_030>();
     // Extra received value 1 (2500h:1) → table 1 → logic block 1 → math block 1 → output 1, each from 0 to 100.
     extra_as_percent(1);

@@ -6,7 +6,7 @@
 
 namespace canproof::test {
 
-TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollows6220h) {
+TEST_F(Ax130751Output, DigitalOutputOfBothTypesFollowsWriteState6220h) {
     verifies<req::AOR_DO_001, req::AOR_DO_009, req::AOR_SRC_002, req::AOR_S_DIGITAL, req::AOR_OUT_021,
              req::AOR_OUT_048>();
     for (const int type : {1000, 1020}) {

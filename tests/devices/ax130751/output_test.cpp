@@ -8,7 +8,7 @@ namespace canproof::test {
 
 // --- scaling (Figure 3) --------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, OutputFollows7300hFrom0To5VoltsAsShipped) {
+TEST_F(Ax130751Output, OutputFollowsProcessValue7300hFrom0To5VoltsAsShipped) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_005, req::AOR_S_VOLTAGE, req::AOR_T03>();
     no_ramps(1);
     command(1, 2500);  // 2.500 V of the range 0…5.000 V
@@ -97,7 +97,7 @@ TEST_F(Ax130751Output, VoltageOutputIgnoresLoadAndFrequency) {
     EXPECT_EQ(get16(0x2370, 1), 5000);
 }
 
-TEST_F(Ax130751Output, PwmHasTheFrequencyOf2380h) {
+TEST_F(Ax130751Output, PwmHasOutputFrequency2380h) {
     verifies<req::AOR_OUT_020, req::AOR_OUT_021, req::AOR_S_DUTY, req::AOR_S_FREQUENCY, req::AOR_S_LEVEL,
              req::AOR_OUT_047, req::AOR_OUT_048>();
     make(40);
@@ -142,7 +142,7 @@ TEST_F(Ax130751Output, FrequencyHasADutyCycleOfOneHalf) {
     EXPECT_FLOAT_EQ(duty(1), 0.0F);
 }
 
-TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOn2240h) {
+TEST_F(Ax130751Output, VoltageAndCurrentDoNotDependOnDigitalRange2240h) {
     verifies<req::AOR_OUT_036>();
     make(10);
     set8(0x2240, 1, 1);

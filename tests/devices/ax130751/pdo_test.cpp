@@ -247,7 +247,7 @@ TEST_F(Ax130751Pdo, TooShortRpdoChangesNothingAndIsReported) {
 }
 
 // Section 1.2: ON is any value but 0
-TEST_F(Ax130751Pdo, ValueOf6220hOtherThanZeroIsOn) {
+TEST_F(Ax130751Pdo, WriteState6220hOtherThanZeroIsOn) {
     verifies<req::AOR_SRC_010, req::AOR_OD_6220, req::AOR_SRC_002, req::AOR_SRC_015>();
     EXPECT_EQ(write(0x6310, 1, 1020, 2), "");
     start();

@@ -11,7 +11,7 @@ namespace canproof::test {
 
 namespace {
 
-class Ax130751Pending : public Ax130751Blocks {
+class Ax130751PendingTimers : public Ax130751Blocks {
   protected:
     static constexpr int never_changes = -1;
 
@@ -71,7 +71,7 @@ class Ax130751Pending : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOnDelayOfTheRelay) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -115,7 +115,7 @@ TEST_F(Ax130751Pending, OnDelayIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOffDelayOfTheRelay) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -152,7 +152,7 @@ TEST_F(Ax130751Pending, OffDelayIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheBlinkingOfTheRelay) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -188,7 +188,7 @@ TEST_F(Ax130751Pending, RelayBlinkingIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax130751Pending, PendingChangeOfTheRelayIsDroppedByResetNode) {
+TEST_F(Ax130751PendingTimers, PendingChangeOfTheRelayIsDroppedByResetNode) {
     verifies<req::AOR_OUT_026>();
     connect_relay();
     command_relay(1);

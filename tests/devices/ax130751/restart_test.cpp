@@ -68,13 +68,13 @@ class Ax130751RestartOfOutput : public Ax130751Restart, public testing::WithPara
 
 }  // namespace
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsControl) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsControl) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     follow_supply(0x2340, output);
     forgets("control", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsEnable) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set8(0x2241, output, 1);  // inverse: ON without a command
     set8(0x2352, output, 0);  // enable response 0: the output is enabled while its enable input is ON
@@ -82,7 +82,7 @@ TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsEnable) {
     forgets("enable", [&] { return is_on(output); });
 }
 
-TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfItsOverride) {
+TEST_P(Ax130751RestartOfOutput, ResetNodeClearsTheHysteresisOfTheOutputsOverride) {
     verifies<req::AOR_DO_002, req::AOR_OUT_026>();
     set16(0x2300, output, 1);
     set8(0x2362, output, 0);  // override response 0: the override works while its input is ON
@@ -159,7 +159,7 @@ TEST_F(Ax130751Restart, LatchedAndDelayedRelayIsOffAfterAReset) {
     EXPECT_FALSE(relay_on());
 }
 
-TEST_F(Ax130751Restart, NewTypeClearsTheHysteresisOfItsInputs) {
+TEST_F(Ax130751Restart, NewOutputTypeClearsTheHysteresisOfTheOutputsInputs) {
     verifies<req::AOR_OUT_023, req::AOR_DO_002>();
     const auto type_changes = [this](const char* name) {
         SCOPED_TRACE(name);

@@ -122,7 +122,7 @@ TEST_F(Ax130751Sources, EveryPairOfTable4BReadsItsObject) {
     }
 }
 
-TEST_F(Ax130751Sources, OtherPairsCountAsNotUsed) {
+TEST_F(Ax130751Sources, PairsThatAreNotInTable4BCountAsNotUsed) {
     verifies<req::AOR_SRC_011, req::AOR_T4B>();
     no_ramps(1);
     set8(0x2342, 1, 0);

@@ -34,7 +34,7 @@ TEST_F(Ax130751Storage, DeviceShipsAsNode127At125kbit) {
     EXPECT_EQ(device->state(), NmtState::pre_operational);
 }
 
-TEST_F(Ax130751Storage, WriteTo6310hChangesNoNodeId) {
+TEST_F(Ax130751Storage, WriteToOutputType6310hChangesNoNodeId) {
     verifies<req::AOR_LSS_003, req::AOR_NODE_002>();
     EXPECT_EQ(write(0x6310, 1, 20, 2), "");  // 6310h:1, the type of output 1
     EXPECT_EQ(power_on(), (Frames{"77F#00"}));
@@ -131,7 +131,7 @@ TEST_F(Ax130751Storage, CobIdsAtTheirDefaultFollowANewNodeId) {
 }
 
 // Sources: sections 3.4.87 and 3.4.88, and the bold sentence of section 3.2.7.
-TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
+TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoreParameters1010hSavesThem) {
     verifies<req::AOR_NODE_002, req::AOR_NODE_006, req::AOR_NODE_007, req::AOR_NODE_003, req::AOR_OD_5B50,
              req::AOR_OD_5B51>();
     const auto set = [this] {
@@ -174,7 +174,7 @@ TEST_F(Ax130751Storage, NodeIdAndBitRateSetBySdoAreLostUnlessStoredBy1010h) {
     EXPECT_EQ(write(0x5B50, 0, 5, 1), "06090030");
 }
 
-TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThat1010hHasStored) {
+TEST_F(Ax130751Storage, LssStoreKeepsTheNodeIdThatStoreParameters1010hHasSaved) {
     verifies<req::AOR_NODE_005, req::AOR_OD_5B50, req::AOR_OD_5B51>();
     EXPECT_EQ(write(0x5B51, 0, 0x30, 1), "");
     store();
@@ -294,7 +294,7 @@ TEST_F(Ax130751Storage, RestoredDefaultsApplyFromTheNextReset) {
 }
 
 // AX130751, 3.4.86
-TEST_F(Ax130751Storage, DeviceStartsItselfWhen5555hIsSetAndStored) {
+TEST_F(Ax130751Storage, DeviceStartsItselfWhenStartInOperationalMode5555hIsSetAndStored) {
     verifies<req::AOR_START_001, req::AOR_START_005, req::AOR_START_002, req::AOR_OD_5555>();
     silence_tpdo1();
     EXPECT_EQ(write(0x5555, 0, 1, 1), "");
@@ -347,7 +347,7 @@ TEST_F(Ax130751Storage, IdentityAndSoftwareDateAreThoseOfTheUnit) {
     }
 }
 
-TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
+TEST_F(Ax130751Storage, StoreParameters1010hIsRefusedWhenTheMemoryOfNodeIdAndBitRateFails) {
     verifies<req::AOR_NODE_008, req::AOR_NODE_003, req::AOR_OD_5B51, req::AOR_NODE_010>();
     EXPECT_EQ(write(0x5032, 0, 90, 1), "");
     const std::size_t before = memory.written();
@@ -370,7 +370,7 @@ TEST_F(Ax130751Storage, FailedMemoryOfNodeIdAndBitRateRefuses1010h) {
     EXPECT_EQ(power_on(), (Frames{"730#00"}));
 }
 
-TEST_F(Ax130751Storage, FailedMemoryRefusesTheLssStore) {
+TEST_F(Ax130751Storage, LssStoreIsRefusedWhenTheMemoryFails) {
     verifies<req::AOR_NODE_003, req::AOR_LSS_003, req::AOR_OD_5B51>();
     memory.cut_power_after(0);
     EXPECT_EQ(write(0x1010, 4, 0x65766173, 4), "06060000");

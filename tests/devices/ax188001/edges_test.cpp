@@ -49,7 +49,7 @@ Reading closest(bool above) {
 }
 
 /// Fixture in which channel 1 is of type J, without compensation or delay, and has wide limits.
-class Edges : public TcsTest {
+class Ax188001Edges : public TcsTest {
   protected:
     void SetUp() override {
         TcsTest::SetUp();
@@ -67,7 +67,7 @@ class Edges : public TcsTest {
 
 }  // namespace
 
-TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
+TEST_F(Ax188001Edges, LimitIsExceededJustAboveItsValue) {
     verifies<req::TCS_K_LIMIT_RESOLUTION, req::TCS_LIM_016>();
     const Reading above = closest(true);
     const Reading below = closest(false);
@@ -83,7 +83,7 @@ TEST_F(Edges, LimitIsExceededJustAboveItsValue) {
     EXPECT_EQ(status(1), 2);
 }
 
-TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
+TEST_F(Ax188001Edges, HysteresisOfAHighLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     for (const bool above : {true, false}) {
         const Reading reading = closest(above);
@@ -96,7 +96,7 @@ TEST_F(Edges, HysteresisOfAHighLimitIsOneDegree) {
     }
 }
 
-TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
+TEST_F(Ax188001Edges, HysteresisOfALowLimitIsOneDegree) {
     verifies<req::TCS_LIM_002, req::TCS_K_HYSTERESIS>();
     show_high_limit(5000);
     for (const bool above : {true, false}) {
@@ -109,7 +109,7 @@ TEST_F(Edges, HysteresisOfALowLimitIsOneDegree) {
     }
 }
 
-TEST_F(Edges, EachGainEndsAtItsFullScale) {
+TEST_F(Ax188001Edges, EachGainEndsAtItsFullScale) {
     verifies<req::TCS_IN_003, req::TCS_T_GAIN>();
     const std::vector<std::pair<double, int>> cases{{19531.0, 128}, {19531.25, 64},  {39062.0, 64},
                                                     {39062.5, 32},  {-19531.25, 64}, {-39062.5, 32}};
@@ -125,7 +125,7 @@ TEST_F(Edges, EachGainEndsAtItsFullScale) {
     EXPECT_EQ(process_value(1), -512);
 }
 
-TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
+TEST_F(Ax188001Edges, GainRisesAt90PercentOfFullScale) {
     verifies<req::TCS_IN_004, req::TCS_K_GAIN_BACK>();
     // 90 % of the full scales of gain 128 and 64: 0.9 * 19531.25 uV = 17578.1 uV, 0.9 * 39062.5 uV = 35156.2 uV
     const std::vector<std::pair<double, int>> cases{{17578.0, 128}, {17579.0, 64}, {35156.0, 64}, {35157.0, 32}};
@@ -137,7 +137,7 @@ TEST_F(Edges, GainRisesAt90PercentOfFullScale) {
     }
 }
 
-TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
+TEST_F(Ax188001Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondThePrintedRange) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN, req::TCS_T1, req::TCS_CONV_013>();
     // The range of type T is -6.258 to 20.872 mV. The converter reads 20 mV in steps of 1.192 uV, 6 mV in steps of
     // 0.596 uV.
@@ -157,7 +157,7 @@ TEST_F(Edges, InputRangeOfTypeTEndsTenMicrovoltsBeyondItsFigure) {
 
 /// The temperature of the cold junction adds a small voltage to a reading. With it the test sets a voltage 0.05 uV
 /// below or above the end of the margin.
-TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
+TEST_F(Ax188001Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     verifies<req::TCS_CONV_011, req::TCS_K_RANGE_MARGIN>();
     const Its90Type& type = its90_types()[5];  // type T: the range ends at 20.872 mV, with a margin of 10 uV
     EXPECT_EQ(write(0x6110, 1, 2, 7), 0U);
@@ -178,7 +178,7 @@ TEST_F(Edges, MarginOfAnInputRangeIsExactToHalfAPercent) {
     }
 }
 
-TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
+TEST_F(Ax188001Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     verifies<req::TCS_CJ_001, req::TCS_K_CJ_LOWEST, req::TCS_K_CJ_HIGHEST>();
     const std::vector<std::pair<float, float>> cases{
         {-39.9F, -39.9F}, {-40.1F, -40.0F}, {109.9F, 109.9F}, {110.1F, 110.0F}};
@@ -190,7 +190,7 @@ TEST_F(Edges, ColdJunctionIsReadFromMinus40To110Degrees) {
     }
 }
 
-TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
+TEST_F(Ax188001Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     verifies<req::TCS_IN_007, req::TCS_T_REJECTION, req::TCS_IN_023>();
     // Of 1 V of hum at the selected frequency, 110 dB leave 3.16 uV. At the other frequency the filter leaves 1330 uV
     // (60 Hz selected) or 590 uV (50 Hz selected).
@@ -212,7 +212,7 @@ TEST_F(Edges, RemainingHumFollowsTheRejectionOfTheFilter) {
     }
 }
 
-TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
+TEST_F(Ax188001Edges, ProcessorTemperatureIsRoundedToTenths) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_K_FD_RESOLUTION>();
     EXPECT_EQ(write(0x5051, 1, 2, 0), 0U);
     const std::vector<std::pair<float, unsigned>> cases{{110.04F, 0}, {110.06F, 1}};  // 5041h:1 is 110.0 degC
@@ -232,7 +232,7 @@ TEST_F(Edges, ProcessorTemperatureIsRoundedToTenths) {
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
+TEST_F(Ax188001Edges, LongestDelaysAreExactToAMillisecond) {
     verifies<req::TCS_FD_004, req::TCS_LIM_003>();
     EXPECT_EQ(write(0x5051, 2, 2, 10000), 0U);
     inputs.supply = 8.0F;  // an under-voltage, read at 165 ms
@@ -245,7 +245,7 @@ TEST_F(Edges, LongestDelaysAreExactToAMillisecond) {
     EXPECT_EQ(pass(1).size(), 1U);
 }
 
-TEST_F(Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
+TEST_F(Ax188001Edges, LimitsAreAcceptedAndTheNextValuesRefused) {
     verifies<req::TCS_VAL_009, req::TCS_LIM_011, req::TCS_START_004>();
     for (const int index : {0x6126, 0x6127}) {
         const float end = index == 0x6126 ? 1000.0F : 10000.0F;

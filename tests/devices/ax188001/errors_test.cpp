@@ -265,7 +265,7 @@ TEST_F(Ax188001Errors, EachErrorClassHasItsReaction) {
     }
 }
 
-TEST_F(Ax188001Errors, ErrorClassesAreTheSubIndicesOf1029h) {
+TEST_F(Ax188001Errors, ErrorClassesAreTheSubIndicesOfErrorBehaviour1029h) {
     verifies<req::TCS_T_REACTION>();
     namespace table = generated::ax188001::error_reaction;
     EXPECT_EQ(table::find(table::Errors::communication)->subindex, 1);
@@ -377,7 +377,7 @@ TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
 
 /// During bus-off the boot-up message is lost. The errors found at boot-up are not lost: 60 V exceeds the 50 V of
 /// 5041h:2 (FD Set Threshold).
-TEST(TcsStartup, FaultFoundDuringBusOffIsReportedAfterBusOff) {
+TEST(Ax188001BusOff, FaultFoundDuringBusOffIsReportedAfterBusOff) {
     verifies<req::TCS_ERR_002>();
     TcsBench bench;
     bench.power_on();

@@ -10,11 +10,11 @@ namespace canproof::test {
 
 namespace {
 
-using Faults = TcsTest;
+using Ax188001FaultDetection = TcsTest;
 
 }  // namespace
 
-TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFieldValuesAreInTenths) {
     verifies<req::TCS_FD_001, req::TCS_OD_5040, req::TCS_K_FD_RESOLUTION, req::TCS_S_CPU_TEMPERATURE,
              req::TCS_S_SUPPLY>();
     EXPECT_EQ(read(0x5040, 1).real(), 350.0F);
@@ -32,7 +32,7 @@ TEST_F(Faults, TemperatureAndSupplyFieldValuesAreInTenths) {
     EXPECT_EQ(read(0x5040, 2).real(), 600.0F);
 }
 
-TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
+TEST_F(Ax188001FaultDetection, FaultsBeginBeyondAndClearAtTheirThresholds) {
     verifies<req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009, req::TCS_FD_003, req::TCS_FD_010, req::TCS_FD_011,
              req::TCS_FD_012, req::TCS_OD_5041, req::TCS_OD_5042>();
     write(0x5051, 1, 2, 0);
@@ -58,7 +58,7 @@ TEST_F(Faults, FaultsBeginBeyondAndClearAtTheirThresholds) {
 }
 
 /// 5040h (FD Field Value) is in tenths: 110.04 degrees are measured as 110.0, and 110.06 degrees as 110.1.
-TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
+TEST_F(Ax188001FaultDetection, ThresholdsAreComparedWithTheRoundedMeasurement) {
     verifies<req::TCS_FD_001, req::TCS_FD_002, req::TCS_FD_008, req::TCS_FD_009>();
     write(0x5051, 1, 2, 0);
     write(0x5051, 2, 2, 0);
@@ -82,7 +82,7 @@ TEST_F(Faults, ThresholdsAreComparedWithTheRoundedMeasurement) {
     EXPECT_EQ(with(85.0F, 11.96F), (Frames{"165:0FF#0000000000000000"}));
 }
 
-TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
+TEST_F(Ax188001FaultDetection, UnderVoltageBeginsBelow9VoltsAsShipped) {
     verifies<req::TCS_FD_007>();
     inputs.supply = 9.0F;
     set_inputs();
@@ -94,7 +94,7 @@ TEST_F(Faults, UnderVoltageBeginsBelow9VoltsAsShipped) {
     EXPECT_EQ(told[0].substr(told[0].find(':') + 1), "0FF#0031010320000000");
 }
 
-TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
+TEST_F(Ax188001FaultDetection, UnderVoltageClearsAt12VoltsAsShipped) {
     verifies<req::TCS_FD_007, req::TCS_FD_004>();
     inputs.supply = 12.0F;
     set_inputs();
@@ -110,7 +110,7 @@ TEST_F(Faults, UnderVoltageClearsAt12VoltsAsShipped) {
     EXPECT_EQ(pass(1000).size(), 1U);
 }
 
-TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
+TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     verifies<req::TCS_FD_004, req::TCS_OD_5051>();
     EXPECT_EQ(read(0x5051, 1).value, 5000U);
     EXPECT_EQ(read(0x5051, 2).value, 5000U);
@@ -123,7 +123,7 @@ TEST_F(Faults, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
+TEST_F(Ax188001FaultDetection, UnderVoltageWaitsForTheDelayOfTheSupply) {
     verifies<req::TCS_FD_004>();
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
@@ -132,7 +132,7 @@ TEST_F(Faults, UnderVoltageWaitsForTheDelayOfTheSupply) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010320000000"}));
 }
 
-TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
+TEST_F(Ax188001FaultDetection, FaultsThatEndDuringTheirDelayAreNotReported) {
     verifies<req::TCS_FD_004>();
     inputs.cpu_temperature = 120.0F;
     set_inputs();
@@ -142,7 +142,7 @@ TEST_F(Faults, FaultsThatEndDuringTheirDelayAreNotReported) {
     EXPECT_EQ(pass(10000), Frames{});
 }
 
-TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
+TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
     verifies<req::TCS_FD_005, req::TCS_FD_013, req::TCS_FD_014, req::TCS_FD_015, req::TCS_OD_5050>();
     EXPECT_EQ(read(0x5050, 1).value, 1U);
     EXPECT_EQ(write(0x5050, 1, 1, 2), too_high);
@@ -162,7 +162,7 @@ TEST_F(Faults, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Faults, SetAndClearThresholdsAreLimitsOfEachOther) {
+TEST_F(Ax188001FaultDetection, SetAndClearThresholdsAreLimitsOfEachOther) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

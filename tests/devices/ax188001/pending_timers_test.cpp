@@ -16,7 +16,7 @@ namespace {
 constexpr int never_told = -1;
 constexpr int event_at = 500;
 
-class Ax188001Pending : public TcsTest {
+class Ax188001PendingTimers : public TcsTest {
   protected:
     struct Case {
         std::string name;
@@ -58,7 +58,7 @@ class Ax188001Pending : public TcsTest {
 
 }  // namespace
 
-TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, EachEventKeepsEndsOrRestartsTheDelayOfAChannelLimit) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013, req::TCS_LIM_010,
              req::TCS_LIM_014>();
     for (const int channel : {1, 2}) {
@@ -107,7 +107,7 @@ TEST_F(Ax188001Pending, DelayOfAChannelLimitIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, EachEventKeepsEndsOrRestartsTheDelayOfASupplyFault) {
     verifies<req::TCS_FD_004, req::TCS_FD_013>();
     const auto supply = [this](float volts) {
         inputs.supply = volts;
@@ -146,7 +146,7 @@ TEST_F(Ax188001Pending, DelayOfASupplyFaultIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(Ax188001PendingTimers, EachEventKeepsEndsOrRestartsTheDelayOfAnOpenCircuit) {
     verifies<req::TCS_LIM_003, req::TCS_LIM_012, req::TCS_LIM_006, req::TCS_LIM_013>();
     // The voltage is read at 165 ms, and the open circuit is detected at 165 + 1320 = 1485 ms.
     const std::vector<Case> cases{
@@ -170,7 +170,7 @@ TEST_F(Ax188001Pending, DelayOfAnOpenCircuitIsKeptEndedOrRestartedByEachEvent) {
 
 // The limit fault is read at 165 ms. The circuit breaks at 500 ms; this is detected at 660 + 1320 = 1980 ms. The
 // circuit is closed again at 2500 ms; the reading at 2640 ms shows this.
-TEST_F(Ax188001Pending, OpenCircuitDropsEachPendingLimitFault) {
+TEST_F(Ax188001PendingTimers, OpenCircuitDropsEachPendingLimitFault) {
     verifies<req::TCS_LIM_012, req::TCS_LIM_018>();
     struct Limit {
         double celsius;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t load = 0x64616F6C;
 
-using Storage = TcsTest;
+using Ax188001Storage = TcsTest;
 
 struct Parameter {
     int index;
@@ -67,7 +67,7 @@ std::vector<Parameter> every_parameter() {
 
 }  // namespace
 
-TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
+TEST_F(Ax188001Storage, StoreAndRestoreObjects1010hAnd1011hReportTheirCapability) {
     verifies<req::TCS_STORE_001, req::TCS_OD_1010, req::TCS_OD_1011>();
     for (const int index : {0x1010, 0x1011}) {
         EXPECT_EQ(read(index, 0).value, 4U);
@@ -79,7 +79,7 @@ TEST_F(Storage, Objects1010hAnd1011hReportTheirCapability) {
     }
 }
 
-TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
+TEST_F(Ax188001Storage, EverySavedParameterIsKeptAfterPowerOn) {
     verifies<req::TCS_STORE_002, req::TCS_OD_1010, req::TCS_OD_1400, req::TCS_OD_1401, req::TCS_OD_1402,
              req::TCS_OD_1403, req::TCS_OD_1800, req::TCS_OD_1801, req::TCS_OD_1802, req::TCS_OD_1803, req::TCS_OD_1A00,
              req::TCS_OD_1A01, req::TCS_OD_1A02, req::TCS_OD_1A03>();
@@ -106,7 +106,7 @@ TEST_F(Storage, EverySavedParameterIsKeptAfterPowerOn) {
     EXPECT_EQ(read(0x4030, 1).value, 5000U);
 }
 
-TEST_F(Storage, UnsavedParametersAreLost) {
+TEST_F(Ax188001Storage, UnsavedParametersAreLost) {
     verifies<req::TCS_STORE_004>();
     write(0x4030, 1, 2, 1);
     power_on();
@@ -121,7 +121,7 @@ TEST_F(Storage, UnsavedParametersAreLost) {
     EXPECT_EQ(read(0x4030, 2).value, 5000U);
 }
 
-TEST_F(Storage, ParametersAreSavedAndRestoredByGroup) {
+TEST_F(Ax188001Storage, ParametersAreSavedAndRestoredByGroup) {
     verifies<req::TCS_STORE_005, req::TCS_STORE_003, req::TCS_STORE_006, req::TCS_OD_1010, req::TCS_OD_1011>();
     struct Group {
         int sub;

@@ -8,7 +8,7 @@ namespace canproof::test {
 
 namespace {
 
-class Leds : public CbxTest {
+class CbxLeds : public CbxTest {
   protected:
     void SetUp() override {
         CbxTest::SetUp();
@@ -50,7 +50,7 @@ const std::string dark(40, '.');
 
 }  // namespace
 
-TEST_F(Leds, StatusLedFollowsTheNmtState) {
+TEST_F(CbxLeds, StatusLedFollowsTheNmtState) {
     verifies<req::AO4_LED_001, req::AO4_LED_005, req::AO4_LED_008, req::AO4_T7, req::AO4_T5, req::AO4_E_INDICATOR,
              req::AO4_S_LED_S>();
     EXPECT_TRUE(repeats(watch(s, 40), blinking));
@@ -61,7 +61,7 @@ TEST_F(Leds, StatusLedFollowsTheNmtState) {
 }
 
 /// While LED S blinks, it is dark from 200 to 400 ms after the start.
-TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
+TEST_F(CbxLeds, StatusLedShowsASelfStartAtOnce) {
     verifies<req::AO4_LED_001, req::AO4_START_001>();
     write("603#23801F0008000000");
     write("603#2B911F012C010000");  // 1F91h:1 self-start delay: 300 ms
@@ -74,7 +74,7 @@ TEST_F(Leds, StatusLedShowsASelfStartAtOnce) {
     EXPECT_TRUE(device->outputs().led_s);
 }
 
-TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
+TEST_F(CbxLeds, CanErrorLedShowsTheMostSevereCondition) {
     verifies<req::AO4_LED_002, req::AO4_LED_008, req::AO4_T6, req::AO4_S_LED_E>();
     EXPECT_EQ(watch(e, 40), dark);
     inputs.can_state = 1;
@@ -107,7 +107,7 @@ TEST_F(Leds, CanErrorLedShowsTheMostSevereCondition) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
+TEST_F(CbxLeds, ErrorLedShowsOverrunAndSoftwareFault) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_LED_M, req::AO4_S_CAN_OVERRUN>();
     EXPECT_EQ(watch(m, 40), dark);
     inputs.can_overrun = true;
@@ -124,7 +124,7 @@ TEST_F(Leds, ErrorLedShowsOverrunAndSoftwareFault) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
+TEST_F(CbxLeds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_T8, req::AO4_S_HARDWARE_FAULT>();
     inputs.hardware_fault = true;
     set_inputs();
@@ -138,7 +138,7 @@ TEST_F(Leds, ErrorLedShowsAHardwareFailureUntilTheReset) {
     EXPECT_EQ(watch(m, 40), dark);
 }
 
-TEST_F(Leds, ErrorLedShowsACorruptStoredSet) {
+TEST_F(CbxLeds, ErrorLedShowsACorruptStoredSet) {
     verifies<req::AO4_LED_003>();
     write("603#2310100173617665");
     memory.bytes()[40] ^= 0x01;
@@ -146,7 +146,7 @@ TEST_F(Leds, ErrorLedShowsACorruptStoredSet) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
+TEST_F(CbxLeds, PowerLedIsOnWhileTheApplicationRuns) {
     verifies<req::AO4_LED_004, req::AO4_T9, req::AO4_S_LED_P>();
     EXPECT_EQ(watch(p, 40), lit);
     inputs.switch_high = 8;
@@ -154,7 +154,7 @@ TEST_F(Leds, PowerLedIsOnWhileTheApplicationRuns) {
     EXPECT_EQ(watch(p, 40), dark);
 }
 
-TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
+TEST_F(CbxLeds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     verifies<req::AO4_LED_001, req::AO4_LED_002, req::AO4_SW_002, req::AO4_T6, req::AO4_T7>();
     inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
@@ -162,7 +162,7 @@ TEST_F(Leds, StatusAndCanErrorLedsShowAnInvalidNodeId) {
     EXPECT_EQ(watch(e, 40), lit);
 }
 
-TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
+TEST_F(CbxLeds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     verifies<req::AO4_LED_003, req::AO4_LED_007, req::AO4_SW_002>();
     inputs.switch_high = 8;  // node-ID 83h, which is invalid
     power_on();
@@ -177,7 +177,7 @@ TEST_F(Leds, InternalFailureIsShownWithAnInvalidNodeIdToo) {
     EXPECT_TRUE(repeats(watch(m, 40), two_flashes));
 }
 
-TEST_F(Leds, RedAndGreenLedsFlashInTurn) {
+TEST_F(CbxLeds, RedAndGreenLedsFlashInTurn) {
     verifies<req::AO4_LED_006>();
     // Stopped: the green LED flashes once per 1.6 s. At the warning limit the red LED flashes in the same way.
     send("000#0203");

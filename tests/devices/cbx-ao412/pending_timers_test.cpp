@@ -14,7 +14,7 @@ namespace {
 
 constexpr int never_started = -1;
 
-class CbxPending : public testing::Test, public CbxBench {
+class CbxPendingTimers : public testing::Test, public CbxBench {
   protected:
     /// An event 200 ms after the boot-up, and the time of the self-start, in milliseconds after the boot-up.
     struct Case {
@@ -46,7 +46,7 @@ class CbxPending : public testing::Test, public CbxBench {
 
 }  // namespace
 
-TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(CbxPendingTimers, EachEventKeepsEndsOrRestartsTheDelayOfTheSelfStart) {
     verifies<req::AO4_START_001, req::AO4_START_003, req::AO4_START_006, req::AO4_START_004>();
     const std::vector<Case> cases{
         {"nothing happens", [] {}, 500},
@@ -88,7 +88,7 @@ TEST_F(CbxPending, SelfStartIsKeptEndedOrRestartedByEachEvent) {
     }
 }
 
-TEST_F(CbxPending, EmcyInhibitTimeIsKeptEndedOrRestartedByEachEvent) {
+TEST_F(CbxPendingTimers, EachEventKeepsEndsOrRestartsTheEmcyInhibitTime) {
     verifies<req::CO_EMCY_003, req::CO_EMCY_020, req::CO_EMCY_004, req::CO_EMCY_018, req::AO4_OD_1015>();
     struct Told {
         std::string name;

@@ -162,7 +162,7 @@ TEST(AngleFilter, RestartDropsEarlierSamples) {
     }
 }
 
-TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
+TEST(AngleFilter, WindowsOf63And64SamplesDropTheSampleBeforeTheWindow) {
     verifies<req::INC_AVG_001, req::INC_AVG_002>();
     for (const int samples : {63, 64}) {
         AngleFilter filter = filter_of(AngleFilterKind::moving_average, static_cast<std::uint16_t>(samples));
@@ -176,7 +176,7 @@ TEST(AngleFilter, WindowsOf63And64DropTheSampleBeforeThem) {
     }
 }
 
-TEST(AngleFilter, RemaindersOfTheRunsOfALongWindowAreNotLost) {
+TEST(AngleFilter, RoundingRemaindersOfALongWindowAreNotLost) {
     verifies<req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 3200);  // 64 runs of 50 samples
     for (int sample = 0; sample < 3200; ++sample) {
@@ -205,7 +205,7 @@ TEST(AngleFilter, LongestWindowKeepsAConstantAngle) {
     EXPECT_NEAR(filter.output(), 123.456F, 1e-5F);
 }
 
-TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostOneRunOfTwoSamples) {
+TEST(AngleFilter, AverageOver128SamplesOfARampErrsByAtMostTwoSamples) {
     verifies<req::INC_AVG_010>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 128);  // this window has runs of two samples
     for (int sample = 0; sample < 1000; ++sample) {
@@ -232,7 +232,7 @@ TEST(AngleFilter, EndlessTurnWithALongWindowLosesNoAccuracy) {
     }
 }
 
-TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
+TEST(AngleFilter, WindowOf60000SamplesShowsHalfOfAStepAfter30000Samples) {
     verifies<req::INC_AVG_001, req::INC_AVG_008>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 60000);
     for (int sample = 0; sample < 60000; ++sample) {
@@ -248,7 +248,7 @@ TEST(AngleFilter, WindowOf60000IsHalfFilledByAStepAfter30000Samples) {
     EXPECT_NEAR(filter.output(), 10.0F, 0.16F);
 }
 
-TEST(AngleFilter, OldestGroupCountsForItsSamplesInTheWindow) {
+TEST(AngleFilter, OldestGroupCountsOnlyForItsSamplesInsideTheWindow) {
     verifies<req::INC_AVG_016>();
     AngleFilter filter = filter_of(AngleFilterKind::moving_average, 65);  // groups of 2 samples
     filter.add(6.5F);

@@ -58,7 +58,7 @@ TEST(LookupTable, RampsFollowFigure6) {
     EXPECT_DOUBLE_EQ(lookup(500.0, points), 100.0);
 }
 
-TEST(LookupTable, AtAPointTheOutputIsExactlyItsY) {
+TEST(LookupTable, OutputAtAPointIsExactlyTheYOfThePoint) {
     verifies<req::AOR_LT_002>();
     auto points = defaults(ramp);
     points.x[1] = 3.0;

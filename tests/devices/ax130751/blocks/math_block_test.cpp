@@ -335,7 +335,7 @@ TEST(MathBlock, OutputLiesBetweenItsScalings) {
     EXPECT_DOUBLE_EQ(math_output(0.25, 100.0, 0.0), 75.0);
 }
 
-TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheOwnSignal) {
+TEST(MathBlock, NumberOfAnAbsentFunctionSelectsTheSignalOfTheInputItself) {
     verifies<req::AOR_MATH_002>();
     // There are three functions: number 4 selects the signal of the input itself, 0 of 100 here.
     EXPECT_DOUBLE_EQ(run({percent(20), percent(60), result_of(4), unused}, {plus, plus, plus}), 0.8);

@@ -41,7 +41,7 @@ Played play(const std::string& log, const std::string& stimuli, std::uint64_t un
 
 // Frames 95 to 102 of the capture in the manual, with power-on at 11:42:40. Node 80 (50h) changes from 125 to 250
 // kbit/s.
-TEST(Ax130751Replay, SessionOfTheManualGivesItsFrames) {
+TEST(Ax130751Replay, LssSessionOfTheManualGivesTheCapturedFrames) {
     verifies<req::AOR_LSS_001, req::AOR_LSS_003, req::AOR_T22>();
     const std::string log =
         "(5.248000) can0 7E5#0401\n"

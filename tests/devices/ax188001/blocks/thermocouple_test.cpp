@@ -55,7 +55,7 @@ TEST(Thermocouple, ReferenceFunctionsMatchIts90) {
     }
 }
 
-TEST(Thermocouple, PiecesHaveThePublishedRanges) {
+TEST(Thermocouple, PolynomialPiecesHaveThePublishedRanges) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     for (const auto& type : its90_types()) {
         const ThermocoupleCurve& curve = curve_of(type);
@@ -76,7 +76,7 @@ TEST(Thermocouple, PiecesHaveThePublishedRanges) {
     }
 }
 
-TEST(Thermocouple, EachPieceIsOnceInItsTable) {
+TEST(Thermocouple, EachPolynomialPieceIsOnceInItsTable) {
     verifies<req::TCS_T_REFERENCE, req::TCS_T_INVERSE>();
     namespace reference = generated::ax188001::reference_function;
     namespace inverse = generated::ax188001::inverse_function;
@@ -178,7 +178,7 @@ TEST_P(ThermocoupleType, InverseFunctionsMatchIts90) {
     }
 }
 
-TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesItsEnds) {
+TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesTheTemperatureAtTheEndOfTheRange) {
     verifies<req::TCS_CONV_009>();
     const auto& first = type.inverse.front();
     const auto& last = type.inverse.back();
@@ -188,7 +188,7 @@ TEST_P(ThermocoupleType, InverseFunctionBeyondItsRangeGivesItsEnds) {
                 static_cast<double>(last.at(last.to)), 1e-7);
 }
 
-TEST(Thermocouple, VoltagesBeyondTheRangeGiveItsEnds) {
+TEST(Thermocouple, VoltagesBeyondTheRangeGiveTheTemperatureAtTheEndOfTheRange) {
     verifies<req::TCS_CONV_006>();
     for (const auto& type : its90_types()) {
         if (type.letter != 'B') {

@@ -11,7 +11,7 @@ using namespace cbx_ao412;
 using namespace host;
 using ::testing::SizeIs;
 
-TEST(OutputFigures, ReplayOfTheManualTelegramsGivesItsOutputs) {
+TEST(CbxOutputFigures, ReplayOfTheManualTelegramsGivesTheOutputsOfTheManual) {
     const LinePlot plot = analog_outputs_plot();
     ASSERT_THAT(plot.curves, SizeIs(4));
     // Section 7.10.2.3 of the CAN-CBX-AO412 manual: 3EB3h is 5.0 V, C14Dh is -5.0 V; the last of the 12 bits is about 5
