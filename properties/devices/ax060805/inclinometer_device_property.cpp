@@ -197,7 +197,7 @@ RC_GTEST_PROP(InclinometerLaw, ValuesOfTheDictionaryStayWithinTheirLimits, ()) {
     }
 }
 
-RC_GTEST_PROP(InclinometerLaw, DeviceSendsItsOwnIdentifiersOnly, ()) {
+RC_GTEST_PROP(InclinometerLaw, DeviceSendsOnlyFramesWithItsOwnIdentifiers, ()) {
     verifies<req::CO_SDO_044>("property");
     Run run;
     for (const Event& event : any_events()) {

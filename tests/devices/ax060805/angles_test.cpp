@@ -222,7 +222,7 @@ TEST_F(Ax060805Angles, AutoNullIsLostAtResetNodeUnlessStored) {
     EXPECT_EQ(read(0x2300), 0U);
 }
 
-TEST_F(Ax060805Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAngles) {
+TEST_F(Ax060805Angles, CalibrationCorrectsTheSensorPositionBeforeTheInitialAnglesApply) {
     verifies<req::INC_INSTALL_007, req::INC_OD_2400, req::INC_OD_2401, req::INC_INSTALL_011>();
     factory.calibration = {30.0F, 90.0F};
     power_on();

@@ -173,7 +173,7 @@ TEST_F(Ax060805TwoRpdos, RpdoThatIsLateOnlyBetweenTwoSamplesInvalidatesTheValues
     EXPECT_EQ(taken_from(20, 1.0F), 1000);
 }
 
-TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesOnceMore) {
+TEST_F(Ax060805TwoRpdos, RpdoThatIsLateAgainBeforeTheNextSampleInvalidatesTheValuesAgain) {
     verifies<req::INC_RPDO_003>();
     map_rpdo1(0x00050008);  // RPDO1 maps only a dummy entry
     write(0x1400, 5, 2, 2);

@@ -119,7 +119,7 @@ TEST_F(Ax060805SlewRate, StoredSlewRateIsReplacedAtANewBitRate) {
     expect_fast(true, "the bit rate of the save again");
 }
 
-TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheSlewRate) {
+TEST_F(Ax060805SlewRate, SaveOfCommunicationParametersKeepsTheBitRateOfTheStoredSlewRate) {
     verifies<req::INC_SLEW_002, req::INC_SLEW_003, req::INC_STORE_001>();
     write(0x2000, 0, 1, 1);
     store_all();  // fast at 125 kbit/s

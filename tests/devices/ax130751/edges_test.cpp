@@ -252,7 +252,7 @@ TEST_F(Ax130751Edges, ReadValueIsClampedTo16Bits) {
     EXPECT_EQ(get16(0x7330, 1), 32766);
 }
 
-TEST_F(Ax130751Edges, ControlResponsesEndAtTheirScalings) {
+TEST_F(Ax130751Edges, ControlResponsesChangeTheOutputExactlyAtTheScalings) {
     verifies<req::AOR_OUT_003, req::AOR_OUT_006, req::AOR_OUT_031, req::AOR_T06>();
     make(2, 10);
     set16(0x7323, 2, 4000);
@@ -366,7 +366,7 @@ TEST_F(Ax130751Edges, TimeIntervalIsAtLeastOneMillisecond) {
     EXPECT_EQ(get16(0x3018, 0), 40);
 }
 
-TEST_F(Ax130751Edges, HalfScaleCountsAsTrue) {
+TEST_F(Ax130751Edges, InputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     make_math(8);  // operator 8: and
     EXPECT_EQ(math_of(5000, 5000), 10000);

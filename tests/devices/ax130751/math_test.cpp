@@ -224,7 +224,7 @@ TEST_F(Ax130751Math, FunctionNumbersSelectFunctionsOfTheSameBlock) {
     EXPECT_EQ(output(1), 5333) << "the block's own output of the cycle before";
 }
 
-TEST_F(Ax130751Math, SumGrowsWhileTheOutputIsConstant) {
+TEST_F(Ax130751Math, FedBackSumGrowsWhileTheOutputIsConstant) {
     verifies<req::AOR_MATH_015, req::AOR_OUT_030>();
     make(1, 3);
     set8(0x4150, 2, 3);  // output: (function 1 of the previous cycle + 2500h:2) >= 2500h:3
@@ -280,7 +280,7 @@ TEST_F(Ax130751Math, DisabledMathBlockClearsItsSum) {
     EXPECT_EQ(output(1), 0) << "the sum begins at 0";
 }
 
-TEST_F(Ax130751Math, GainOfZeroAppliesAfterAnotherGain) {
+TEST_F(Ax130751Math, GainThatChangesToZeroAppliesAtOnce) {
     verifies<req::AOR_K_GAIN_ONE>();
     make(1, 2);
     set8(0x4140, 1, 50);

@@ -71,7 +71,7 @@ TEST_F(Ax130751Output, ControlResponseSwitchesOffOutsideTheProfile) {
 
 // --- types (Table 3) -----------------------------------------------------------------------------------------------
 
-TEST_F(Ax130751Output, CurrentIsMeasuredThroughTheLoad) {
+TEST_F(Ax130751Output, CurrentFeedbackIsTheCurrentThroughTheLoad) {
     verifies<req::AOR_OUT_019, req::AOR_S_CURRENT, req::AOR_S_LOAD, req::AOR_K_COMPLIANCE, req::AOR_OUT_044>();
     make(20);
     command(1, 20000);  // commands 20 mA

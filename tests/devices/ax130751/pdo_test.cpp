@@ -91,7 +91,7 @@ TEST_F(Ax130751Pdo, Tpdo1CarriesTheFeedbackOfBothOutputs) {
     EXPECT_EQ(pass(100).back(), "100:1FF#E803D007");
 }
 
-TEST_F(Ax130751Pdo, Tpdo2And4AreSentOnceValidAndTimedAndTheEmptyTpdo3IsNot) {
+TEST_F(Ax130751Pdo, Tpdo2And4AreSentWhenValidAndTimedAndTheEmptyTpdo3IsNot) {
     verifies<req::AOR_PDO_005, req::AOR_PDO_011, req::AOR_PDO_012, req::AOR_OD_1801, req::AOR_OD_1802, req::AOR_OD_1803,
              req::AOR_OD_1A01, req::AOR_OD_1A02, req::AOR_OD_1A03, req::AOR_OD_7330, req::AOR_OD_5020,
              req::AOR_OD_5030>();
@@ -172,7 +172,7 @@ TEST_F(Ax130751Pdo, Tpdo1DoesNotAnswerRemoteFramesAsShipped) {
 }
 
 // Section 3.2.14: to remap a PDO, a client destroys it, disables, modifies and enables its mapping, and creates it.
-TEST_F(Ax130751Pdo, RemappingTakesTheFiveSteps) {
+TEST_F(Ax130751Pdo, PdoIsRemappedInFiveSteps) {
     verifies<req::AOR_PDO_008, req::AOR_OD_1600, req::AOR_OD_1A02>();
     EXPECT_EQ(write(0x1600, 0, 0, 1), "08000022");  // RPDO1 still exists
     EXPECT_EQ(write(0x1600, 1, 0x25000110, 4), "08000022");

@@ -71,7 +71,7 @@ class Ax130751PendingTimers : public Ax130751Blocks {
 
 }  // namespace
 
-TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOnDelayOfTheRelay) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOnDelayOfTheRelay) {
     verifies<req::AOR_RELAY_012, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015, req::AOR_RELAY_009>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -115,7 +115,7 @@ TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOnDelayOfTheRelay) 
     }
 }
 
-TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOffDelayOfTheRelay) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheOffDelayOfTheRelay) {
     verifies<req::AOR_RELAY_013, req::AOR_RELAY_022, req::AOR_RELAY_014, req::AOR_RELAY_023, req::AOR_RELAY_015>();
     const auto nothing = [] {};
     const std::vector<Case> cases{
@@ -152,7 +152,7 @@ TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheOffDelayOfTheRelay)
     }
 }
 
-TEST_F(Ax130751PendingTimers, EachEventKeepsEndsOrRestartsTheBlinkingOfTheRelay) {
+TEST_F(Ax130751PendingTimers, CommandsWritesAndFaultsKeepEndOrRestartTheBlinkingOfTheRelay) {
     verifies<req::AOR_RELAY_008, req::AOR_RELAY_009, req::AOR_RELAY_010>();
     const auto nothing = [] {};
     const std::vector<Case> cases{

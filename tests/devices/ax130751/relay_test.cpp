@@ -345,7 +345,7 @@ TEST_F(Ax130751Relay, UnusedOverrideIsNotReadAsOff) {
     EXPECT_TRUE(relay_on());
 }
 
-TEST_F(Ax130751Relay, OverriddenRelayOfPolarityNotImplementedIsOff) {
+TEST_F(Ax130751Relay, RelayOfPolarityNotImplementedIsOffEvenWhenOverridden) {
     verifies<req::AOR_RELAY_002, req::AOR_T10>();
     connect(0x2290, 2);
     set8(0x2293, 1, 1);

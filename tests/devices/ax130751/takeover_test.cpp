@@ -49,7 +49,7 @@ TEST_F(Ax130751Takeover, BlinkingRestartsAfterAnOverride) {
 }
 
 // Sections 1.5.4, 1.2: after a change to time response the input counts as OFF until it reaches its upper limit
-TEST_F(Ax130751Takeover, TableSwitchedToTimeIgnoresAnEarlierOnState) {
+TEST_F(Ax130751Takeover, TableSwitchedToTimeResponseIgnoresAnEarlierOnState) {
     verifies<req::AOR_LT_021>();
     write(0x2522, 1, 100, 2);  // 2500h:1 (EC Extra Received Process Value) is scaled from 0 to 100
     write(0x3011, 0, 4, 1);

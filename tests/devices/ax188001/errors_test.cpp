@@ -225,7 +225,7 @@ TEST_F(Ax188001Errors, OverrunAndTheEndOfBusOffAreReportedAndErrorPassiveIsNot) 
     EXPECT_EQ(read(0x1001).value, 0U);
 }
 
-TEST_F(Ax188001Errors, EachErrorClassHasItsReaction) {
+TEST_F(Ax188001Errors, EachErrorClassHasItsOwnReactionInErrorBehaviour1029h) {
     verifies<req::TCS_ERR_010, req::TCS_OD_1029, req::TCS_T_BEHAVIOUR, req::TCS_T_REACTION>();
     struct Case {
         int sub;
@@ -364,7 +364,7 @@ TEST_F(Ax188001Errors, ErrorWhoseDelayEndsWithinALateCallIsReported) {
     EXPECT_EQ(sent(), (Frames{"0FF#11F0010110000000"}));
 }
 
-TEST_F(Ax188001Errors, ErrorIsReportedBeforeALaterReadingOfALateCallEndsIt) {
+TEST_F(Ax188001Errors, LateCallReportsAnErrorBeforeALaterReadingEndsIt) {
     verifies<req::TCS_ERR_002, req::TCS_ERR_013, req::TCS_FD_004>();
     write(0x5051, 2, 2, 100);
     run(20.0F, 55.0F);  // over-voltage: detected at 165 ms, reported at 265 ms

@@ -123,7 +123,7 @@ TEST_F(Ax188001FaultDetection, TemperatureAndSupplyFaultsHaveTheirOwnDelays) {
     EXPECT_EQ(pass(12000), (Frames{"1165:0FF#0031010210000000", "10165:0FF#0042010110000000"}));
 }
 
-TEST_F(Ax188001FaultDetection, UnderVoltageWaitsForTheDelayOfTheSupply) {
+TEST_F(Ax188001FaultDetection, UnderVoltageIsReportedAfterTheDelayOfTheSupply) {
     verifies<req::TCS_FD_004>();
     EXPECT_EQ(write(0x5051, 1, 2, 10000), 0U);
     EXPECT_EQ(write(0x5051, 2, 2, 1000), 0U);
@@ -162,7 +162,7 @@ TEST_F(Ax188001FaultDetection, FaultDetectionCanBeSwitchedOff) {
     EXPECT_EQ(listed(), (std::vector<std::uint32_t>{0x10023100}));
 }
 
-TEST_F(Ax188001FaultDetection, SetAndClearThresholdsAreLimitsOfEachOther) {
+TEST_F(Ax188001FaultDetection, SetThresholdLimitsTheClearThresholdAndViceVersa) {
     verifies<req::TCS_FD_006, req::TCS_OD_5041, req::TCS_OD_5042>();
     EXPECT_EQ(read(0x5041, 0).value, 3U);
     const std::vector<std::uint32_t> set{1100, 500, 90};

@@ -81,7 +81,7 @@ TEST(SensorErrors, DriftAtMinus40DegreesIsThatOfTheTable) {
     expect_felt(with_errors(level, errors, 85.0), 0.0563577, 0.0563577, -0.9436423);
 }
 
-TEST(SensorErrors, NonLinearityIsLargestBetweenTheFixedPoints) {
+TEST(SensorErrors, NonLinearityIsLargestBetween0And1gAndZeroAtBoth) {
     verifies<req::INC_PLANT_009>();
     const SensorErrors errors{0.0, 0.0, 0.7, 0.0};
     expect_felt(with_errors({1.0F, 0.0F, -1.0F}, errors, 25.0), 1.0, 0.0, -1.0);

@@ -74,7 +74,7 @@ TEST(AnalogueOutput, ReturnToControlRampsFromThePresentValue) {
     EXPECT_DOUBLE_EQ(output.advance(OutputDrive::control, demand, volts, slow, at(210)).value, 3.0);
 }
 
-TEST(AnalogueOutput, RampOffLowersTheValueAndKeepFreezesIt) {
+TEST(AnalogueOutput, RampOffDriveLowersTheValueAndKeepDriveFreezesIt) {
     verifies<req::AOR_OUT_009>();
     AnalogueOutput output;
     output.advance(OutputDrive::override_value, demand, volts, slow, at(0));

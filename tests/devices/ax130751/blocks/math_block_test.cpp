@@ -78,7 +78,7 @@ TEST(MathBlock, OperatorsFollowTable21) {
     EXPECT_DOUBLE_EQ(apply_operator(17, 0.25, 0.5), 0.5);
 }
 
-TEST(MathBlock, HalfScaleCountsAsTrue) {
+TEST(MathBlock, InputOfHalfScaleCountsAsTrue) {
     verifies<req::AOR_MATH_012, req::AOR_K_TRUE_FROM>();
     EXPECT_EQ(apply_operator(8, 0.5, 0.5), 1.0);
     EXPECT_EQ(apply_operator(8, 0.499999, 1.0), 0.0);

@@ -155,7 +155,7 @@ TEST_F(RelayTest, LatchKeepsItsStateAndIgnoresEdgesWhileNotUnderControl) {
     EXPECT_EQ(run(".#.", inverse_latched), "..#");
 }
 
-TEST_F(RelayTest, ShutOffPutsTheRelayOffForEachPolarityAndKeepFreezesIt) {
+TEST_F(RelayTest, ShutOffDrivePutsTheRelayOffForEachPolarityAndKeepDriveFreezesIt) {
     verifies<req::AOR_RELAY_009, req::AOR_RELAY_027>();
     for (const RelayPolarity& polarity :
          {not_implemented, normal, inverse, latched, never_unlatched, inverse_latched, toggle}) {
@@ -244,7 +244,7 @@ TEST_F(RelayTest, NextChangeOfTheRelayIsReported) {
     EXPECT_EQ(relay.next_change(), never);
 }
 
-TEST_F(RelayTest, RampOffPutsTheRelayOff) {
+TEST_F(RelayTest, RampOffDrivePutsTheRelayOff) {
     verifies<req::AOR_RELAY_012>();
     // A relay has no ramp: a drive that ramps an output off switches the relay off, with its delay.
     times.off_delay = milliseconds(2);

@@ -113,7 +113,7 @@ TEST(Ax188001Replay, ThermocoupleWireFollowsTheTypeOrItsStimulus) {
     EXPECT_NE(mixed.find("5FF#4B307101AC18"), std::string::npos) << mixed;  // 121.76 * 16 + 4368 = 6316 = 18ACh
 }
 
-TEST(Ax188001Replay, ReplayOutputsAreGainAndFilter) {
+TEST(Ax188001Replay, ReplayWritesTheGainsAndTheFilterAsOutputs) {
     verifies<req::TCS_S_ADC_FILTER, req::TCS_S_ADC_GAIN>();
     std::string outputs;
     replayed("(1.000000) can0 67F#2F20200032000000\n", "2,tc2_microvolts,30000\n", 4.0, &outputs);
